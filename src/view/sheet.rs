@@ -35,6 +35,8 @@ pub enum SheetKind {
     Bill,
     /// What limits the machine as a quantity grows.
     Limits,
+    /// The worst values of operation: a digest for the page, where documents have every event.
+    Worst,
     /// Products to choose from, suitable ones before many unsuitable ones; views show the first rows.
     Choice,
 }

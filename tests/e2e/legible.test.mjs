@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { covered } from './covered.mjs';
-import { MACHINES, PAPER, openGroups, openPanel, ready, start, takeExample, withPage } from './page.mjs';
+import { MACHINES, PAPER, openGroups, openSizing, openPanel, ready, start, takeExample, withPage } from './page.mjs';
 import { words } from './words.mjs';
 
 let app;
@@ -102,6 +102,7 @@ for (const { locale, width, height } of each('mm', BESIDE)) {
           await page.click(`#tab-${tab}`);
           await page.waitForTimeout(300);
           await openGroups(page);
+          if (tab === 'sizing') await openSizing(page);
           await page.waitForTimeout(300);
           assert.deepEqual([...(await cutOff(page, '.side, .form')), ...(await scrollsSideways(page))], [], `${name}, ${tab}`);
         }

@@ -74,7 +74,7 @@ test('after the first visit everything works without the host', () =>
     await reload(page);
     await enter(page.locator('#pitch'), '8');
     await page.click('#tab-sizing');
-    await page.locator('.sizing .sheets[aria-busy="false"] table').first().waitFor();
+    await page.locator('.sizing[aria-busy="false"] .section').first().waitFor();
     await page.click('#export');
     const zip = await saved(page, () => page.click('#save-all'));
     assert.equal(String(zip.subarray(0, 2)), 'PK');

@@ -28,7 +28,7 @@ test('one file runs, sizes, edits and exports', () =>
     await page.waitForFunction(() => document.getElementById('clock').textContent > '00:00.5');
     await enter(page.locator('#pitch'), '8');
     await page.click('#tab-sizing');
-    await page.locator('.sizing .sheets[aria-busy="false"] table').first().waitFor({ timeout: 60_000 });
+    await page.locator('.sizing[aria-busy="false"] .section').first().waitFor({ timeout: 60_000 });
     await page.click('#tab-program');
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     await page.locator('.editor .cm-content').waitFor();

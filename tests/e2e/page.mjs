@@ -178,6 +178,14 @@ export async function openPanel(page) {
   if ((await page.locator('#panel-fold').getAttribute('aria-expanded')) === 'false') await page.click('#panel-fold');
 }
 
+// Waits for the sizing of the present project, and opens its sections, but for the draw of machines.
+export async function openSizing(page) {
+  await page.locator('#tab-sizing').click();
+  await page.locator('.sizing[aria-busy="false"] .section').first().waitFor();
+  await page.evaluate(() => document.querySelectorAll('.section:not(#sizing-chance)').forEach((section) => (section.open = true)));
+  await page.locator('#sizing-terminals table').waitFor();
+}
+
 // The text of the listing, lines out of sight too: the browser draws them when they come into it, and their inner text is empty until then.
 export const listing = async (page) => (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
 

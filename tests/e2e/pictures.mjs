@@ -42,7 +42,7 @@ const VIEWS = [
   ['machine-data', [LARGE, PHONE], openGroups],
   ['panel', [LARGE, PHONE], openPanel],
   ['results', [LARGE, PHONE], tab('results')],
-  ['sizing', [LARGE, PHONE], async (page) => (await tab('sizing')(page), await page.locator('.sizing .sheet').first().waitFor())],
+  ['sizing', [LARGE, PHONE], async (page) => (await tab('sizing')(page), await page.locator('.sizing .section').first().waitFor())],
   ['ways', [LARGE, PHONE], async (page, say) => (await machine('polygon.name')(page, say), await tab('explore')(page))],
   ['variables', [LARGE, PHONE], tab('variables')],
   ['parameters', [LARGE, PHONE], tab('parameters')],

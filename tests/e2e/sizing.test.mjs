@@ -1,34 +1,27 @@
 // The sizing of a machine on the page: its sheets, a motor taken into the form, a moment of the chart, parts of one's own.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, enter, start, withPage } from './page.mjs';
+import { accessible, enter, openSizing, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
 after(() => app.close());
 
-// The tab with the sheets of the present project.
-async function sized(page) {
-  await page.locator('#tab-sizing').click();
-  await page.locator('.sizing .sheets[aria-busy="false"] table').first().waitFor();
-}
-
 test('motor of the list enters the form, bill follows', () =>
   withPage(app, {}, async ({ page }) => {
-    await sized(page);
-    // Rows with their cells, without the heads that a narrow layout puts into cells.
-    const rows = (table) => [...table.rows].map(({ cells }) => [...cells].map((cell) => [...cell.childNodes].filter(({ nodeName }) => nodeName !== 'SMALL').map((node) => node.textContent).join('')).join(' ')).join('\n');
-    const bill = await page.locator('.sizing table').first().evaluate(rows);
-    assert.match(bill, /Pull roller: Motor, proposal\s+Mitsubishi Electric\s+HG-KR13.*stall torque 1.3 Nm/);
+    await openSizing(page);
+    const motor = page.locator('.bill li', { hasText: 'Pull roller: Motor' });
+    assert.match(await motor.innerText(), /^Pull roller: Motor, proposal\s+1\s×\s+Mitsubishi Electric HG-KR13\s+.*stall torque 1.3 Nm/);
     await page.getByRole('button', { name: /HG-KR23$/ }).first().click();
-    await page.waitForFunction(() => document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+    await motor.filter({ hasText: 'HG-KR23' }).waitFor();
+    await page.locator('#sizing-x > summary', { hasText: 'HG-KR23' }).waitFor();
     await page.keyboard.press('Control+z');
-    await page.waitForFunction(() => !document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+    await motor.filter({ hasText: 'HG-KR13' }).waitFor();
   }));
 
 test('a line of the torque chart leads to its moment', () =>
   withPage(app, {}, async ({ page }) => {
-    await sized(page);
+    await openSizing(page);
     const line = page.locator('.torque [data-at]:not([data-at="0"])').last();
     const at = Number(await line.getAttribute('data-at'));
     await line.dispatchEvent('click');
@@ -44,20 +37,21 @@ test('table parts join the choice, wrong row is told with line', () =>
     ];
     await page.setInputFiles('#open', { name: 'own.csv', mimeType: 'text/csv', buffer: Buffer.from(`${rows.join('\n')}\n`) });
     await page.getByText('own.csv: ').first().waitFor();
+    await openSizing(page);
     await page.getByRole('button', { name: /Works M1$/ }).first().waitFor();
   }));
 
-test('machines are drawn by a button', () =>
+test('machines are drawn when their section is opened', () =>
   withPage(app, {}, async ({ page }) => {
-    await sized(page);
-    await page.getByRole('button', { name: 'Draw 10000 machines' }).click();
+    await openSizing(page);
+    await page.click('#sizing-chance > summary');
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
   }));
 
 test('cancelled draw of machines runs again by a button', () =>
   withPage(app, {}, async ({ page }) => {
-    await sized(page);
-    await page.getByRole('button', { name: 'Draw 10000 machines' }).click();
+    await openSizing(page);
+    await page.click('#sizing-chance > summary');
     // Dispatched without waiting: the button is visible only during a slow answer.
     await page.locator('.working').nth(1).locator('button').dispatchEvent('click');
     await page.getByText('Cancelled').waitFor();
@@ -65,12 +59,12 @@ test('cancelled draw of machines runs again by a button', () =>
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
     // A new worker replaces the cancelled one: the sizing goes on.
     await page.getByRole('button', { name: /HG-KR23$/ }).first().click();
-    await page.waitForFunction(() => document.querySelector('.sizing table').innerText.includes('HG-KR23'));
+    await page.locator('#sizing-x > summary', { hasText: 'HG-KR23' }).waitFor();
   }));
 
 test('variants are kept, compared, taken and undone', () =>
   withPage(app, {}, async ({ page }) => {
-    await sized(page);
+    await openSizing(page);
     const section = page.locator('section.variants');
     const pitch = section.locator('tbody tr', { hasText: 'Pitch mm' });
     await page.getByRole('button', { name: 'Keep as variant' }).click();
@@ -82,7 +76,7 @@ test('variants are kept, compared, taken and undone', () =>
     await enter(page.getByRole('textbox', { name: 'Name of the variant' }), 'Wide');
     await section.locator('thead .name', { hasText: 'Wide' }).waitFor();
     await page.waitForFunction(() => document.querySelectorAll('.variants tbody td').length % 3 === 0);
-    await page.locator('.sizing .sheets[aria-busy="false"]').first().waitFor();
+    await page.locator('.sizing[aria-busy="false"]').waitFor();
     await accessible(page);
     // A beside the form, then beside the other variant: machines, entries and program in three clicks.
     await page.getByRole('button', { name: 'Compare variant A in motion' }).click();
@@ -116,7 +110,7 @@ for (const viewport of [{ width: 1440, height: 900 }, { width: 1366, height: 768
     withPage(app, { viewport }, async ({ page }) => {
       for (const machine of ['Ribbon line', 'Turning spindle', 'Polygon lathe']) {
         await page.locator('.segments button', { hasText: machine }).click();
-        await sized(page);
+        await openSizing(page);
         const wide = await page.evaluate(() =>
           [...document.querySelectorAll('.sizing .scroll')]
             .filter((box) => box.scrollWidth > box.clientWidth + 1)

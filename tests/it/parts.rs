@@ -8,7 +8,9 @@ use macroline::controls;
 use macroline::drives::parts::{Part, PartGrade, Ratings, Status};
 use macroline::drives::servo::Acceptance;
 use macroline::project::Project;
-use macroline::project::parts::{MAX_BYTES, MAX_PARTS, columns, goes_with, read, shipped, write, write_json};
+use macroline::project::parts::{
+    MAX_BYTES, MAX_PARTS, columns, goes_with, read, shipped, source_title, write, write_json,
+};
 use proptest::prelude::*;
 
 const SHIPPED: &str = include_str!("../../src/project/parts/shipped.csv");
@@ -34,6 +36,7 @@ fn shipped_parts_are_unique_and_have_known_sources() {
         assert!(known.insert((&part.maker, &part.model)), "{} is there twice", part.model);
         let source = part.evidence.source.as_str();
         assert!(page.contains(&format!("\n| `{source}` |")), "{}: no source {source}", part.model);
+        assert_ne!(source_title(source), source, "{}: the source has no title", part.model);
         assert!(part.evidence.grade != PartGrade::Entered, "{}", part.model);
         used.insert(source);
     }

@@ -16,6 +16,7 @@ mod inverters;
 mod rated_torque;
 mod reel;
 mod resistors;
+mod sections;
 mod slides;
 mod taut;
 mod timeline;

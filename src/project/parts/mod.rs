@@ -8,11 +8,14 @@ mod table;
 
 mod objects;
 
+mod sources;
+
 use std::sync::OnceLock;
 
 pub use self::objects::write_json;
 pub(in crate::project) use self::objects::{from_members, members};
 pub use self::row::MAX_PARTS;
+pub use self::sources::source_title;
 pub use self::table::write;
 use crate::controls::{Control, DriveRole};
 use crate::drives::parts::{Part, PartGrade, Ratings};

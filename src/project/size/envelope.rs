@@ -8,6 +8,7 @@ use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::drives::duty::OperatingPoint;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, ProductSize};
+use crate::machines::sheets::say;
 use crate::math;
 use crate::motion::{Action, Event, Mover, RunEnd, Stretch};
 use crate::project::Project;
@@ -177,6 +178,11 @@ impl EnvelopeRow {
             is_cut: false,
             is_worst: false,
         }
+    }
+
+    /// Its quantity in words, with the axis.
+    pub fn quantity(&self) -> String {
+        self.axis.map_or_else(|| say(self.label), |axis| format!("{}, {}", say(self.label), say(axis)))
     }
 
     /// Whether the row reports that a contact of the machine holds the program at the event.

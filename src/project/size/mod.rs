@@ -17,6 +17,8 @@ mod growth;
 
 mod runs;
 
+pub mod sections;
+
 pub mod sheets;
 
 pub mod words;

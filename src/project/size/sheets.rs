@@ -9,6 +9,7 @@ use crate::drives::parts::{PartGrade, Status};
 use crate::machines::sheets::{row, say};
 use crate::math::RPM;
 use crate::msg;
+use crate::project::parts::source_title;
 use crate::text::catalog::{number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
 use crate::view::{Column, Limit, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
@@ -25,16 +26,6 @@ const DUTY: Citation = Citation::new("sizing facts 2.8", Grade::Open);
 const OFFERED: usize = 5;
 
 impl Sizing {
-    /// The sheets: bill of materials, limits, envelope of operation, and the motors of each axis.
-    pub fn sheets(&self) -> Vec<Sheet> {
-        let mut sheets = vec![self.bill_sheet(), self.cycle_sheet(), self.limit_sheet(), self.envelope_sheet()];
-        sheets.push(self.tornado_sheet());
-        sheets.extend(self.axes.iter().flat_map(|axis| [self.asked(axis), Some(motors(axis)), gears(axis)]).flatten());
-        sheets.push(self.terminal_sheet());
-        sheets.retain(|sheet| !sheet.rows.is_empty());
-        sheets
-    }
-
     /// The sheets of an offer: the same kinds, with the first few motors of each axis.
     pub fn offer(&self) -> Vec<Sheet> {
         let mut sheets = self.sheets();
@@ -59,7 +50,7 @@ impl Sizing {
                 if of.maker.is_empty() { String::new() } else { ordered_status(of.status) },
                 to_settle(of),
                 part_grade(of.grade),
-                of.source.clone(),
+                source_title(&of.source).to_owned(),
             ];
             row(cells, CATALOGUE)
         };
@@ -101,7 +92,7 @@ impl Sizing {
     }
 
     /// Time and energy of a part.
-    fn cycle_sheet(&self) -> Sheet {
+    pub(super) fn cycle_sheet(&self) -> Sheet {
         let times = self.cycle.map(|cycle| {
             [
                 ("size.cycle-time", units::text(cycle.seconds, 2, "s")),
@@ -144,7 +135,7 @@ impl Sizing {
         }
     }
 
-    fn limit_sheet(&self) -> Sheet {
+    pub(super) fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
             let binding = beside(binding, &of.failing_anyway);
@@ -170,14 +161,19 @@ impl Sizing {
             id: "limits",
             kind: SheetKind::Limits,
             title: "sheet.limits",
-            columns: ["sheet.grows", "sheet.until", "sheet.margin", "sheet.binds"].map(Column::Plain).to_vec(),
+            columns: vec![
+                Column::Plain("sheet.grows"),
+                Column::Plain("sheet.until"),
+                Column::Plain("sheet.margin"),
+                Column::Prose("sheet.binds"),
+            ],
             rows: self.limits.iter().map(cells).chain(fastest).chain(least).collect(),
             drawing: String::new(),
         }
     }
 
     /// Facts that move the results nearest to their limits.
-    fn tornado_sheet(&self) -> Sheet {
+    pub(super) fn tornado_sheet(&self) -> Sheet {
         let rows = self.tornadoes.iter().flat_map(|tornado| {
             let name = say(tornado.readout.label);
             tornado.swings.iter().map(move |swing| {
@@ -195,6 +191,11 @@ impl Sizing {
             rows: rows.collect(),
             drawing: self.tornadoes.iter().map(tornado_chart).collect(),
         }
+    }
+
+    /// Demand on the motor of an axis, its motors and gear units.
+    pub(super) fn axis_sheets(&self, axis: &SizedAxis) -> Vec<Sheet> {
+        [self.asked(axis), Some(motors(axis)), gears(axis)].into_iter().flatten().collect()
     }
 
     /// Demand of the run on the form's motor, with its chart.
@@ -233,8 +234,33 @@ impl Sizing {
         })
     }
 
+    /// The worst value of each quantity, with its event.
+    pub(super) fn worst_sheet(&self) -> Sheet {
+        let cells = |of: &EnvelopeRow| {
+            let event = say(of.event.name());
+            let event = match of.knob {
+                Some(percent) => sentence(&msg!("size.worst-at-knob", event, percent)),
+                None => event,
+            };
+            row([of.quantity(), marked(of), limit(of).unwrap_or_default(), event], RUNS)
+        };
+        Sheet {
+            id: "worst",
+            kind: SheetKind::Worst,
+            title: "size.section.envelope",
+            columns: vec![
+                Column::Plain("sheet.quantity-watched"),
+                Column::Plain("sheet.worst"),
+                Column::Plain("sheet.limit"),
+                Column::Prose("sheet.event"),
+            ],
+            rows: self.worst().into_iter().map(cells).collect(),
+            drawing: String::new(),
+        }
+    }
+
     /// Events as rows, checked quantities as columns, their limits above.
-    fn envelope_sheet(&self) -> Sheet {
+    pub(super) fn envelope_sheet(&self) -> Sheet {
         let mut watched: Vec<&EnvelopeRow> = Vec::new();
         // The heat of a motor is that of a whole run: the demand of its axis shows it.
         for row in self.envelope.iter().filter(|row| !row.is_heat()) {
@@ -299,7 +325,7 @@ impl Sizing {
     pub fn findings(&self) -> Vec<Diagnostic> {
         let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
         let told = |row: &EnvelopeRow| {
-            let quantity = row.axis.map_or_else(|| say(row.label), |axis| format!("{}, {}", say(row.label), say(axis)));
+            let quantity = row.quantity();
             let limit = limit(row).unwrap_or_default();
             let value = at_least(row.is_cut, units::text(row.value, row.decimals, row.unit));
             let event = say(row.event.name());
@@ -328,12 +354,23 @@ fn limit(of: &EnvelopeRow) -> Option<String> {
         Limit::Within(_) => "±",
         Limit::Equal(_) => "=",
     };
-    Some(format!("{sign} {}", units::text(limit.value(), of.decimals, of.unit)))
+    Some(format!("{sign} {}", with_minus(units::text(limit.value(), of.decimals, of.unit))))
+}
+
+/// A number with the sign of print in place of the hyphen.
+fn with_minus(number: String) -> String {
+    number.replacen('-', "\u{2212}", 1)
+}
+
+/// A value of the envelope with its unit, with a cross beyond its limit.
+fn marked(of: &EnvelopeRow) -> String {
+    let value = at_least(of.is_cut, with_minus(units::text(of.value, of.decimals, of.unit)));
+    if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value }
 }
 
 /// A value of the envelope, with a cross beyond its limit, and a mark if it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
-    let value = at_least(of.is_cut, units::plain(of.value, of.decimals, of.unit));
+    let value = at_least(of.is_cut, with_minus(units::plain(of.value, of.decimals, of.unit)));
     let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
     if of.is_worst { format!("{value} ▲") } else { value }
 }

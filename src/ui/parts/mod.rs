@@ -8,6 +8,8 @@ pub(crate) mod dialog;
 
 pub(crate) mod divider;
 
+pub(crate) mod followed;
+
 pub(crate) mod icon;
 
 pub(crate) mod input;

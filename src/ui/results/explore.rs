@@ -12,6 +12,7 @@ use crate::machines::form::{FieldInfo, Value, Values};
 use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::ui::dom;
+use crate::ui::parts::followed::follow_sheets;
 use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::parts::verdict::VerdictLines;
@@ -114,7 +115,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
         <div class="shape" node_ref=shape_host inner_html=move || shape.get()></div>
         <div class="knobs">{knobs}</div>
         <div class="row"><VerdictLines readouts=results /></div>
-        <div class="ways" hidden=move || { at.get() > 0 } on:click=choose><SheetView which=|sheets| sheets.ways /></div>
+        <div class="ways" hidden=move || { at.get() > 0 } on:click=choose><SheetView sheets=follow_sheets(|sheets| sheets.ways) /></div>
         <div class="plots" inner_html=move || plots.get()></div>
     }
 }

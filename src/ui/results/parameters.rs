@@ -6,6 +6,7 @@ use crate::controls::Switch;
 use crate::controls::options::CommentCharacters;
 use crate::text::Grade;
 use crate::text::catalog::Language;
+use crate::ui::parts::followed::follow_sheets;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::Page;
@@ -14,13 +15,13 @@ use crate::ui::words::{Tone, t};
 /// The parameters tab.
 #[component]
 pub(crate) fn ParametersTab() -> impl IntoView {
-    view! { <SheetView which=|sheets| sheets.parameters><Switches /></SheetView> }
+    view! { <SheetView sheets=follow_sheets(|sheets| sheets.parameters)><Switches /></SheetView> }
 }
 
 /// The PLC tab.
 #[component]
 pub(crate) fn PlcTab() -> impl IntoView {
-    view! { <SheetView which=|sheets| sheets.plc /> }
+    view! { <SheetView sheets=follow_sheets(|sheets| sheets.plc) /> }
 }
 
 /// The points of the control that no manual at hand settles, each with its settings, source and grade.

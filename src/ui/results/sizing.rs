@@ -12,10 +12,11 @@ use super::take::{listed, take};
 use super::variants::Variants;
 use crate::msg;
 use crate::project::chance;
+use crate::ui::parts::followed::{Answered, Working, follow};
 use crate::ui::parts::sheet_view::SheetView;
-use crate::ui::state::Page;
+use crate::ui::state::{Page, put};
 use crate::ui::words::{sentence, t};
-use crate::ui::worker::messages::Request;
+use crate::ui::worker::messages::{Request, Response, ShownSection};
 
 /// Delay after the last change before the project is sized, so that a dragged number asks once.
 const REST: Duration = Duration::from_millis(400);
@@ -24,8 +25,14 @@ const REST: Duration = Duration::from_millis(400);
 #[component]
 pub(crate) fn SizingTab() -> impl IntoView {
     let page = Page::here();
-    // Thousands of machines are drawn only on request.
-    let drawn = RwSignal::new(false);
+    let sizing = follow(
+        || Request::Sizing,
+        REST,
+        |response| match response {
+            Response::Sizing(sections) => Some(sections),
+            _ => None,
+        },
+    );
     let choose = move |event: MouseEvent| {
         if let Some(values) = listed(page, &event) {
             take(page, "", values);
@@ -33,21 +40,96 @@ pub(crate) fn SizingTab() -> impl IntoView {
             page.player.seek(t);
         }
     };
+    let lead = move || match sizing.answer.get() {
+        Answered::Waiting => t("page.reading"),
+        Answered::Nothing => t("page.no-answer"),
+        Answered::Of(_) => t("page.sizing-lead"),
+    };
+    let shown = move |at: usize| {
+        Memo::new(move |_| {
+            sizing.answer.with(|answer| match answer {
+                Answered::Of(sections) => sections.get(at).cloned(),
+                Answered::Waiting | Answered::Nothing => None,
+            })
+        })
+    };
+    // A section that stays keeps its place open or closed, because its element stays.
+    let ids = move || {
+        sizing.answer.with(|answer| match answer {
+            Answered::Of(sections) => {
+                sections.iter().enumerate().map(|(at, section)| (at, section.id.clone())).collect()
+            }
+            Answered::Waiting | Answered::Nothing => Vec::new(),
+        })
+    };
+    let is_answered = move || sizing.answer.with(|answer| matches!(answer, Answered::Of(_)));
     view! {
-        <Variants />
-        <p class="lead">{t("page.sizing-lead")}</p>
-        <div class="sizing" on:click=choose>
-            <SheetView which=|sheets| sheets.sizing request=|| Request::Sizing rest=REST long=true />
-            <Show
-                when=move || drawn.get()
-                fallback=move || view! {
-                    <p class="row"><button type="button" class="chip" on:click=move |_| drawn.set(true)>{sentence(&msg!("page.chance", count = chance::DRAWS))}</button></p>
-                }
-            >
-                <SheetView which=|sheets| sheets.sizing request=|| Request::Chance rest=REST long=true />
+        <div class="sizing" aria-busy=move || sizing.progress.outdated.get().to_string() on:click=choose>
+            <p class="lead">{lead}</p>
+            <Working progress=sizing.progress />
+            <For each=ids key=Clone::clone let:place>
+                <Section section=shown(place.0) />
+            </For>
+            <Show when=is_answered>
+                <Chances />
             </Show>
         </div>
+        <Variants />
     }
+}
+
+/// A section of the sizing: its answer, and its sheets once it is opened.
+#[component]
+fn Section(
+    /// The section; none while it is taken away.
+    section: Memo<Option<ShownSection>>,
+) -> impl IntoView {
+    let is_built = RwSignal::new(false);
+    let of = move |read: fn(&ShownSection) -> String| {
+        move || section.with(|section| section.as_ref().map(read).unwrap_or_default())
+    };
+    let (title, answer, sheets) = (of(|of| of.title.clone()), of(|of| of.answer.clone()), of(|of| of.html.clone()));
+    let (sign, class) = (of(|of| of.tone.sign().to_owned()), of(|of| format!("answer {}", of.tone)));
+    view! {
+        <details class="section" id=of(|of| format!("sizing-{}", of.id)) on:toggle=move |_| put(is_built, true)>
+            <summary>
+                <span class="title">{title}</span>
+                <span class=class><i aria-hidden="true">{sign}</i> " " {answer}</span>
+            </summary>
+            <div class="sheets" inner_html=move || is_built.get().then(sheets).unwrap_or_default()></div>
+        </details>
+    }
+}
+
+/// The chance that every verdict holds; thousands of machines are drawn when the section is opened.
+#[component]
+fn Chances() -> impl IntoView {
+    let drawn = RwSignal::new(false);
+    view! {
+        <details class="section" id="sizing-chance" on:toggle=move |_| put(drawn, true)>
+            <summary>
+                <span class="title">{t("sheet.chance")}</span>
+                <span class="answer none">{sentence(&msg!("page.chance", count = chance::DRAWS))}</span>
+            </summary>
+            <Show when=move || drawn.get()>
+                <ChanceSheet />
+            </Show>
+        </details>
+    }
+}
+
+/// Sheet of the drawn machines.
+#[component]
+fn ChanceSheet() -> impl IntoView {
+    let sheet = follow(
+        || Request::Chance,
+        REST,
+        |response| match response {
+            Response::Html(html) => Some(html),
+            _ => None,
+        },
+    );
+    view! { <Working progress=sheet.progress /> <SheetView sheets=sheet /> }
 }
 
 /// Time (s) of the part of the run whose line in a chart was clicked.
@@ -62,26 +144,35 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{mount, settled, until};
+    use crate::ui::testing::{mount, pause, settled, until};
+    use crate::ui::words::Tone;
     use crate::ui::worker::client::Client;
-    use crate::ui::worker::messages::{Response, Sheets};
 
-    fn row(sizing: &str) -> Option<Response> {
-        let sizing =
-            format!("<table><tbody><tr data-sets=\"{sizing}\"><td><button>M1</button></td></tr></tbody></table>");
-        Some(Response::Sheets(Sheets { sizing, ..Sheets::default() }))
+    fn sections(sets: &str) -> Option<Response> {
+        let html = format!("<table><tbody><tr data-sets=\"{sets}\"><td><button>M1</button></td></tr></tbody></table>");
+        let section = |id: &str, html: &str| ShownSection {
+            id: id.to_owned(),
+            title: format!("Title of {id}"),
+            tone: Tone::Ok,
+            answer: format!("answer of {id}"),
+            html: html.to_owned(),
+        };
+        Some(Response::Sizing(vec![section("x", &html), section("bill", "<p>Bill</p>")]))
     }
 
     #[wasm_bindgen_test]
     async fn motor_of_the_list_is_taken_into_the_form() {
         let bench = mount(|| {
             Client::here().answer_here(|_, request| match request {
-                Request::Sizing => row("motor-x=Works; M=1\nmotor-peak-x=7.5"),
+                Request::Sizing => sections("motor-x=Works; M=1\nmotor-peak-x=7.5"),
                 _ => None,
             });
             view! { <SizingTab /> }
         })
         .await;
+        until(|| bench.has("#sizing-x")).await;
+        assert!(bench.text("#sizing-x summary").contains("answer of x") && !bench.has("tr button"));
+        bench.press("#sizing-x summary").await;
         until(|| bench.has("tr button")).await;
         bench.press("tr button").await;
         settled().await;
@@ -90,6 +181,9 @@ mod tests {
             (value("motor-x"), value("motor-peak-x")),
             (Value::Text("Works; M=1".to_owned()), Value::Number(7.5))
         );
+        // Sized again, the section stays open.
+        pause(500).await;
+        assert!(bench.has("#sizing-x[open] tr button") && !bench.has("#sizing-bill[open]"));
         bench.page.undo();
         settled().await;
         assert_ne!(value("motor-peak-x"), Value::Number(7.5));
@@ -98,12 +192,12 @@ mod tests {
     #[wasm_bindgen_test]
     async fn sizing_waits_until_the_project_rests() {
         let bench = mount(|| {
-            Client::here().answer_here(|project, _| row(&format!("motor-x={}", project.name)));
+            Client::here().answer_here(|project, _| sections(&format!("motor-x={}", project.name)));
             view! { <SizingTab /> }
         })
         .await;
-        assert!(bench.has("[aria-busy=true]") && !bench.has(".sheets tr"));
-        until(|| bench.has(".sheets tr")).await;
+        assert!(bench.has("[aria-busy=true]") && !bench.has(".section"));
+        until(|| bench.has(".section")).await;
         assert!(bench.has("[aria-busy=false]"));
     }
 }

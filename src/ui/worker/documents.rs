@@ -1,20 +1,21 @@
-//! Sheets as HTML for the page, and the documents of an export.
+//! Documents of a project for the page: its sheets by tabs, its sizing, comparisons, and the documents of an export.
 
-use super::messages::{ExportDocuments, FoundRepairs, Range, ReadParts, Remark, Sheets};
+use super::messages::{ExportDocuments, FoundRepairs, Range, ReadParts, Remark, Sheets, ShownSection};
+use super::sheet_html::{html, section_html, table, tagged};
 use crate::controls::options::CommentCharacters;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
-use crate::project::meaning::{self, Subject, Table};
 use crate::project::parts;
 use crate::project::repairs;
 use crate::project::saved::with_line;
+use crate::project::size::sections::SizingSection;
 use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
 use crate::project::{Project, encode};
-use crate::text::{Diagnostic, DiagnosticKind, Grade, Message, Severity, columns};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
-use crate::view::{Column, Comparison, Row, Sheet, SheetKind, VariantCell, Verdict};
+use crate::view::{Comparison, SheetKind, VariantCell, Verdict};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
@@ -52,19 +53,23 @@ pub(in crate::ui) fn parts(mut project: Project, name: &str, text: &str) -> Read
     ReadParts { project: project.to_json(), added, remarks: found.iter().map(remark).collect() }
 }
 
-/// The sheets of a sizing of the project; reports the share done.
-pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
-    let mut sizing = String::new();
-    let sized = size_telling(project, &project.written(), tell);
-    sized.sheets().iter().for_each(|sheet| html(&mut sizing, sheet, project));
-    Sheets { sizing, ..Sheets::default() }
+/// The sections of a sizing of the project; reports the share done.
+pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Vec<ShownSection> {
+    let shown = |section: SizingSection| ShownSection {
+        id: section.id.to_owned(),
+        title: t(section.title).to_owned(),
+        tone: section.verdict.into(),
+        html: section_html(&section, project),
+        answer: section.answer,
+    };
+    size_telling(project, &project.written(), tell).sections().into_iter().map(shown).collect()
 }
 
 /// The chance that every verdict holds, as a sheet; reports the share done.
-pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> Sheets {
-    let mut sizing = String::new();
-    html(&mut sizing, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
-    Sheets { sizing, ..Sheets::default() }
+pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> String {
+    let mut out = String::new();
+    table(&mut out, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
+    out
 }
 
 /// The rows in which the present settings and the variants of a project differ, under titles; cells that differ from the present ones are
@@ -137,161 +142,6 @@ fn compared(out: &mut String, cell: Option<&VariantCell>, differs: bool) {
         }
     }
     out.push_str("</td>");
-}
-
-/// Rows of a list that repeats a drawing above which it is folded.
-const FOLDED: usize = 12;
-
-fn html(out: &mut String, sheet: &Sheet, project: &Project) {
-    let titled = |out: &mut String, tag: &str| {
-        out.push_str(tag);
-        out.push_str(" aria-label=\"");
-        escape(out, t(sheet.title));
-        out.push_str("\">");
-    };
-    tagged(out, "h3", t(sheet.title));
-    if !sheet.drawing.is_empty() {
-        titled(out, "<div role=\"img\"");
-        out.push_str(&sheet.drawing);
-        out.push_str("</div>");
-    }
-    let folded = !sheet.drawing.is_empty() && sheet.rows.len() > FOLDED;
-    if folded {
-        out.push_str("<details>");
-        tagged(out, "summary", t("page.as-table"));
-    }
-    titled(out, "<div class=\"scroll\" tabindex=\"0\" role=\"group\"");
-    // Columns without a value are left out.
-    let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
-    let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
-    // In a narrow layout, prose after many columns goes below them: see `.stacked`.
-    let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
-    // In a narrow layout, sentences in several columns go below one another, each with its head: see `.told`.
-    let is_bill = sheet.kind == SheetKind::Bill;
-    let has_sentences = is_bill || shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
-    // A source that all rows share is shown once.
-    let common = sheet.common_source().filter(|_| is_bill || !has_sentences && !prose);
-    out.push_str("<table class=\"sheet");
-    if has_sentences {
-        out.push_str(" told");
-    } else if prose {
-        out.push_str(&format!(" stacked n{}", shown.len() - 1));
-    }
-    out.push_str("\"><thead><tr>");
-    let heads = shown.iter().filter_map(|at| sheet.columns.get(*at)).map(|column| column.head());
-    for head in heads.chain(common.is_none().then_some("page.grade")) {
-        out.push_str("<th scope=\"col\">");
-        escape(out, t(head));
-        out.push_str("</th>");
-    }
-    out.push_str("</tr></thead><tbody>");
-    for row in &sheet.rows {
-        let cells: Vec<(Option<&Column>, &String)> =
-            shown.iter().filter_map(|at| Some((sheet.columns.get(*at), row.cells.get(*at)?))).collect();
-        match cells.as_slice() {
-            [(_, first), rest @ ..] if !row.sets.is_empty() => {
-                offer(out, row, first);
-                rest.iter().for_each(|(_, cell)| tagged(out, "td", cell));
-            }
-            cells => {
-                out.push_str("<tr>");
-                for (column, cell) in cells {
-                    table_cell(out, *column, cell, has_sentences, project);
-                }
-            }
-        }
-        if common.is_none() {
-            graded(out, "td", row);
-        }
-        out.push_str("</tr>");
-    }
-    out.push_str("</tbody></table></div>");
-    if let Some(row) = common {
-        graded(out, "p", row);
-    }
-    if folded {
-        out.push_str("</details>");
-    }
-}
-
-/// Opens a row whose entries the form can take, with its first cell as a button.
-fn offer(out: &mut String, row: &Row, first: &str) {
-    let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
-    out.push_str("<tr data-sets=\"");
-    escape(out, &sets.join("\n"));
-    out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
-    escape(out, &format!("{} {first}", t("page.take")));
-    out.push_str("\">");
-    escape(out, first);
-    out.push_str("</button></td>");
-}
-
-/// A cell of a column, with the head of the column where the table has sentences.
-fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_sentences: bool, project: &Project) {
-    match column {
-        Some(Column::Parameter(_)) if meaning::of(project, cell, Table::Parameters).is_some() => {
-            out.push_str("<td data-means=\"parameters\">");
-            escape(out, cell);
-            out.push_str("</td>");
-        }
-        Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
-        // No head over nothing.
-        _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
-        Some(column) if has_sentences => {
-            out.push_str("<td>");
-            tagged(out, "small", t(column.head()));
-            escape(out, cell);
-            out.push_str("</td>");
-        }
-        _ => devices(out, cell, project),
-    }
-}
-
-/// The grade of a row, with its source; as a paragraph with the source beside it.
-fn graded(out: &mut String, tag: &str, row: &Row) {
-    let open = if row.grade == Grade::Open { " open" } else { "" };
-    out.push_str(&format!("<{tag} class=\"grade{open}\" title=\""));
-    escape(out, row.source.words());
-    out.push_str("\">");
-    if tag == "p" {
-        escape(out, row.source.words());
-        out.push_str(": ");
-    }
-    escape(out, row.grade.words());
-    out.push_str(&format!("</{tag}>"));
-}
-
-/// Characters from which on a cell is a sentence.
-const SENTENCE: usize = 24;
-
-/// Characters of the longest cell of a column.
-fn longest(sheet: &Sheet, at: usize) -> usize {
-    sheet.rows.iter().filter_map(|row| Some(columns(row.cells.get(at)?))).max().unwrap_or(0)
-}
-
-/// A cell whose registers and variables have their meaning: `MOV R148 R74`.
-fn devices(out: &mut String, cell: &str, project: &Project) {
-    out.push_str("<td>");
-    for (at, word) in cell.split(' ').enumerate() {
-        if at > 0 {
-            out.push(' ');
-        }
-        let means = meaning::of(project, word, Table::Interface).map(|found| found.subject);
-        if matches!(means, Some(Subject::Signal(_) | Subject::Variable(_) | Subject::Code(_))) {
-            out.push_str("<span data-means=\"interface\">");
-            escape(out, word);
-            out.push_str("</span>");
-        } else {
-            escape(out, word);
-        }
-    }
-    out.push_str("</td>");
-}
-
-pub(super) fn tagged(out: &mut String, tag: &str, text: &str) {
-    out.push_str(&format!("<{tag}>"));
-    escape(out, text);
-    out.push_str(&format!("</{tag}>"));
 }
 
 /// The day by the computer's clock, `2026-11-22`.

@@ -5,8 +5,8 @@ use std::cell::RefCell;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::documents::tagged;
 use super::messages::{HelpPageHtml, Hit};
+use super::sheet_html::tagged;
 use crate::machines;
 use crate::project::Project;
 use crate::project::help::content::{HelpEntry, HelpPage, HelpPlace, HelpSection};

@@ -80,9 +80,11 @@ pub(crate) enum Reply {
 pub(crate) enum Response {
     /// Of [`Request::Review`].
     Review(Vec<Finding>),
-    /// Of [`Request::Sheets`], [`Request::Sizing`] and [`Request::Chance`].
+    /// Of [`Request::Sheets`].
     Sheets(Sheets),
-    /// Of [`Request::Variants`]: rows of a table as HTML, without its head. Of [`Request::Compare`]: with it.
+    /// Of [`Request::Sizing`].
+    Sizing(Vec<ShownSection>),
+    /// Of [`Request::Chance`]: a sheet as HTML. Of [`Request::Variants`]: rows of a table, without its head. Of [`Request::Compare`]: with it.
     Html(String),
     /// Of [`Request::Shelf`].
     Projects(Vec<ListedProject>),
@@ -275,8 +277,21 @@ pub(crate) struct Sheets {
     pub plc: String,
     /// Sheets whose rows can be taken into the form.
     pub ways: String,
-    /// Motors, operating envelope, limits and bill of materials; or the chance that all verdicts hold.
-    pub sizing: String,
+}
+
+/// A section of a sizing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ShownSection {
+    /// Its id.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// Tone of its answer.
+    pub tone: Tone,
+    /// The answer in a line.
+    pub answer: String,
+    /// Its sheets as HTML.
+    pub html: String,
 }
 
 /// A page of help.

@@ -8,6 +8,8 @@ pub(super) mod diagnostics;
 
 pub(super) mod documents;
 
+mod sheet_html;
+
 pub(super) mod editor;
 
 pub(super) mod help;

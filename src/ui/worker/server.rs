@@ -63,8 +63,8 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
         let response = match request {
             Request::Review => Response::Review(review(&project)),
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
-            Request::Sizing => Response::Sheets(documents::sizing(&project, &mut progress)),
-            Request::Chance => Response::Sheets(documents::chance(&project, &mut progress)),
+            Request::Sizing => Response::Sizing(documents::sizing(&project, &mut progress)),
+            Request::Chance => Response::Html(documents::chance(&project, &mut progress)),
             Request::Variants => Response::Html(documents::variants(&project)),
             Request::Compare(names, text) => Response::Html(documents::compared_with(&project, names, &text)),
             Request::Shelf(shelf) => Response::Projects(shelf::list(&project, &shelf)),

@@ -1,0 +1,147 @@
+//! An answer of the worker about the present project, asked for again after every change of the project.
+
+use std::time::Duration;
+
+use leptos::prelude::*;
+
+use crate::project::Project;
+use crate::ui::dom::delayed::Delayed;
+use crate::ui::state::{Page, put};
+use crate::ui::words::t;
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Request, Response, Sheets};
+
+/// The latest answer.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Answered<T> {
+    /// The first answer is on its way.
+    Waiting,
+    /// The worker has none.
+    Nothing,
+    /// The answer.
+    Of(T),
+}
+
+/// A followed answer. A handle: copies share its state.
+pub(crate) struct Followed<T: Send + Sync + 'static> {
+    /// The latest answer.
+    pub answer: RwSignal<Answered<T>>,
+    /// Progress of the next one.
+    pub progress: AnswerProgress,
+}
+
+// A derive would ask the same of the answer.
+impl<T: Send + Sync + 'static> Clone for Followed<T> {
+    fn clone(&self) -> Followed<T> {
+        *self
+    }
+}
+
+impl<T: Send + Sync + 'static> Copy for Followed<T> {}
+
+/// Progress of an answer. A handle: copies share its state.
+#[derive(Clone, Copy)]
+pub(crate) struct AnswerProgress {
+    /// The latest answer is about the project before its last change.
+    pub outdated: RwSignal<bool>,
+    /// Share of the work that is done, 0 to 1; none without a request.
+    far: RwSignal<Option<f64>>,
+    is_cancelled: RwSignal<bool>,
+    cancel: Callback<()>,
+    again: Callback<()>,
+}
+
+/// Follows the sheets of the project that one tab shows.
+pub(crate) fn follow_sheets(tab: fn(Sheets) -> String) -> Followed<String> {
+    let of_tab = move |response| match response {
+        Response::Sheets(sheets) => Some(tab(sheets)),
+        _ => None,
+    };
+    follow(|| Request::Sheets, Duration::ZERO, of_tab)
+}
+
+/// Follows an answer. A slow request is sent after a delay, in which the project rests.
+pub(crate) fn follow<T: Send + Sync + 'static>(
+    request: fn() -> Request,
+    rest: Duration,
+    read: impl Fn(Response) -> Option<T> + Copy + Send + Sync + 'static,
+) -> Followed<T> {
+    let (page, worker) = (Page::here(), Client::here());
+    let answer = RwSignal::new(Answered::Waiting);
+    let outdated = RwSignal::new(true);
+    let far = RwSignal::new(None::<f64>);
+    let is_cancelled = RwSignal::new(false);
+    // Number of the request.
+    let asked = StoredValue::new(0);
+    let show = move |response: Option<Response>| {
+        let read = response.and_then(read).map_or(Answered::Nothing, Answered::Of);
+        // The tab may have been left.
+        let _ = answer.try_set(read);
+        let _ = outdated.try_set(false);
+        let _ = far.try_set(None);
+    };
+    let ask = move || {
+        put(far, Some(0.0));
+        put(is_cancelled, false);
+        let progress = move |share| {
+            let _ = far.try_set(Some(share));
+        };
+        let number = page.project.with_untracked(|project| worker.ask_long(project, request(), progress, show));
+        asked.set_value(number);
+    };
+    let delayed = Delayed::new();
+    let cancel = move |()| {
+        // A request that waits for its delay would undo the cancelling.
+        delayed.cancel();
+        worker.cancel(asked.get_value());
+        far.set(None);
+        is_cancelled.set(true);
+    };
+    let before = StoredValue::new_local(None::<Project>);
+    Effect::new(move |_| {
+        let mut present = page.project.get();
+        // Variants change no sheet.
+        present.variants.clear();
+        if before.with_value(|before| before.as_ref() == Some(&present)) {
+            return;
+        }
+        before.set_value(Some(present));
+        put(outdated, true);
+        if rest.is_zero() {
+            ask();
+        } else {
+            delayed.call(ask, rest);
+        }
+    });
+    let progress = AnswerProgress {
+        outdated,
+        far,
+        is_cancelled,
+        cancel: Callback::new(cancel),
+        again: Callback::new(move |()| ask()),
+    };
+    Followed { answer, progress }
+}
+
+/// Progress bar of a slow answer, with a button that cancels it.
+#[component]
+pub(crate) fn Working(
+    /// The progress.
+    progress: AnswerProgress,
+) -> impl IntoView {
+    let AnswerProgress { far, is_cancelled, cancel, again, .. } = progress;
+    view! {
+        <div class="working" class:on=move || far.get().is_some() || is_cancelled.get()>
+            <Show
+                when=move || !is_cancelled.get()
+                fallback=move || view! {
+                    <span role="status">{t("page.cancelled")}</span>
+                    <button type="button" class="chip" on:click=move |_| again.run(())>{t("page.again")}</button>
+                }
+            >
+                <progress aria-label=t("page.progress") max="1" value=move || far.get().unwrap_or(1.0).to_string()></progress>
+                <button type="button" class="chip" on:click=move |_| cancel.run(())>{t("page.cancel")}</button>
+            </Show>
+        </div>
+    }
+}

@@ -1,0 +1,222 @@
+//! Sheets as HTML for the page.
+
+use crate::project::Project;
+use crate::project::meaning::{self, Subject, Table};
+use crate::project::size::sections::SizingSection;
+use crate::text::{Grade, columns};
+use crate::ui::words::t;
+use crate::view::svg::escape;
+use crate::view::{Column, Row, Sheet, SheetKind};
+
+/// The sheets of a section. Its first sheet needs no title beside that of the section; every event of operation is folded below the worst.
+pub(super) fn section_html(section: &SizingSection, project: &Project) -> String {
+    let mut out = String::new();
+    for (at, sheet) in section.sheets.iter().enumerate() {
+        match (section.sheets.first().map(|first| first.kind), at) {
+            (_, 0) => table(&mut out, sheet, project),
+            (Some(SheetKind::Worst), _) => folded(&mut out, t("page.all-events"), |out| table(out, sheet, project)),
+            _ => html(&mut out, sheet, project),
+        }
+    }
+    out
+}
+
+/// Rows of a list that repeats a drawing above which it is folded.
+const FOLDED: usize = 12;
+
+/// Opens a tag with the title of a sheet as its name.
+fn titled(out: &mut String, tag: &str, sheet: &Sheet) {
+    out.push_str(tag);
+    out.push_str(" aria-label=\"");
+    escape(out, t(sheet.title));
+    out.push_str("\">");
+}
+
+/// Writes content that is shown when it is opened.
+fn folded(out: &mut String, summary: &str, write: impl FnOnce(&mut String)) {
+    out.push_str("<details>");
+    tagged(out, "summary", summary);
+    write(out);
+    out.push_str("</details>");
+}
+
+/// Writes a sheet with its title.
+pub(super) fn html(out: &mut String, sheet: &Sheet, project: &Project) {
+    tagged(out, "h3", t(sheet.title));
+    table(out, sheet, project);
+}
+
+/// Writes the drawing and the rows of a sheet.
+pub(super) fn table(out: &mut String, sheet: &Sheet, project: &Project) {
+    if !sheet.drawing.is_empty() {
+        titled(out, "<div role=\"img\"", sheet);
+        out.push_str(&sheet.drawing);
+        out.push_str("</div>");
+    }
+    if !sheet.drawing.is_empty() && sheet.rows.len() > FOLDED {
+        folded(out, t("page.as-table"), |out| rows(out, sheet, project));
+    } else {
+        rows(out, sheet, project);
+    }
+}
+
+/// Writes a bill of materials: each item with its part, what is to be settled, and where its data come from.
+fn bill(out: &mut String, sheet: &Sheet) {
+    titled(out, "<ul class=\"bill\"", sheet);
+    for row in &sheet.rows {
+        let [item, maker, model, quantity, status, to_settle, grade, source] = row.cells.as_slice() else { continue };
+        out.push_str("<li>");
+        tagged(out, "h3", item);
+        tagged(out, "b", &format!("{quantity}\u{a0}×"));
+        // An item that is still open has neither part nor source.
+        if maker.is_empty() && model == t("size.grade.open") {
+            tagged(out, "p", to_settle);
+        } else {
+            out.push_str("<p>");
+            escape(out, maker);
+            out.push(' ');
+            tagged(out, "b", model);
+            out.push_str("</p>");
+            [to_settle, status].into_iter().filter(|text| !text.is_empty()).for_each(|text| tagged(out, "p", text));
+            tagged(out, "small", &format!("{source} · {grade}"));
+        }
+        out.push_str("</li>");
+    }
+    out.push_str("</ul>");
+}
+
+/// Writes the rows of a sheet.
+fn rows(out: &mut String, sheet: &Sheet, project: &Project) {
+    if sheet.kind == SheetKind::Bill {
+        return bill(out, sheet);
+    }
+    titled(out, "<div class=\"scroll\" tabindex=\"0\" role=\"group\"", sheet);
+    // Columns without a value are left out.
+    let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
+    let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
+    // In a narrow layout, prose after many columns goes below them: see `.stacked`.
+    let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
+    // In a narrow layout, sentences in several columns go below one another, each with its head: see `.told`.
+    let has_sentences = !prose && shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
+    // A source that all rows share is shown once.
+    let common = sheet.common_source().filter(|_| !has_sentences);
+    out.push_str("<table class=\"sheet");
+    if has_sentences {
+        out.push_str(" told");
+    } else if prose {
+        out.push_str(&format!(" stacked n{}", shown.len() - 1));
+        out.push_str(if common.is_some() { " ungraded" } else { "" });
+    }
+    out.push_str("\"><thead><tr>");
+    let heads = shown.iter().filter_map(|at| sheet.columns.get(*at)).map(|column| column.head());
+    for head in heads.chain(common.is_none().then_some("page.grade")) {
+        out.push_str("<th scope=\"col\">");
+        escape(out, t(head));
+        out.push_str("</th>");
+    }
+    out.push_str("</tr></thead><tbody>");
+    for row in &sheet.rows {
+        let cells: Vec<(Option<&Column>, &String)> =
+            shown.iter().filter_map(|at| Some((sheet.columns.get(*at), row.cells.get(*at)?))).collect();
+        match cells.as_slice() {
+            [(_, first), rest @ ..] if !row.sets.is_empty() => {
+                offer(out, row, first);
+                rest.iter().for_each(|(_, cell)| tagged(out, "td", cell));
+            }
+            cells => {
+                out.push_str("<tr>");
+                for (column, cell) in cells {
+                    table_cell(out, *column, cell, has_sentences, project);
+                }
+            }
+        }
+        if common.is_none() {
+            graded(out, "td", row);
+        }
+        out.push_str("</tr>");
+    }
+    out.push_str("</tbody></table></div>");
+    if let Some(row) = common {
+        graded(out, "p", row);
+    }
+}
+
+/// Opens a row whose entries the form can take, with its first cell as a button.
+fn offer(out: &mut String, row: &Row, first: &str) {
+    let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
+    out.push_str("<tr data-sets=\"");
+    escape(out, &sets.join("\n"));
+    out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
+    escape(out, &format!("{} {first}", t("page.take")));
+    out.push_str("\">");
+    escape(out, first);
+    out.push_str("</button></td>");
+}
+
+/// A cell of a column, with the head of the column where the table has sentences.
+fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_sentences: bool, project: &Project) {
+    match column {
+        Some(Column::Parameter(_)) if meaning::of(project, cell, Table::Parameters).is_some() => {
+            out.push_str("<td data-means=\"parameters\">");
+            escape(out, cell);
+            out.push_str("</td>");
+        }
+        Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
+        // No head over nothing.
+        _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
+        Some(column) if has_sentences => {
+            out.push_str("<td>");
+            tagged(out, "small", t(column.head()));
+            escape(out, cell);
+            out.push_str("</td>");
+        }
+        _ => devices(out, cell, project),
+    }
+}
+
+/// The grade of a row, with its source; as a paragraph with the source beside it.
+fn graded(out: &mut String, tag: &str, row: &Row) {
+    let open = if row.grade == Grade::Open { " open" } else { "" };
+    out.push_str(&format!("<{tag} class=\"grade{open}\" title=\""));
+    escape(out, row.source.words());
+    out.push_str("\">");
+    if tag == "p" {
+        escape(out, row.source.words());
+        out.push_str(": ");
+    }
+    escape(out, row.grade.words());
+    out.push_str(&format!("</{tag}>"));
+}
+
+/// Characters from which on a cell is a sentence.
+const SENTENCE: usize = 24;
+
+/// Characters of the longest cell of a column.
+fn longest(sheet: &Sheet, at: usize) -> usize {
+    sheet.rows.iter().filter_map(|row| Some(columns(row.cells.get(at)?))).max().unwrap_or(0)
+}
+
+/// A cell whose registers and variables have their meaning: `MOV R148 R74`.
+fn devices(out: &mut String, cell: &str, project: &Project) {
+    out.push_str("<td>");
+    for (at, word) in cell.split(' ').enumerate() {
+        if at > 0 {
+            out.push(' ');
+        }
+        let means = meaning::of(project, word, Table::Interface).map(|found| found.subject);
+        if matches!(means, Some(Subject::Signal(_) | Subject::Variable(_) | Subject::Code(_))) {
+            out.push_str("<span data-means=\"interface\">");
+            escape(out, word);
+            out.push_str("</span>");
+        } else {
+            escape(out, word);
+        }
+    }
+    out.push_str("</td>");
+}
+
+pub(super) fn tagged(out: &mut String, tag: &str, text: &str) {
+    out.push_str(&format!("<{tag}>"));
+    escape(out, text);
+    out.push_str(&format!("</{tag}>"));
+}
