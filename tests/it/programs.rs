@@ -131,6 +131,22 @@ fn good_programs_give_their_canonical_log() {
     }
 }
 
+/// A log that ends in an alarm shows nothing of the blocks behind it, however green it is.
+#[test]
+fn good_programs_end_without_an_alarm_of_the_control() {
+    let mut wrong = Vec::new();
+    for control in controls::ALL {
+        for (path, source) in fixtures(control, "ok") {
+            let raises_its_own = source.contains("#3000=");
+            let log = log_of(&source, &mut start_fixture(control, &source));
+            if let Some(line) = log.lines().find(|line| line.starts_with("= ")).filter(|_| !raises_its_own) {
+                wrong.push(format!("{}: {line}", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 #[test]
 fn bad_programs_raise_the_alarm_of_their_first_line() {
     let mut wrong = Vec::new();

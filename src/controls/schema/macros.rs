@@ -129,7 +129,8 @@ pub struct Macros {
     pub user_alarms: (u32, u32),
     /// Offset from the programmed number of a user alarm to the displayed number; `None` where all user alarms show one number.
     pub user_alarm_base: Option<u32>,
-    /// Letters in front of the number of a user alarm: `MC` makes 3005 `MC3005`.
+    /// Letters in front of the number of a user alarm: `MC` makes 3005 `MC3005`. The number behind letters has at least four digits, and the
+    /// row of `Alarm::User` has the number of the base.
     pub user_alarm_prefix: &'static str,
     /// Source and grade.
     pub cite: Citation,

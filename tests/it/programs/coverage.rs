@@ -51,7 +51,7 @@ fn each_alarm_has_a_program_that_raises_it() {
         }
     }
     missing.dedup();
-    nothing(&missing, "no bad program raises");
+    nothing(&missing, "no program in the folder bad of a control raises, and begins with `(NUMBER line:column)` of");
 }
 
 #[test]

@@ -67,7 +67,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
             let name = path.file_stem().unwrap().display().to_string();
             let told = alarms(interp.parsed());
             let Some(End::Alarm(alarm)) = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) else {
-                panic!("{name} runs");
+                panic!("{} {name} raises no alarm: its first line says which alarm it shows", control.id);
             };
             let said = |finding: &Diagnostic| (alarm_and_place(&source, finding), finding.message.clone());
             match told.first() {
