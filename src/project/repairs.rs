@@ -2,17 +2,67 @@
 
 use super::Project;
 use crate::text::Severity;
+use crate::text::number::figure;
 use crate::view::{Readout, Repair, Repairs, Verdict};
 
 /// Maximum number of changes.
 const MOST: usize = 8;
 
+/// Maximum number of ways.
+const WAYS: usize = 3;
+
+/// A way to a design whose results hold: its changes, and what they do to the results that come first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RepairWay {
+    /// The changes.
+    pub repairs: Repairs,
+    /// Headline results that differ: before and after.
+    pub consequences: Vec<(Readout, Readout)>,
+}
+
+/// The ways that begin with different remedies: those after which the fewest faults are left, then those with the fewest changes. The first
+/// is that of [`repairs`].
+pub fn ways(project: &Project) -> Vec<RepairWay> {
+    let before = Trial::of(project.clone());
+    let first = found(before.clone());
+    let others = before.offered().into_iter().filter_map(|remedy| {
+        let after = Trial::of(project.with_entries(&remedy.sets)?);
+        let is_sound = after.faults.failing < before.faults.failing && after.faults.errors <= before.faults.errors;
+        is_sound.then(|| found_after(after, vec![remedy]))
+    });
+    let mut others: Vec<(Vec<Repair>, Trial)> = others.collect();
+    others.sort_by_key(|(changes, after)| (after.faults, changes.len()));
+    let mut ways: Vec<(Vec<Repair>, Trial)> = vec![first];
+    for (changes, after) in others {
+        let is_new = ways.iter().all(|(_, known)| known.project.values != after.project.values);
+        let is_as_good = ways.first().is_some_and(|(_, first)| {
+            (after.faults.errors, after.faults.failing) <= (first.faults.errors, first.faults.failing)
+        });
+        if is_new && is_as_good && ways.len() < WAYS {
+            ways.push((changes, after));
+        }
+    }
+    let way = |(changes, after): (Vec<Repair>, Trial)| RepairWay {
+        consequences: before.differing(&after),
+        repairs: after.repairs(changes),
+    };
+    ways.into_iter().map(way).collect()
+}
+
 /// Greedy search: takes the remedy after which the fewest results fail, then the fewest warn; of equals the first in the order of the results.
 /// Entries that the customer orders (essential, not facts of the machine) are changed only if no other remedy lowers the number of failing
 /// results.
 pub fn repairs(project: &Project) -> Repairs {
-    let mut changes: Vec<Repair> = Vec::new();
-    let mut best = Trial::of(project.clone());
+    let (changes, after) = found(Trial::of(project.clone()));
+    after.repairs(changes)
+}
+
+fn found(before: Trial) -> (Vec<Repair>, Trial) {
+    found_after(before, Vec::new())
+}
+
+/// The search after some changes, with the project to which it leads.
+fn found_after(mut best: Trial, mut changes: Vec<Repair>) -> (Vec<Repair>, Trial) {
     while best.faults.failing > 0 && changes.len() < MOST {
         let fields = best.project.machine.fields();
         let essential = |(id, _): &(&str, String)| {
@@ -26,10 +76,11 @@ pub fn repairs(project: &Project) -> Repairs {
         changes.push(change);
         best = after;
     }
-    Repairs { changes, still_failing: best.faults.failing, errors: best.faults.errors }
+    (changes, best)
 }
 
 /// A project with these results.
+#[derive(Clone)]
 struct Trial {
     project: Project,
     readouts: Vec<Readout>,
@@ -54,6 +105,21 @@ impl Trial {
             warned: count(Verdict::Warn),
         };
         Trial { project, faults, readouts: design.readouts }
+    }
+
+    /// The changes that led to this project.
+    fn repairs(&self, changes: Vec<Repair>) -> Repairs {
+        Repairs { changes, still_failing: self.faults.failing, errors: self.faults.errors }
+    }
+
+    /// Headline results that differ in what is shown of them from those after changes, each before and after.
+    fn differing(&self, after: &Trial) -> Vec<(Readout, Readout)> {
+        let pairs = self.readouts.iter().filter(|readout| readout.headline).filter_map(|before| {
+            let after = after.readouts.iter().find(|readout| readout.id == before.id)?;
+            let shown = |readout: &Readout| figure(readout.value, readout.decimals);
+            (shown(before) != shown(after)).then(|| (before.clone(), after.clone()))
+        });
+        pairs.collect()
     }
 
     /// The remedy after which the fewest faults are left, and the project with it; `None` if no remedy makes fewer results fail.

@@ -46,18 +46,36 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
             Verdict::Ok => msg!("ribbon.not-matched", ratio, smear = smear_now, limit),
             _ => msg!("ribbon.slips", ratio, smear = smear_now, limit),
         };
-        vec![
-            diameter(msg!("ribbon.slips-short", diameter = (d.matching_diameter, 2), heads = (heads, 0))),
-            cause.into(),
-            diameter(msg!("ribbon.match-diameter", diameter = (d.matching_diameter, 2), heads = (p.heads, 0))),
-            Advice::from(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)))
-                .setting(msg!("advice.set-heads", count = heads), [count]),
-            Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
-                .setting(msg!("advice.set-pitch", pitch = pitch.text.as_str()), [pitch]),
-        ]
-        .into_iter()
-        .chain(rules_of_cams::advice(line).map(Advice::from))
-        .collect()
+        let more_heads =
+            |advice: Message| Advice::from(advice).setting(msg!("advice.set-heads", count = heads), [count.clone()]);
+        let heads_matched =
+            more_heads(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)));
+        // A roller thinner than its two walls is another one than the machine has.
+        let walls = 2.0 * p.print.wall;
+        let matched = if d.matching_diameter > walls {
+            let set = msg!("ribbon.match-diameter", diameter = (d.matching_diameter, 2), heads = (p.heads, 0));
+            let short = msg!("ribbon.slips-short", diameter = (d.matching_diameter, 2), heads = (heads, 0));
+            vec![diameter(short), cause.into(), diameter(set), heads_matched]
+        } else {
+            let thin = msg!(
+                "ribbon.match-diameter-thin",
+                diameter = (d.matching_diameter, 2),
+                heads = (p.heads, 0),
+                walls = (walls, 2)
+            );
+            vec![
+                more_heads(msg!("ribbon.slips-short-heads", heads = (heads, 0))),
+                cause.into(),
+                heads_matched,
+                thin.into(),
+            ]
+        };
+        matched
+            .into_iter()
+            .chain([Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
+                .setting(msg!("advice.set-pitch", pitch = pitch.text.as_str()), [pitch])])
+            .chain(rules_of_cams::advice(line).map(Advice::from))
+            .collect()
     };
     Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })
 }

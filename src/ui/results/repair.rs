@@ -1,4 +1,4 @@
-//! How many results fail, with a button that changes the form so that they hold.
+//! How many results fail, with a button that finds changes of the form with which they hold.
 
 use leptos::prelude::*;
 
@@ -8,21 +8,30 @@ use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{FoundRepairs, Request, Response};
 
-/// The number of failing results and the button; empty while every result holds.
+/// The number of failing results, the button, and the ways that were found; empty while every result holds.
 #[component]
 pub(super) fn RepairAll() -> impl IntoView {
     let (page, worker) = (Page::here(), Client::here());
     let searching = RwSignal::new(false);
+    let ways = RwSignal::new(Vec::<FoundRepairs>::new());
     let failing = Memo::new(move |_| page.results.failing());
+    // Ways of an older project are no longer offered.
+    Effect::new(move |_| {
+        page.project.track();
+        ways.set(Vec::new());
+    });
     let repair = move |_| {
         searching.set(true);
         let asked = page.project.get_untracked();
         worker.ask(&asked.clone(), Request::Repairs, move |response| {
             searching.set(false);
             match response {
-                // Changes of an older project are not taken: the button finds new ones.
                 Some(Response::Repairs(_)) if page.project.with_untracked(|project| *project != asked) => {}
-                Some(Response::Repairs(found)) => take(page, &found),
+                Some(Response::Repairs(found)) => match found.as_slice() {
+                    [] => take(page, &FoundRepairs::default()),
+                    [only] => take(page, only),
+                    _ => ways.set(found),
+                },
                 _ => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
             }
         });
@@ -35,8 +44,43 @@ pub(super) fn RepairAll() -> impl IntoView {
                 <button type="button" title=t("page.repair-about") prop:disabled=move || searching.get() || page.is_stale() on:click=repair>
                     {t("page.repair")}
                 </button>
+                <Show when=move || ways.with(|ways| !ways.is_empty())>
+                    <Ways ways=ways />
+                </Show>
             </div>
         </Show>
+    }
+}
+
+/// The ways, each with its changes, its consequences, and a button that takes it.
+#[component]
+fn Ways(
+    /// The ways.
+    ways: RwSignal<Vec<FoundRepairs>>,
+) -> impl IntoView {
+    let page = Page::here();
+    let lead = move || match ways.with(|ways| ways.iter().all(|way| way.still_failing == 0)) {
+        true => t("page.repair-ways"),
+        false => t("page.repair-ways-but"),
+    };
+    let row = move |way: FoundRepairs| {
+        let (changes, name) =
+            (clauses(&way.changes), sentence(&crate::msg!("page.repair-way", changes = clauses(&way.changes))));
+        let consequences = match way.consequences.is_empty() {
+            true => t("page.repair-nothing-else").to_owned(),
+            false => clauses(&way.consequences),
+        };
+        view! {
+            <li>
+                <p>{changes}</p>
+                <p class="dim">{consequences}</p>
+                <button type="button" aria-label=name on:click=move |_| take(page, &way)>{t("page.repair-take")}</button>
+            </li>
+        }
+    };
+    view! {
+        <p class="lead" role="status">{lead}</p>
+        <ul class="ways-out">{move || ways.get().into_iter().map(row).collect_view()}</ul>
     }
 }
 
@@ -95,8 +139,12 @@ mod tests {
         bench.worker.answer_here(answer);
         bench.press(".repairs button").await;
         settled().await;
+        assert!(bench.all(".ways-out li").len() > 1);
+        assert!(bench.text(".ways-out li .dim").contains(t("ribbon.readout.surface-ratio")));
+        bench.press(".ways-out button").await;
+        settled().await;
         assert!(!bench.has(".repairs") && !bench.notices().contains(&"7 results fail".to_owned()));
-        assert!(bench.notices().iter().any(|notice| notice.contains("15.28")), "{:?}", bench.notices());
+        assert!(bench.notices().iter().any(|notice| notice.contains("47")), "{:?}", bench.notices());
         bench.page.undo();
         settled().await;
         assert!(bench.has(".repairs"));
@@ -106,7 +154,7 @@ mod tests {
     async fn repair_without_a_remedy_changes_nothing_and_says_so() {
         let bench = failing().await;
         let before = bench.page.project.get_untracked();
-        bench.worker.answer_here(|_, _| Some(Response::Repairs(FoundRepairs::default())));
+        bench.worker.answer_here(|_, _| Some(Response::Repairs(vec![FoundRepairs::default()])));
         bench.press(".repairs button").await;
         assert!(bench.page.project.with_untracked(|project| *project == before));
         assert!(bench.notices().contains(&t("page.no-repair").to_owned()), "{:?}", bench.notices());

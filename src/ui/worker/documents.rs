@@ -6,16 +6,16 @@ use crate::controls::options::CommentCharacters;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
 use crate::project::parts;
-use crate::project::repairs;
+use crate::project::repairs::{self, RepairWay};
 use crate::project::saved::with_line;
 use crate::project::size::sections::SizingSection;
 use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
 use crate::project::{Project, encode};
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
-use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
+use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
-use crate::view::{Comparison, SheetKind, VariantCell, Verdict};
+use crate::view::{Comparison, Readout, SheetKind, VariantCell, Verdict};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
@@ -32,12 +32,22 @@ pub(super) fn sheets(project: &Project) -> Sheets {
     out
 }
 
-/// Changes with which the failing results of a project hold.
-pub(in crate::ui) fn repairs(project: &Project) -> FoundRepairs {
-    let found = repairs::repairs(project);
+/// Ways to make the failing results of a project hold.
+pub(in crate::ui) fn repairs(project: &Project) -> Vec<FoundRepairs> {
+    repairs::ways(project).iter().map(found_repairs).collect()
+}
+
+fn found_repairs(way: &RepairWay) -> FoundRepairs {
+    let found = &way.repairs;
     let entry = |(id, text): &(&'static str, String)| ((*id).to_owned(), text.clone());
+    let consequence = |(before, after): &(Readout, Readout)| {
+        let [before, after] = [before, after].map(|readout| readout.clone().shown());
+        let [from, to] = [&before, &after].map(|readout| figure(readout.value, readout.decimals));
+        format!("{} {from} → {to} {}", t(after.label), after.unit).trim_end().to_owned()
+    };
     FoundRepairs {
         changes: found.texts(),
+        consequences: way.consequences.iter().map(consequence).collect(),
         entries: found.changes.iter().flat_map(|change| &change.sets).map(entry).collect(),
         still_failing: found.still_failing as u32,
         errors: found.errors as u32,

@@ -34,7 +34,7 @@ pub(crate) enum Request {
     Chance,
     /// Assumed facts of the form whose change by a tenth flips a verdict.
     Flips,
-    /// Changes of the form with which the failing results hold.
+    /// Ways to change the form so that the failing results hold.
     Repairs,
     /// The present settings beside the variants of the project.
     Variants,
@@ -92,8 +92,8 @@ pub(crate) enum Response {
     Pictures(Vec<String>),
     /// Of [`Request::Flips`]: ids of the fields, the worst first.
     Flips(Vec<String>),
-    /// Of [`Request::Repairs`].
-    Repairs(FoundRepairs),
+    /// Of [`Request::Repairs`]: the ways, the first one with the fewest faults left.
+    Repairs(Vec<FoundRepairs>),
     /// Of [`Request::Export`].
     Export(ExportDocuments),
     /// Of [`Request::Help`].
@@ -112,11 +112,13 @@ pub(crate) enum Response {
     Check(TextReport),
 }
 
-/// Changes of the form with which the failing results hold.
-#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+/// Changes of the form with which the failing results hold, as one of several ways.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct FoundRepairs {
     /// The changes in words.
     pub changes: Vec<String>,
+    /// What becomes of the headline results that differ: `Line speed 7578 → 3789 mm/min`.
+    pub consequences: Vec<String>,
     /// Id of each field and its new text, in the order in which they are taken.
     pub entries: Vec<(String, String)>,
     /// Number of results that still fail with all of them.

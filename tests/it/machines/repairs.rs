@@ -5,7 +5,7 @@ use macroline::project::Project;
 use macroline::project::answers;
 use macroline::project::file_findings::FileFindings;
 use macroline::project::list::repairs_text;
-use macroline::project::repairs::repairs;
+use macroline::project::repairs::{repairs, ways};
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
@@ -33,7 +33,7 @@ fn repairs_of_the_published_line_change_the_machine_only() {
         assert_eq!(after.values.get(ordered), paper.values.get(ordered), "{ordered}");
     }
     let buttons = repairs(&paper).texts();
-    assert_eq!(buttons, ["Add a dancer", "Set a loop of 1773.5 mm", "Set Ø 15.28 mm", "Set 2 pitches per block"]);
+    assert_eq!(buttons, ["Add a dancer", "Set a loop of 1773.5 mm", "Set 47 heads", "Set 2 pitches per block"]);
 }
 
 #[test]
@@ -45,7 +45,7 @@ fn answer_names_the_repairs_with_their_entries() {
     assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));
     assert_eq!(
         repairs_text(&self::repairs(&paper)),
-        "With these changes every result holds: Add a dancer; Set a loop of 1773.5 mm; Set Ø 15.28 mm; Set 2 pitches per block.\n"
+        "With these changes every result holds: Add a dancer; Set a loop of 1773.5 mm; Set 47 heads; Set 2 pitches per block.\n"
     );
 }
 
@@ -83,4 +83,37 @@ fn repairs_of_any_form_never_add_a_failure_or_an_error() {
         }
     }
     assert!(mended > 200, "only {mended} of {all} forms have no failing verdict after their repairs");
+}
+
+#[test]
+fn several_ways_are_offered_with_their_consequences() {
+    let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let ways = ways(&paper);
+    assert!(ways.len() > 1, "{ways:?}");
+    assert_eq!(ways[0].repairs, repairs(&paper));
+    for way in &ways {
+        let after =
+            way.repairs.changes.iter().fold(paper.clone(), |after, change| after.with_entries(&change.sets).unwrap());
+        assert_eq!((failing(&after), way.repairs.still_failing, way.repairs.errors), (0, 0, 0));
+        let design = after.design();
+        for (before, told) in &way.consequences {
+            let readout = design.readouts.iter().find(|readout| readout.id == told.id).unwrap();
+            assert_eq!((readout.value, before.id), (told.value, told.id));
+        }
+        assert!(way.consequences.iter().any(|(_, after)| after.id == "surface-ratio"));
+    }
+    let texts: std::collections::BTreeSet<_> = ways.iter().map(|way| way.repairs.texts()).collect();
+    assert_eq!(texts.len(), ways.len());
+}
+
+#[test]
+fn roller_thinner_than_its_walls_is_no_remedy() {
+    let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let offers = |wall: &str| {
+        let project = paper.with_entries(&[("print-roller-wall", wall.to_owned())]).unwrap();
+        let ratio = project.design().readouts.into_iter().find(|readout| readout.id == "surface-ratio").unwrap();
+        ratio.advice.iter().flat_map(|advice| &advice.sets).any(|(field, _)| *field == "print-roller-diameter")
+    };
+    // The heads of the paper would match a roller of 15.28 mm.
+    assert_eq!([offers("7.6"), offers("7.7")], [true, false]);
 }

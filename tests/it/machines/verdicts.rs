@@ -293,6 +293,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.low-frequency", "a deed: another gear, which changes the line"),
     ("ribbon.match-cam", "a deed: another drive"),
     ("ribbon.match-cam-no-time", "a fact, no remedy"),
+    ("ribbon.match-diameter-thin", "says why the diameter is no remedy"),
     ("ribbon.motor-above-rated", "a deed: the torque is checked on the data sheet"),
     ("ribbon.no-speed", "no speed is a remedy"),
     ("ribbon.not-matched", "a fact; roller, heads and pitch behind it have the buttons"),
@@ -387,12 +388,7 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
     let line = project("ribbon-line", "mitsubishi-e60", &[]);
     assert_eq!(
         buttons(&line, "surface-ratio"),
-        [
-            "Set Ø 15.28 mm: print-roller-diameter=15.2789",
-            "Set Ø 15.28 mm: print-roller-diameter=15.2789",
-            "Set 47 heads: heads=47",
-            "Set a pitch of 62.832 mm: pitch=62.832",
-        ]
+        ["Set 47 heads: heads=47", "Set 47 heads: heads=47", "Set a pitch of 62.832 mm: pitch=62.832",]
     );
     assert_eq!(buttons(&line, "slack-rate"), ["Add a dancer: dancer=true"]);
     // No slack with the knob at its highest position: the wait is half of the spindle ramp to 1480 r/min, less half of the time constant, less the servo lag.
