@@ -1,5 +1,7 @@
 //! Changes of the form with which all results hold: remedies of failing results, each tried with those before it.
 
+use std::collections::BTreeSet;
+
 use super::Project;
 use crate::text::Severity;
 use crate::text::number::figure;
@@ -20,7 +22,7 @@ pub struct RepairWay {
     pub consequences: Vec<(Readout, Readout)>,
 }
 
-/// The ways that begin with different remedies: those after which the fewest faults are left, then those with the fewest changes. The first
+/// The ways that change different fields: those after which the fewest faults are left, then those with the fewest changes. The first
 /// is that of [`repairs`].
 pub fn ways(project: &Project) -> Vec<RepairWay> {
     let before = Trial::of(project.clone());
@@ -34,7 +36,7 @@ pub fn ways(project: &Project) -> Vec<RepairWay> {
     others.sort_by_key(|(changes, after)| (after.faults, changes.len()));
     let mut ways: Vec<(Vec<Repair>, Trial)> = vec![first];
     for (changes, after) in others {
-        let is_new = ways.iter().all(|(_, known)| known.project.values != after.project.values);
+        let is_new = ways.iter().all(|(known, _)| fields(known) != fields(&changes));
         let is_as_good = ways.first().is_some_and(|(_, first)| {
             (after.faults.errors, after.faults.failing) <= (first.faults.errors, first.faults.failing)
         });
@@ -47,6 +49,11 @@ pub fn ways(project: &Project) -> Vec<RepairWay> {
         repairs: after.repairs(changes),
     };
     ways.into_iter().map(way).collect()
+}
+
+/// The fields that changes enter.
+fn fields(changes: &[Repair]) -> BTreeSet<&'static str> {
+    changes.iter().flat_map(|change| &change.sets).map(|(field, _)| *field).collect()
 }
 
 /// Greedy search: takes the remedy after which the fewest results fail, then the fewest warn; of equals the first in the order of the results.

@@ -286,6 +286,31 @@ fn search_finds_codes_variables_and_words() {
 }
 
 #[test]
+fn words_that_no_place_has_together_lead_to_the_nearest() {
+    let help = ribbon();
+    for query in ["dancer zzzz", "slackening", "loops zzzz"] {
+        assert!(help.search(query).is_empty(), "{query}");
+        assert!(!help.nearest(query).is_empty(), "{query}");
+    }
+    // A place with both words comes before those with one of them.
+    let both: Vec<String> = help.search("analog output").iter().map(HelpPlace::id).collect();
+    assert!(both.contains(&help.nearest("analog output zzzz")[0].id()));
+    assert!(help.nearest("zzzz").is_empty());
+}
+
+#[test]
+fn excerpt_has_the_word_that_was_sought() {
+    let help = ribbon();
+    for (query, word) in [("dancer", "dancer"), ("inverter", "inverter")] {
+        let excerpts: Vec<String> = help.search(query).iter().map(|place| place.excerpt(query, 120)).collect();
+        let with_word = excerpts.iter().filter(|text| text.to_lowercase().contains(word)).count();
+        assert!(2 * with_word > excerpts.len(), "{query}: {excerpts:?}");
+        assert!(excerpts.iter().all(|text| text.chars().count() <= 122), "{query}");
+        assert!(excerpts.iter().filter(|text| text.starts_with('…')).all(|text| !text.starts_with("… ")), "{query}");
+    }
+}
+
+#[test]
 fn search_takes_any_text() {
     let help = ribbon();
     let long = "活".repeat(10_000);

@@ -14,15 +14,17 @@ const EXACT: u32 = 900;
 /// Characters of a query that are looked at.
 const QUERY: usize = 100;
 
+/// Characters of the beginning of a word that may be another form of it, or mistyped at its end.
+const BEGIN: usize = 4;
+
 impl Help {
     /// Places that have every word of a query, the best first; none for a query without words.
     pub fn search(&self, query: &str) -> Vec<HelpPlace<'_>> {
-        let query: String = query.chars().filter(|c| !c.is_control()).take(QUERY).collect();
-        let whole = canonical(&query);
-        let wanted: Vec<String> = query.split_whitespace().map(canonical).filter(|word| !word.is_empty()).collect();
+        let wanted = words(query);
         if wanted.is_empty() {
             return Vec::new();
         }
+        let whole = canonical(&readable(query));
         let mut hits: Vec<(u32, HelpPlace)> = Vec::new();
         for (at, page) in self.pages.iter().enumerate() {
             // The present machine and control before others.
@@ -39,10 +41,74 @@ impl Help {
                 }
             }
         }
-        hits.sort_by_key(|hit| Reverse(hit.0));
-        hits.truncate(MOST);
-        hits.into_iter().map(|(_, place)| place).collect()
+        best(hits)
     }
+
+    /// Where no place has every word: places that have some of them, or their beginnings, those with the most first.
+    pub fn nearest(&self, query: &str) -> Vec<HelpPlace<'_>> {
+        let mut hits: Vec<(u32, HelpPlace)> = Vec::new();
+        for word in words(query) {
+            let begin: String = word.chars().take(BEGIN).collect();
+            let found =
+                [word.as_str(), &begin].into_iter().map(|word| self.search(word)).find(|found| !found.is_empty());
+            for (place, score) in found.unwrap_or_default().into_iter().zip((1..=MOST as u32).rev()) {
+                match hits.iter_mut().find(|hit| hit.1.id() == place.id()) {
+                    Some(hit) => hit.0 += MOST as u32 + score,
+                    None => hits.push((score, place)),
+                }
+            }
+        }
+        best(hits)
+    }
+}
+
+impl HelpPlace<'_> {
+    /// Text of the place around the first word of a query, of so many characters at most; its first text if it has no such word.
+    pub fn excerpt(&self, query: &str, most: usize) -> String {
+        let wanted = words(query);
+        let own: Vec<String> = match self.entry {
+            Some(entry) => {
+                entry.text.iter().chain(entry.facts.iter().map(|fact| &fact.value)).map(texts::words).collect()
+            }
+            None => self.section.text.iter().chain(&self.section.steps).map(texts::words).collect(),
+        };
+        let place = |text: &String| {
+            let lower = text.to_lowercase();
+            let at = wanted.iter().filter_map(|word| lower.find(word.as_str())).min()?;
+            Some(lower.get(..at)?.chars().count())
+        };
+        let hit = own.iter().find_map(|text| Some((text, place(text)?)));
+        let Some((text, at)) = hit.or_else(|| own.first().map(|text| (text, 0))) else { return String::new() };
+        clipped(text, at, most)
+    }
+}
+
+/// Part of a text with the character at a place, from the beginning of a word; `…` stands for what is left out.
+fn clipped(text: &str, at: usize, most: usize) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let from = match at + most / 3 > most {
+        true => (at - most / 3..at).find(|at| letters.get(*at - 1) == Some(&' ')).unwrap_or(at),
+        false => 0,
+    };
+    let part: String = letters.iter().skip(from).take(most).collect();
+    let [before, behind] = [from > 0, from + most < letters.len()].map(|is_cut| if is_cut { "…" } else { "" });
+    format!("{before}{part}{behind}")
+}
+
+fn best(mut hits: Vec<(u32, HelpPlace)>) -> Vec<HelpPlace> {
+    hits.sort_by_key(|hit| Reverse(hit.0));
+    hits.truncate(MOST);
+    hits.into_iter().map(|(_, place)| place).collect()
+}
+
+/// The characters of a query that are looked at.
+fn readable(query: &str) -> String {
+    query.chars().filter(|c| !c.is_control()).take(QUERY).collect()
+}
+
+/// The words of a query.
+fn words(query: &str) -> Vec<String> {
+    readable(query).split_whitespace().map(canonical).filter(|word| !word.is_empty()).collect()
 }
 
 /// Form of a word for comparison: small letters, and no zeros in front of the number of a code or alarm (`G01`, `M03`).

@@ -4,6 +4,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
+use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::state::{Page, operator, stepping};
 
@@ -37,9 +38,14 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let tag = target.as_ref().map(Element::tag_name).unwrap_or_default();
     let dialog = document().query_selector("dialog[open]").ok().flatten().is_some();
-    // The usual key for help, in text fields too.
+    // The usual key for help, in text fields too: at a field of the form it leads to that field's place.
     if !dialog && event.key() == "F1" {
-        page.view.helping.set(true);
+        let id = target.as_ref().map(Element::id).unwrap_or_default();
+        let is_field = |project: &Project| project.machine.fields().iter().any(|field| field.id == id);
+        match page.project.with_untracked(is_field) {
+            true => page.view.explain(format!("field.{id}")),
+            false => page.view.helping.set(true),
+        }
         return true;
     }
     if dialog || target.as_ref().is_some_and(dom::takes_text) || event.alt_key() {
@@ -101,10 +107,24 @@ mod tests {
             page.view.helping.set(false);
             assert!(press(page, &key(help)) && page.view.helping.get_untracked(), "{help}");
         }
+        assert_eq!(page.view.help_at.get_untracked(), "");
         assert!(press(page, &key("a")) && page.view.panel.get_untracked() && page.view.actions.get_untracked());
         assert!(!press(page, &key("q")));
         page.player.playing.set(false);
         crate::ui::testing::settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn help_key_in_a_field_leads_to_the_field() {
+        let bench = mount(|| leptos::html::input().id("pitch")).await;
+        let page = bench.page;
+        let members = [("key", "F1".into()), ("bubbles", true.into())];
+        listen(page);
+        bench.find("#pitch").dispatch_event(&event("KeyboardEvent", "keydown", &members)).unwrap();
+        assert_eq!(
+            (page.view.helping.get_untracked(), page.view.help_at.get_untracked().as_str()),
+            (true, "field.pitch")
+        );
     }
 
     #[wasm_bindgen_test]

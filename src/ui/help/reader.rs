@@ -14,7 +14,7 @@ use crate::ui::state::Page;
 use crate::ui::state::stepping::COMMANDS;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{HelpPageHtml, Hit, Request, Response};
+use crate::ui::worker::messages::{FoundHelp, HelpPageHtml, Hit, Request, Response};
 
 /// Keys and their effects.
 const KEYS: [(&str, &str); 14] = [
@@ -65,7 +65,7 @@ struct ReaderState {
     /// Id of the present place.
     at: RwSignal<String>,
     query: RwSignal<String>,
-    hits: RwSignal<Vec<Hit>>,
+    found: RwSignal<FoundHelp>,
 }
 
 impl ReaderState {
@@ -87,7 +87,7 @@ impl ReaderState {
     fn show(self, id: String) {
         self.at.set(id.clone());
         self.query.set(String::new());
-        self.hits.set(Vec::new());
+        self.found.set(FoundHelp::default());
         let then = move |response| match response {
             // Only the answer to the last request counts.
             Some(Response::Help(page)) if self.at.try_get_untracked().as_ref() == Some(&id) => {
@@ -108,18 +108,27 @@ impl ReaderState {
     fn find(self, query: String) {
         self.query.set(query.clone());
         if query.trim().is_empty() {
-            return self.hits.set(Vec::new());
+            return self.found.set(FoundHelp::default());
         }
         let then = move |response| match response {
-            Some(Response::Found(hits)) if self.query.try_get_untracked().as_ref() == Some(&query) => {
-                self.page.notices.announce(sentence(&msg!("help.hits", count = hits.len() as u32)));
-                self.hits.set(hits);
+            Some(Response::Found(found)) if self.query.try_get_untracked().as_ref() == Some(&query) => {
+                self.page.notices.announce(title(&found));
+                self.found.set(found);
             }
             Some(Response::Found(_)) => {}
             _ => self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned()),
         };
         let request = Request::FindHelp(self.query.get_untracked());
         self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
+    }
+}
+
+/// How many places were found, and how well.
+fn title(found: &FoundHelp) -> String {
+    match (found.hits.len() as u32, found.has_all_words) {
+        (0, _) => t("help.not-found").to_owned(),
+        (_, false) => t("help.nearest").to_owned(),
+        (count, true) => sentence(&msg!("help.hits", count)),
     }
 }
 
@@ -146,7 +155,7 @@ pub(super) fn Reader() -> impl IntoView {
         before: RwSignal::new(Vec::new()),
         at: RwSignal::new(String::new()),
         query: RwSignal::new(String::new()),
-        hits: RwSignal::new(Vec::new()),
+        found: RwSignal::new(FoundHelp::default()),
     };
     let search: NodeRef<html::Input> = NodeRef::new();
     Effect::new(move |_| {
@@ -168,7 +177,7 @@ pub(super) fn Reader() -> impl IntoView {
     };
     let first = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
-        if let Some(id) = reading.hits.with_untracked(|hits| hits.first().map(|hit| hit.id.clone())) {
+        if let Some(id) = reading.found.with_untracked(|found| found.hits.first().map(|hit| hit.id.clone())) {
             reading.go(id);
         }
     };
@@ -253,8 +262,8 @@ fn Hits(
             </li>
         }
     };
-    let rows = move || reading.hits.get().into_iter().map(row).collect_view();
-    let title = move || sentence(&msg!("help.hits", count = reading.hits.with(Vec::len) as u32));
+    let rows = move || reading.found.get().hits.into_iter().map(row).collect_view();
+    let title = move || reading.found.with(title);
     view! {
         <h2 id="help-page-title" class="lead">{title}</h2>
         <ol class="hits">{rows}</ol>

@@ -12,8 +12,9 @@ use crate::project::size::sections::SizingSection;
 use crate::project::size::{size, size_telling};
 use crate::project::variants::compare;
 use crate::project::{Project, encode};
+use crate::text::number::four_digits;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
-use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t, verdict_words};
+use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
 use crate::view::{Comparison, Readout, SheetKind, VariantCell, Verdict};
 
@@ -42,7 +43,7 @@ fn found_repairs(way: &RepairWay) -> FoundRepairs {
     let entry = |(id, text): &(&'static str, String)| ((*id).to_owned(), text.clone());
     let consequence = |(before, after): &(Readout, Readout)| {
         let [before, after] = [before, after].map(|readout| readout.clone().shown());
-        let [from, to] = [&before, &after].map(|readout| figure(readout.value, readout.decimals));
+        let [from, to] = [&before, &after].map(|readout| four_digits(readout.value, readout.decimals));
         format!("{} {from} → {to} {}", t(after.label), after.unit).trim_end().to_owned()
     };
     FoundRepairs {

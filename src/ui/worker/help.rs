@@ -5,12 +5,12 @@ use std::cell::RefCell;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::messages::{HelpPageHtml, Hit};
+use super::messages::{FoundHelp, HelpPageHtml, Hit};
 use super::sheet_html::tagged;
 use crate::machines;
 use crate::project::Project;
 use crate::project::help::content::{HelpEntry, HelpPage, HelpPlace, HelpSection};
-use crate::project::help::texts::{self, Text, Texts};
+use crate::project::help::texts::{Text, Texts};
 use crate::project::help::{Help, explain, pages};
 use crate::text::Grade;
 use crate::ui::words::t;
@@ -62,21 +62,20 @@ pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool
     })
 }
 
-/// Search results of a query, the best first.
-pub(in crate::ui) fn found(project: &Project, texts: &Texts, query: &str) -> Vec<Hit> {
+/// Search results of a query, the best first; where no place has all of its words, those that have some.
+pub(in crate::ui) fn found(project: &Project, texts: &Texts, query: &str) -> FoundHelp {
     with(project, texts, |help| {
-        let hit = |place: &HelpPlace| {
-            let text = place.entry.and_then(|entry| entry.text.first()).or(place.section.text.first());
-            let text = text.filter(|_| place.entry.is_some()).map(texts::words).unwrap_or_default();
-            let short: String = text.chars().take(SHOWN).collect();
-            Hit {
-                id: place.id(),
-                title: explain::title(place),
-                page: place.page.title.clone(),
-                text: if short.len() < text.len() { short + "…" } else { short },
-            }
+        let hit = |place: &HelpPlace| Hit {
+            id: place.id(),
+            title: explain::title(place),
+            page: place.page.title.clone(),
+            text: place.excerpt(query, SHOWN),
         };
-        help.search(query).iter().map(hit).collect()
+        let hits: Vec<Hit> = help.search(query).iter().map(hit).collect();
+        match hits.is_empty() {
+            true => FoundHelp { has_all_words: false, hits: help.nearest(query).iter().map(hit).collect() },
+            false => FoundHelp { has_all_words: true, hits },
+        }
     })
 }
 
@@ -220,8 +219,8 @@ mod tests {
     #[wasm_bindgen_test]
     fn found_places_open_again() {
         let texts = Texts::shipped(catalog::spoken());
-        let hits = found(&project(), &texts, "slack");
-        assert!(hits.len() > 5);
+        let FoundHelp { hits, has_all_words } = found(&project(), &texts, "slack");
+        assert!(hits.len() > 5 && has_all_words);
         for hit in hits.iter().filter(|hit| hit.id.contains('.')) {
             let shown = page(&project(), &texts, &hit.id, false);
             assert!(shown.html.contains(&format!("id=\"{}\"", shown.anchor)), "{}", hit.id);

@@ -99,7 +99,7 @@ pub(crate) enum Response {
     /// Of [`Request::Help`].
     Help(HelpPageHtml),
     /// Of [`Request::FindHelp`].
-    Found(Vec<Hit>),
+    Found(FoundHelp),
     /// The texts of the help cannot be loaded.
     NoHelp,
     /// Of [`Request::Parts`].
@@ -309,6 +309,15 @@ pub(crate) struct HelpPageHtml {
     pub html: String,
     /// Id and title of every page.
     pub pages: Vec<(String, String)>,
+}
+
+/// Places in the help that a search has found.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FoundHelp {
+    /// Whether they have all words of the query; otherwise no place has, and these have some.
+    pub has_all_words: bool,
+    /// The places, the best first.
+    pub hits: Vec<Hit>,
 }
 
 /// A place in the help that a search has found.

@@ -1,11 +1,13 @@
 //! Repairs: changes that together make failing verdicts hold.
 
+use std::collections::BTreeSet;
+
 use macroline::machines;
 use macroline::project::Project;
 use macroline::project::answers;
 use macroline::project::file_findings::FileFindings;
 use macroline::project::list::repairs_text;
-use macroline::project::repairs::{repairs, ways};
+use macroline::project::repairs::{RepairWay, repairs, ways};
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
@@ -102,8 +104,10 @@ fn several_ways_are_offered_with_their_consequences() {
         }
         assert!(way.consequences.iter().any(|(_, after)| after.id == "surface-ratio"));
     }
-    let texts: std::collections::BTreeSet<_> = ways.iter().map(|way| way.repairs.texts()).collect();
-    assert_eq!(texts.len(), ways.len());
+    let fields = |way: &RepairWay| -> BTreeSet<&str> {
+        way.repairs.changes.iter().flat_map(|change| &change.sets).map(|(field, _)| *field).collect()
+    };
+    assert_eq!(ways.iter().map(fields).collect::<BTreeSet<_>>().len(), ways.len());
 }
 
 #[test]
