@@ -116,7 +116,7 @@ fn ExampleCard(
         let Ok(project) = made() else { return };
         page.replace(project);
         page.view.gallery.set(false);
-        page.notices.notify_of_project(Tone::Info, t("page.fresh").to_owned());
+        page.notices.confirm(t("page.fresh").to_owned());
         if count > 0 {
             let said = crate::msg!("page.example-fails", example = t(example.name), count = count);
             page.notices.notify_of_project(Tone::Warn, sentence(&said));

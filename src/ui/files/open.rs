@@ -117,9 +117,9 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
 
 /// Takes a project with an opened program, after a version of the present one.
 fn take_program(page: Page, project: Project) {
-    page.notices.confirm(t("page.opened-program").to_owned());
     shelf::version_before(page, BEFORE_PROGRAM);
     show_opened(page, project);
+    page.notices.confirm(t("page.opened-program").to_owned());
 }
 
 /// Replaces the present project, and says so to screen readers.

@@ -105,7 +105,7 @@ fn take(page: Page, found: &FoundRepairs) {
         (0, _) => (Tone::Warn, crate::msg!("page.repaired-errors", changes, errors)),
         _ => (Tone::Warn, crate::msg!("page.repaired-but", changes, left)),
     };
-    page.notices.notify(tone, sentence(&message));
+    page.notices.confirm_as(tone, sentence(&message));
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ pub(crate) struct Notice {
     pub offer: Option<NoticeAction>,
     /// Whether it is about the present project, and gone with it.
     pub of_project: bool,
-    /// Whether it only confirms an action: the next confirmation takes its place.
+    /// Whether it only confirms an action: the next confirmation takes its place, and the next change takes it away.
     pub confirms: bool,
 }
 
@@ -56,9 +56,14 @@ impl Notices {
         self.show(Notice::new(tone, text));
     }
 
-    /// Confirms an action, in place of the confirmation before it.
+    /// Confirms an action, in place of the confirmation before it, until the next change.
     pub(crate) fn confirm(self, text: String) {
-        self.show(Notice { confirms: true, ..Notice::new(Tone::Info, text) });
+        self.confirm_as(Tone::Info, text);
+    }
+
+    /// Confirms an action that has a remark of this weight.
+    pub(crate) fn confirm_as(self, tone: Tone, text: String) {
+        self.show(Notice { confirms: true, ..Notice::new(tone, text) });
     }
 
     /// Shows a notice with its file and its button.
@@ -78,6 +83,11 @@ impl Notices {
     /// Takes the notices about the present project away.
     pub(crate) fn leave_project(self) {
         self.list.update(|list| list.retain(|notice| !notice.of_project));
+    }
+
+    /// Takes the confirmations of earlier actions away.
+    pub(crate) fn leave_action(self) {
+        self.list.update(|list| list.retain(|notice| !notice.confirms));
     }
 
     /// Takes a notice away.
@@ -124,6 +134,9 @@ mod tests {
         ["opened", "mended"].into_iter().for_each(|text| notices.confirm(text.to_owned()));
         let shown = notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>());
         assert_eq!(shown, ["row 2", "row 5", "mended"]);
+        // The next change makes the confirmation stale.
+        notices.leave_action();
+        assert_eq!(notices.list.with_untracked(Vec::len), 2);
     }
 
     #[wasm_bindgen_test]

@@ -120,8 +120,9 @@ pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     told.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
     if !broken {
         let names = listed(files.iter().map(|file| file.name.clone()));
-        page.notices.confirm(sentence(&msg!("operator.taken", files = names, count = events.len() as u32)));
+        let taken = sentence(&msg!("operator.taken", files = names, count = events.len() as u32));
         page.edit("", |project| project.panel = Panel::new(events));
+        page.notices.confirm(taken);
     }
 }
 

@@ -373,6 +373,7 @@ impl Page {
 
     /// Updates the values that follow from a project, as far as the entries they depend on have changed.
     fn follow(self, before: &Project, after: Project) {
+        self.notices.leave_action();
         if before.id != after.id {
             self.notices.leave_project();
         }
