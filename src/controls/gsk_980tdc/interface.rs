@@ -1,15 +1,12 @@
 //! Registers between PLC and 980TDc.
 
-use super::sources::MACRO;
+use super::sources::{MACRO, OVERRIDE};
 use crate::controls::Signal;
 use crate::controls::base::fanuc;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};
 use crate::controls::schema::table::{cited, joined};
 use crate::text::{Citation, Grade};
-
-/// Override codes, which differ between models.
-const OVERRIDE: Citation = Citation::new("GSK980MDi manual, p.460, and 988TA", Grade::Sister);
 
 /// A signal of FANUC; no GSK page at hand has it.
 const SHIFT: Citation = Citation::new("FANUC 0i-T usage, unverified", Grade::Open);
@@ -23,7 +20,13 @@ pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, cited![Signal: 
 const REGISTERS: &[Signal] = &[
     from_plc(FeedOverrideOff, "G6.4", "", "OVC: 1 fixes the feed override at 100 %", PLC),
     from_plc(ShiftSpeed, "G29.5", "", "SOR: 1 turns the spindle at the speed of a gear change", SHIFT),
-    from_plc(SpindleOverrideCode, "G30", "code", "spindle override, 50 to 120 % in steps of 10", OVERRIDE),
+    from_plc(
+        SpindleOverrideCode,
+        "G30",
+        "code",
+        "spindle override, 50 to 120 % in steps of 10, by the code of the switch",
+        OVERRIDE,
+    ),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MACRO),
     from_plc(MacroInputLow(1033), "G56", "word", "#1033 (G56, G57)", MACRO),
     from_plc(MacroInputLow(1034), "G58", "word", "#1034 (G58, G59)", MACRO),

@@ -17,3 +17,6 @@ pub(super) const PARAMETERS: Citation = Citation::new("GSK980TDi parameter list"
 /// The mode "program zero return"; its motion is not documented here.
 pub(super) const RETURN: Citation =
     Citation::new("GSK928TD manual, notes: return to the program reference point; how it moves: memory", Grade::Open);
+
+/// Codes of the spindle override, which differ between models: no page of the 980TDc has them.
+pub(super) const OVERRIDE: Citation = Citation::new("GSK980MDi manual, p.460, and 988TA", Grade::Sister);

@@ -1,6 +1,6 @@
 //! Switches of the 980TDc: points that no manual at hand settles, and parameters that change the meaning of a program.
 
-use super::sources::{MACRO, MEMORY, PARAMETERS, STATEMENT};
+use super::sources::{MACRO, MEMORY, OVERRIDE, PARAMETERS, STATEMENT};
 use crate::controls::Switch;
 use crate::controls::options::*;
 use crate::controls::switch::switch;
@@ -65,6 +65,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), PARAMETERS).parameter("No.175#6"),
     switch(SurfaceSpeedInInch::of(&[SurfaceSpeedInInch::FeetPerMinute, SurfaceSpeedInInch::MetresPerMinute]), MEMORY),
     switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::AfterLimits]), MEMORY),
+    switch(OverrideCode::of(&[OverrideCode::Switch, OverrideCode::Tens]), OVERRIDE),
     switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::End, M5Timing::Before]), PLC_DATA).parameter("PLC K16.5"),
     switch(VoltsAtStop::of(&[VoltsAtStop::Kept, VoltsAtStop::Off]), PLC_DATA).parameter("PLC K17.3"),

@@ -6,7 +6,7 @@ use super::control::Control;
 use super::interface::SignalRole;
 use super::macros::CodeCall;
 use super::options::*;
-use super::spindle::{LimitPlace, PANEL, REACHED, RapidSpeed, SpindleRules};
+use super::spindle::{LimitPlace, PANEL, REACHED, RapidSpeed, SWITCH_CODES, SpindleRules, TENS_CODES};
 use super::switch::Switches;
 use crate::text::{Citation, number};
 
@@ -423,6 +423,11 @@ fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, St
         knob: match set.spindle_knob {
             Some(SpindleKnob::From50To120) => PANEL,
             Some(SpindleKnob::From0To200) | None => row.knob,
+        },
+        override_codes: match set.override_code {
+            Some(OverrideCode::Switch) => SWITCH_CODES,
+            Some(OverrideCode::Tens) => TENS_CODES,
+            None => row.override_codes,
         },
         lower_wins: is_set_to(set.crossed_limits, CrossedLimits::LowerHolds).unwrap_or(row.lower_wins),
         end_stops: is_set_to(set.spindle_at_end, SpindleAtEnd::Stops).unwrap_or(row.end_stops),

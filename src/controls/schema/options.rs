@@ -269,6 +269,8 @@ switches! {
         manual_s: ManualS = "manual-s" { Refused = "refused", Taken = "taken" }
         /// Positions of the spindle override.
         spindle_knob: SpindleKnob = "spindle-knob" { From0To200 = "0-to-200", From50To120 = "50-to-120" }
+        /// Code of the spindle override in the register from the PLC.
+        override_code: OverrideCode = "override-code" { Switch = "980mdi", Tens = "988ta" }
         /// Effect of SPOS outside 0 to 359.999.
         spos_out_of_range: SposOutOfRange = "spos-out-of-range" { Alarm = "alarm", Modulo = "modulo" }
         /// Effect of M2 and M30 in a subprogram.

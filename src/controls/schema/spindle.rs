@@ -75,6 +75,8 @@ pub struct SpindleRules {
     pub manual_in_automatic: bool,
     /// Positions of the override knob.
     pub knob: Steps,
+    /// Codes of these positions, from the lowest up, where the PLC hands the override over as a code; empty for percent.
+    pub override_codes: &'static [u8],
     /// Ranges in millivolts of the output offset parameters, at speed 0 and at full output; `None` if unknown.
     pub offsets: Option<[(f64, f64); 2]>,
     /// Range of the speed at full output of a gear stage, in r/min; `None` if unknown.
@@ -94,6 +96,20 @@ pub struct SpindleRules {
     /// Source and grade.
     pub cite: Citation,
 }
+
+impl SpindleRules {
+    /// Spindle override (%) that the control takes for a code from the PLC; none for a code without a position of the knob.
+    pub fn override_of_code(&self, code: f64) -> Option<f64> {
+        let at = self.override_codes.iter().position(|known| f64::from(*known) == code)?;
+        Some(self.knob.low + self.knob.step * at as f64)
+    }
+}
+
+/// Codes of 50 to 120 % on the 980MDi, those of a rotary switch, one bit from step to step.
+pub(super) const SWITCH_CODES: &[u8] = &[7, 6, 2, 3, 1, 0, 4, 5];
+
+/// Codes of 50 to 120 % on the 988TA, in tens of percent.
+pub(super) const TENS_CODES: &[u8] = &[5, 6, 7, 8, 9, 10, 11, 12];
 
 /// Override switch of SINUMERIK machine control panels.
 pub(super) const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };

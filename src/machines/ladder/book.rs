@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    Bit, Branches, DECODED, Device, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcSide, PlcWidth,
-    Rung, RungAction, off, on,
+    Bit, Branches, DECODED, Device, Ladder, MachineContact, MachineOutput, Operator, PLACES, PlcNumber, PlcSide,
+    PlcWidth, Rung, RungAction, off, on,
 };
 use crate::controls::interface::{PlcLanguage, SignalRole};
-use crate::controls::{Control, Dialect, VarKind};
+use crate::controls::{Control, Dialect, SpindleRules, VarKind};
 use crate::text::{Citation, Grade};
 
 /// Devices that the machine's builder chooses.
@@ -121,6 +121,16 @@ impl<'a> Book<'a> {
         note: &'static str,
     ) {
         self.rung(Book::always(), RungAction::Compute { operator, left, right, to, width }, note);
+    }
+
+    /// Copies in every scan the entry of a table at the place of a number.
+    pub fn convert(&mut self, from: PlcNumber, to: PlcNumber, table: [u8; PLACES], note: &'static str) {
+        self.rung(Book::always(), RungAction::Convert { from, to, table }, note);
+    }
+
+    /// Rules of the control's spindle.
+    pub fn spindle_rules(&self) -> SpindleRules {
+        self.dialect.spindle()
     }
 
     /// The signal of an M function: the control's own, or the decoded number while the strobe is on.

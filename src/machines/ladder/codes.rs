@@ -1,7 +1,9 @@
 //! Rungs that every machine with an inverter spindle needs: run command, stops, and the answer to M, S and T.
 
 use super::book::Book;
-use super::{Bit, Branches, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, RungContact, off, on};
+use super::{
+    Bit, Branches, MachineContact, MachineOutput, Operator, PLACES, PlcNumber, PlcWidth, RungContact, off, on,
+};
 use crate::controls::SpindleRules;
 use crate::controls::interface::SignalRole;
 use crate::machines::stops::{Interruption, SpindleReaction};
@@ -138,14 +140,36 @@ impl Book<'_> {
     /// The knob of the spindle override to the control.
     pub fn spindle_override(&mut self) {
         if self.has(SignalRole::SpindleOverrideCode) {
-            let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);
-            let numbers = [PlcNumber::Knob, PlcNumber::Constant(10), code];
-            self.compute(Operator::Divide, numbers, PlcWidth::Word, "turning.ladder.code");
+            self.override_code();
         } else {
             let register = PlcNumber::Signal(SignalRole::SpindleOverride);
             self.copy(PlcNumber::Knob, register, Book::always(), "turning.ladder.override");
         }
         self.override_valid();
+    }
+
+    /// The knob as the code of its nearest position, at most the highest and at least the lowest; returns the knob in tens of percent.
+    pub fn override_code(&mut self) -> PlcNumber {
+        let [half, tens] = ["half", "tens"].map(PlcNumber::Data);
+        self.compute(
+            Operator::Add,
+            [PlcNumber::Knob, PlcNumber::Constant(5), half],
+            PlcWidth::Word,
+            "plc.rung.override-half",
+        );
+        self.compute(Operator::Divide, [half, PlcNumber::Constant(10), tens], PlcWidth::Word, "plc.rung.override-tens");
+        let rules = self.spindle_rules();
+        let code = override_table(&rules, |at| rules.override_codes.get(at).copied().unwrap_or(0));
+        self.convert(tens, PlcNumber::Signal(SignalRole::SpindleOverrideCode), code, "plc.rung.override-code");
+        tens
+    }
+
+    /// The percentage that belongs to the code of [`override_code`](Book::override_code), from the same tens.
+    pub fn override_of_code(&mut self, tens: PlcNumber) -> PlcNumber {
+        let (percent, knob) = (PlcNumber::Data("percent"), self.spindle_rules().knob);
+        let table = override_table(&self.spindle_rules(), |at| (knob.low + knob.step * at as f64) as u8);
+        self.convert(tens, percent, table, "plc.rung.override-percent");
+        percent
     }
 
     /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.
@@ -317,4 +341,10 @@ impl Book<'_> {
             self.coil(Bit::Signal(SignalRole::ReadInDisable), waits, "plc.rung.read-in");
         }
     }
+}
+
+/// A table by tens of percent: the entry of the knob's position that is nearest to each.
+fn override_table(rules: &SpindleRules, entry: impl Fn(usize) -> u8) -> [u8; PLACES] {
+    let knob = &rules.knob;
+    core::array::from_fn(|tens| entry(((knob.nearest(10.0 * tens as f64) - knob.low) / knob.step) as usize))
 }

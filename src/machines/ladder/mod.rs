@@ -216,6 +216,15 @@ pub enum RungAction {
         /// Width of the numbers.
         width: PlcWidth,
     },
+    /// While the condition holds, the entry of a table at the place of a number, from 0, is copied; nothing where the table ends before.
+    Convert {
+        /// Place in the table.
+        from: PlcNumber,
+        /// To.
+        to: PlcNumber,
+        /// Entries.
+        table: [u8; PLACES],
+    },
     /// M functions `first` to `first + 7` follow the M code while the condition holds; all are off while it does not.
     Decode {
         /// The first of eight M functions.
@@ -225,6 +234,9 @@ pub enum RungAction {
 
 /// Number of M functions that one decoding instruction distinguishes.
 pub const DECODED: u32 = 8;
+
+/// Entries of a table: one for each ten percent of a number of one byte, rounded.
+pub const PLACES: usize = 27;
 
 /// A rung.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -315,7 +327,7 @@ impl Rung {
     /// The number that the rung writes.
     pub fn written(&self) -> Option<PlcNumber> {
         match self.action {
-            RungAction::Move { to, .. } | RungAction::Compute { to, .. } => Some(to),
+            RungAction::Move { to, .. } | RungAction::Compute { to, .. } | RungAction::Convert { to, .. } => Some(to),
             _ => None,
         }
     }
@@ -323,7 +335,7 @@ impl Rung {
     /// The numbers that the rung reads.
     pub fn read(&self) -> Vec<PlcNumber> {
         match self.action {
-            RungAction::Move { from, .. } => vec![from],
+            RungAction::Move { from, .. } | RungAction::Convert { from, .. } => vec![from],
             RungAction::Compute { left, right, .. } => vec![left, right],
             RungAction::Decode { .. } => vec![PlcNumber::Signal(SignalRole::MCode)],
             _ => Vec::new(),

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::codes::{STOPPED, TURNS};
 use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
-use crate::controls::Control;
 use crate::controls::interface::SignalRole;
+use crate::controls::{Control, SpindleRules};
 use crate::drives::speed::{self, Steps};
 use crate::motion::{Io, Plc, PlcAlarm, ProgramState, Strobes};
 
@@ -36,6 +36,8 @@ const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 pub struct Wiring {
     /// Positions of the spindle override knob.
     pub knob: Steps,
+    /// Rules of the control's spindle: the codes that it takes for an override.
+    pub rules: SpindleRules,
     /// Share of the commanded speed from which the inverter reports the speed as reached.
     pub at_speed: f64,
     /// Time (s) from the valve of a gear stage to its contact.
@@ -292,9 +294,10 @@ impl LadderPlc {
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverride)) => {
                     io.overrides.spindle = image.number(word)
                 }
-                // Tens of percent.
+                // The control keeps its override at a code that it does not know.
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverrideCode)) => {
-                    io.overrides.spindle = 10.0 * image.number(word);
+                    let known = self.wiring.rules.override_of_code(image.number(word));
+                    io.overrides.spindle = known.unwrap_or(io.overrides.spindle);
                 }
                 Some(word @ PlcNumber::Signal(SignalRole::MacroInputLow(variable))) => {
                     io.inputs.insert(variable, image.number(word));

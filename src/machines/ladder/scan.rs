@@ -84,7 +84,14 @@ impl Ladder {
                     let value = computed(operator, image.number(left), image.number(right));
                     image.put(to, value);
                 }
-                RungAction::Move { .. } | RungAction::Compute { .. } => {}
+                RungAction::Convert { from, to, table } if holds => {
+                    let place = image.number(from);
+                    let entry = table.into_iter().enumerate().find(|(at, _)| *at as f64 == place);
+                    if let Some((_, entry)) = entry {
+                        image.put(to, f64::from(entry));
+                    }
+                }
+                RungAction::Move { .. } | RungAction::Compute { .. } | RungAction::Convert { .. } => {}
                 RungAction::Decode { first } => {
                     let code = image.number(PlcNumber::Signal(SignalRole::MCode));
                     for function in first..first + DECODED {

@@ -82,6 +82,7 @@ impl Ladder {
             RungAction::Compute { operator, left, right, to, width } => {
                 self.computed(operator, [left, right, to], width)
             }
+            RungAction::Convert { from, to, table } => vec![self.converted(from, to, &table)],
             RungAction::Decode { first } => self.decoded(rung, first),
         }
     }
@@ -157,6 +158,13 @@ impl Ladder {
                 vec![self.moved(words[0], words[2], width), format!("{sign}{kind} {right}, {to}")]
             }
         }
+    }
+
+    /// A table with its number of entries, place, result and entries. Only controls with codes of an override need it.
+    fn converted(&self, from: PlcNumber, to: PlcNumber, table: &[u8]) -> String {
+        let sub = if self.language == PlcLanguage::Pmc { "SUB 27 " } else { "" };
+        let entries: Vec<String> = table.iter().map(u8::to_string).collect();
+        format!("{sub}CODB 1 {} {} {} {}", table.len(), self.operand(from), self.operand(to), entries.join(" "))
     }
 
     /// Eight M functions by one instruction, or each by a comparison.

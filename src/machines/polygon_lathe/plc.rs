@@ -20,7 +20,8 @@ const NOTHING: f64 = 1e-9;
 pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
     let knob = Steps { step: 0.0, ..lathe.dialect.spindle().knob };
     let at_speed = 1.0 - lathe.dialect.spindle().reached.unwrap_or(0.1);
-    let wiring = Wiring { knob, at_speed, meshing: 0.0, shift_volts: 0.0, shift_speeds: [0.0; STAGES] };
+    let rules = lathe.dialect.spindle();
+    let wiring = Wiring { knob, rules, at_speed, meshing: 0.0, shift_volts: 0.0, shift_speeds: [0.0; STAGES] };
     LadderPlc::new(ladder(lathe), wiring, lathe.control).with_block(Box::new(Axes::new(lathe)))
 }
 

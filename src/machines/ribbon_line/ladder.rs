@@ -53,9 +53,11 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     let mut knob = PlcNumber::Knob;
     book.override_valid();
     if book.has(SignalRole::SpindleOverrideCode) {
-        // A switch with a code has steps of 10 %, which the program gets, too.
-        let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);
-        book.compute(Operator::Divide, [knob, PlcNumber::Constant(10), code], PlcWidth::Word, "ribbon.ladder.code");
+        // A code has steps of 10 %, which the program gets, too.
+        let tens = book.override_code();
+        if line.handed().is_some() {
+            knob = book.override_of_code(tens);
+        }
     } else {
         let step = p.knob_step.percent();
         if step > 1.0 {

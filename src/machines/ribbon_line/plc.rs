@@ -5,7 +5,6 @@ use super::derive::AT_SPEED;
 use super::ladder::ladder;
 use super::program;
 use super::resolved::{GREATEST, RibbonLine};
-use crate::controls::interface::SignalRole;
 use crate::drives::speed::{STAGES, Steps};
 use crate::machines::ladder::MachineContact;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
@@ -27,10 +26,9 @@ pub(super) struct RibbonPlc {
 
 impl RibbonPlc {
     pub(super) fn new(line: &RibbonLine) -> RibbonPlc {
-        let coded = line.dialect.device(line.control, SignalRole::SpindleOverrideCode).is_some();
-        let whole = Steps { low: 0.0, high: GREATEST, step: 1.0 };
         let wiring = Wiring {
-            knob: if coded { line.dialect.spindle().knob } else { whole },
+            knob: Steps { low: 0.0, high: GREATEST, step: 1.0 },
+            rules: line.dialect.spindle(),
             at_speed: AT_SPEED,
             meshing: 0.0,
             shift_volts: 0.0,

@@ -4,7 +4,7 @@ use super::gears::gear_times;
 use super::ladder::ladder;
 use super::resolved::TurningSpindle;
 use crate::controls::SpindleRules;
-use crate::drives::speed::STAGES;
+use crate::drives::speed::{STAGES, Steps};
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{Plant, SpindlePlant};
 
@@ -52,10 +52,14 @@ fn coasting(lathe: &TurningSpindle) -> [f64; STAGES] {
     all
 }
 
+/// A knob in whole percent, which the ladder turns into the positions of a code.
+const WHOLE: Steps = Steps { low: 0.0, high: 200.0, step: 1.0 };
+
 /// The ladder, wired to knob, inverter and gear box.
 pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
     let wiring = Wiring {
-        knob: lathe.rules().knob,
+        knob: if lathe.rules().override_codes.is_empty() { lathe.rules().knob } else { WHOLE },
+        rules: lathe.rules(),
         at_speed: 1.0 - lathe.rules().reached.unwrap_or(0.1),
         meshing: gear_times(lathe).meshing,
         shift_volts: SHIFT_VOLTS,

@@ -1,6 +1,7 @@
 //! Ladders: the exported text equals the simulated ladder, each signal has one coil, and every signal of the interface has its rung.
 
 mod listing;
+mod wired;
 
 use std::collections::{BTreeMap, BTreeSet};
 

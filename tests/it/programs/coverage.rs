@@ -133,7 +133,14 @@ fn each_switch_setting_is_in_a_program() {
         };
         for row in control.switches {
             // Names of registers, actions of the PLC and of the operator: no program can distinguish them.
-            if matches!(row.kind, SwitchKind::MacroInputBase(_) | SwitchKind::PmcOverride(_) | SwitchKind::ManualS(_)) {
+            let outside = matches!(
+                row.kind,
+                SwitchKind::MacroInputBase(_)
+                    | SwitchKind::PmcOverride(_)
+                    | SwitchKind::ManualS(_)
+                    | SwitchKind::OverrideCode(_)
+            );
+            if outside {
                 continue;
             }
             let mut others: Vec<&str> = row.options().iter().skip(1).map(|option| option.id).collect();

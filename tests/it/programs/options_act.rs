@@ -18,6 +18,7 @@ use super::{fixtures, log_of, settings, start_on};
 /// distinguish fails the test.
 const UNTOLD: &[(&str, &str, &str)] = &[
     ("fanuc", "pmc-override", "no machine turns PMC axes on this control"),
+    ("gsk", "override-code", "ladder and control change together: machines/ladder/wired.rs"),
     ("", "comment-characters", "comments move nothing: comments.rs"),
 ];
 

@@ -177,6 +177,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     end_stops: false,
     manual_in_automatic: false,
     knob: Steps { low: 0.0, high: 254.0, step: 1.0 },
+    override_codes: &[],
     offsets: None,
     stage_speeds: None,
     low_always: false,

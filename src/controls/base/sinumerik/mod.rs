@@ -214,6 +214,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     manual_in_automatic: false,
     // Range of the interface signal; the range of the panel's knob is a switch.
     knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
+    override_codes: &[],
     offsets: None,
     stage_speeds: None,
     low_always: true,

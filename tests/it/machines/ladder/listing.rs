@@ -29,6 +29,8 @@ enum Line {
     Timer(String, f64, bool),
     /// Operator (`=` copies), operands, target.
     Number(char, Vec<String>, String),
+    /// Place in a table, result, entries.
+    Convert(String, String, Vec<f64>),
     Decode {
         from: String,
         first: u32,
@@ -104,6 +106,7 @@ impl Listing {
                     last_number = Some(to.clone());
                     vec![to.clone()]
                 }
+                Line::Convert(_, to, _) => vec![to.clone()],
                 Line::Decode { byte, .. } => (0..8).map(|bit| format!("{byte}.{bit}")).collect(),
             };
             acted = true;
@@ -128,7 +131,7 @@ impl Listing {
                 Line::Load { device, .. } | Line::And { device, .. } | Line::Or { device, .. } => {
                     all.insert(device.clone());
                 }
-                Line::Equal(from, _) | Line::Decode { from, .. } => {
+                Line::Equal(from, _) | Line::Decode { from, .. } | Line::Convert(from, ..) => {
                     all.insert(from.clone());
                 }
                 Line::Number(_, operands, _) => all.extend(operands.iter().filter(|word| !constant(word)).cloned()),
@@ -198,13 +201,18 @@ impl Listing {
                     };
                     self.put(&to, result);
                 }
+                Line::Convert(from, to, table) if top => {
+                    if let Some(entry) = table.get(self.number(&from) as usize) {
+                        self.put(&to, *entry);
+                    }
+                }
                 Line::Decode { from, first, byte } => {
                     let code = self.number(&from);
                     for bit in 0..8 {
                         self.set(&format!("{byte}.{bit}"), top && code == f64::from(first + bit));
                     }
                 }
-                Line::Number(..) | Line::Unknown(_) => {}
+                Line::Number(..) | Line::Convert(..) | Line::Unknown(_) => {}
             }
             assert_eq!(stack.len(), 1, "every branch is joined");
             acted = true;
@@ -241,6 +249,11 @@ fn function(words: &[&str]) -> Option<Line> {
         ["ADDB", "1" | "2" | "4", rest @ ..] => number('+', rest),
         ["MULB", "1" | "2" | "4", rest @ ..] => number('*', rest),
         ["DIVB", "1" | "2" | "4", rest @ ..] => number('/', rest),
+        ["CODB", "1", count, from, to, rest @ ..] => {
+            let entries: Option<Vec<f64>> = rest.iter().map(|entry| entry.parse().ok()).collect();
+            let entries = entries.filter(|all| count.parse() == Ok(all.len()))?;
+            Some(Line::Convert((*from).to_owned(), (*to).to_owned(), entries))
+        }
         ["DECB", "1", from, first, byte] => {
             Some(Line::Decode { from: (*from).to_owned(), first: first.parse().ok()?, byte: (*byte).to_owned() })
         }
