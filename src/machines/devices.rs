@@ -131,7 +131,8 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
         MachineContact::ResetKey
         | MachineContact::ForwardKey
         | MachineContact::ReverseKey
-        | MachineContact::StopKey => BillItem::Key,
+        | MachineContact::StopKey
+        | MachineContact::HoldKey => BillItem::Key,
         MachineContact::InverterReady
         | MachineContact::InverterEnabled
         | MachineContact::AtSpeed

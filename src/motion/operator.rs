@@ -33,7 +33,12 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Action::Start => self.start(t),
             Action::Hold => {
-                self.hold(t);
+                if self.s.plc.program.reads_hold_key() {
+                    self.s.plc.io.stops.hold_key = true;
+                    self.scan(t);
+                } else {
+                    self.hold(t);
+                }
                 self.pace(t);
             }
             Action::Reset => self.reset(t, Exec::Ready),

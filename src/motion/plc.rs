@@ -59,10 +59,14 @@ pub struct Stops {
     pub inverter_fault: bool,
     /// Spindle key pressed by the operator: 1, -1, or 0 for stop; set for one scan.
     pub spindle_key: Option<i8>,
+    /// Key "feed hold" pressed by the operator; set for one scan.
+    pub hold_key: bool,
     /// The position loop of the spindle is on: it turns to an angle or holds it.
     pub positions: bool,
     /// Direction of the spindle by the run contacts of the PLC: 1, -1, or 0 for none; `None` for a PLC without such contacts.
     pub turns: Option<i8>,
+    /// Direction in which the PLC turns a spindle without M03 and M04 while gears mesh: 1, or 0.
+    pub shift_turns: i8,
     /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and direction stay in force.
     pub spindle: bool,
     /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it releases them.
@@ -190,6 +194,10 @@ pub trait Plc {
     }
     /// Whether the PLC monitors the fault contact of the spindle inverter.
     fn watches_inverter(&self) -> bool {
+        false
+    }
+    /// Whether the key "feed hold" is wired to the PLC, which holds the program by it.
+    fn reads_hold_key(&self) -> bool {
         false
     }
     /// A copy with all state, for the planner's checkpoints.

@@ -22,12 +22,13 @@ impl<P: RunningProgram> Sim<'_, P> {
         for _ in 0..ROUNDS {
             self.s.plc.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
+            let key = self.s.plc.io.stops.hold_key;
             let (state, orders) = (self.program_state(), self.s.plc.io.spindle_orders());
             self.s.plc.io.stops.program = state;
             self.s.plc.io.stops.positions = self.s.spindle.orienting.is_some();
             let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
             (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
-            self.s.plc.io.stops.spindle_key = None;
+            (self.s.plc.io.stops.spindle_key, self.s.plc.io.stops.hold_key) = (None, false);
             // A PLC that requests an immediate scan gets it in its next cycle (1 ms).
             self.s.plc.next_scan = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.plc.io;
@@ -62,7 +63,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             let ordered = answered || self.s.plc.io.spindle_orders() != orders;
             let changed = ordered && self.turn(t) || self.program_state() != state;
-            if !changed && !answered {
+            // The key is released before anything else happens.
+            if !changed && !answered && !key {
                 break;
             }
         }

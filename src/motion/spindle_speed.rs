@@ -53,7 +53,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         let span = if from == to { 0.0 } else { span };
         let without_current = self.plant.is_without_current(t, &self.s.plc.io.stops);
         let stands = without_current || self.s.plc.io.stops.spindle;
-        let sign = if stands { 0 } else { self.s.spindle.direction };
+        let sign = match (self.s.spindle.direction, self.s.plc.io.gear_volts) {
+            _ if stands => 0,
+            (0, Some(_)) => self.s.plc.io.stops.shift_turns,
+            (direction, _) => direction,
+        };
         let last = self.out.timeline.ramps.last();
         // A drive with its current restored does not brake before its next speed command.
         let coasted = last.is_some_and(|last| last.command.coasts) && sign == 0;

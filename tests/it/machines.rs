@@ -26,6 +26,7 @@ mod ribbon_contacts;
 mod ribbon_controls;
 mod ribbon_edges;
 mod ribbon_endless;
+mod ribbon_figure;
 mod ribbon_holds;
 mod ribbon_knob;
 mod ribbon_length;

@@ -13,11 +13,14 @@ pub(super) const SCALING: Citation = Citation::new("GSK980MDi manual, p.385, 401
 
 const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list; bits counted from 0", Grade::Sister);
 
+const RESET: Citation = Citation::new("GSK980MDi manual, p.457, 469 and 481: K10.RESB; its bit is open", Grade::Sister);
+
 /// One row per parameter, by number.
 pub(super) const PARAMS: &[ParamDef] = &[
     param(CommandUnit, "No.001#1", "", Plain, "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
     param(AxisDiameter, "No.001#2", "", Plain, "words of X: 0 diameters, 1 radii", PARAMETERS).answered("0", "1"),
     param(SpindleConnection, "No.001#4", "", Plain, "1: analog voltage, 0: gears by contacts", PARAMETERS),
+    param(RewindAtEnd, "No.005#4", "", Plain, "M30: 1 goes back to the first block, 0 stays at the end", PARAMETERS),
     param(
         ExactStopCheck,
         "No.007#6",
@@ -88,6 +91,7 @@ pub(super) const PARAMS: &[ParamDef] = &[
     param(AxisAcceleration, "No.252", "", Plain, "acceleration of cutting feed: 0 linear, 1 S-shaped", PARAMETERS)
         .answered("0", "1"),
     param(TurnsThroughReset, "K10.1", "", Plain, "1: the spindle turns on through reset", PLC_DATA),
+    param(RewindAtReset, "K10 RESB", "", Plain, "reset: 1 goes back to the first block, 0 stays in the program", RESET),
     param(GearShift, "K15.0", "", Plain, "1: gears are shifted by M41 to M44", PLC_DATA),
     param(StopLast, "K16.5", "", Plain, "M05 beside a motion: 0 at its end, 1 at once", PLC_DATA).answered("0", "1"),
     param(VoltsOffAtStop, "K17.3", "", Plain, "analog output at M05: 0 kept, 1 off", PLC_DATA),

@@ -72,6 +72,10 @@ pub enum ParamRole {
     VoltsOffAtStop,
     /// Whether the spindle keeps turning at reset.
     TurnsThroughReset,
+    /// Reset brings the program back to its first block.
+    RewindAtReset,
+    /// The end of the program brings it back to its first block.
+    RewindAtEnd,
     /// Whether a spindle encoder is fitted.
     SpindleEncoder,
     /// Whether words of the axis count diameters.

@@ -211,6 +211,7 @@ impl<'a> Book<'a> {
             sides,
             unit: "",
             meaning,
+            contact: None,
             cite: BUILDER,
         };
         match bit {
@@ -223,7 +224,9 @@ impl<'a> Book<'a> {
                 open(internal_device(language, bit, places), (PlcSide::Plc, PlcSide::Plc), "")
             }
             Bit::Input(input) => {
-                open(input_device(language, input, places), (PlcSide::Machine, PlcSide::Plc), input_meaning(input))
+                let sides = (PlcSide::Machine, PlcSide::Plc);
+                let device = open(input_device(language, input, places), sides, input_meaning(input));
+                Device { contact: Some(input.kind()), ..device }
             }
             Bit::Output(output) => {
                 let number = places.outputs.get(&output).copied().unwrap_or(0);
@@ -246,6 +249,7 @@ impl<'a> Book<'a> {
             sides,
             unit,
             meaning,
+            contact: None,
             cite: BUILDER,
         };
         match word {
@@ -291,6 +295,7 @@ impl<'a> Book<'a> {
             sides: by.sides(other),
             unit: "",
             meaning: role_meaning(role),
+            contact: None,
             cite,
         }
     }
@@ -507,6 +512,7 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::WebNotTight => "plc.input.web-not-tight",
         MachineContact::ReelNotEmpty => "plc.input.reel-not-empty",
         MachineContact::TurretInPosition => "plc.input.turret-in-position",
+        MachineContact::HoldKey => "plc.input.hold-key",
     }
 }
 
@@ -515,6 +521,7 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::Forward => "plc.output.forward",
         MachineOutput::Reverse => "plc.output.reverse",
         MachineOutput::Run => "plc.output.run",
+        MachineOutput::Gear(1) => "plc.output.gear-1",
         MachineOutput::Gear(2) => "plc.output.gear-2",
         MachineOutput::Gear(3) => "plc.output.gear-3",
         MachineOutput::Gear(_) => "plc.output.gear-4",

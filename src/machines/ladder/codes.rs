@@ -24,6 +24,8 @@ const TOOL_WAITS: Bit = Bit::Relay("tool-waits");
 const FAULT: Bit = Bit::Relay("inverter-fault");
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
+/// The spindle is slow enough for the gears, from then on to the end of the change.
+pub const SLOWED: Bit = Bit::Relay("slowed");
 /// The commanded gear stage is in position.
 pub const MESHED: Bit = Bit::Relay("meshed");
 /// The gears allow a run command: in position, or changed at the shift voltage.
@@ -32,6 +34,8 @@ pub const GEAR_RUN: Bit = Bit::Relay("gear-run");
 pub const GEAR_LOST: Bit = Bit::Relay("gear-lost");
 /// Nothing forbids a run command.
 const FREE: Bit = Bit::Relay("spindle-free");
+/// No contact of the machine forbids a run by key.
+const KEYS_FREE: Bit = Bit::Relay("keys-free");
 /// Keys of the directions.
 const KEYS: [MachineContact; 2] = [MachineContact::ForwardKey, MachineContact::ReverseKey];
 /// On for one scan after the end of the program.
@@ -225,7 +229,14 @@ impl Book<'_> {
             let reversed = vec![vec![on(m3), on(reverse)], vec![on(m4), on(forward)]];
             self.coil(Bit::Output(MachineOutput::ReversalAlarm), reversed, "plc.rung.reversal");
         }
-        let stop = off(Bit::Input(MachineContact::StopKey));
+        let stop = on(Bit::Input(MachineContact::StopKey));
+        // Without a program no hold acts: the contacts themselves stop a spindle that runs by its key.
+        let inputs = requirements.holds.iter().filter(|contact| **contact != MachineContact::InverterEnabled);
+        let closed: Vec<RungContact> = inputs.map(|contact| on(Bit::Input(*contact))).collect();
+        let contacts = (!closed.is_empty()).then_some(on(KEYS_FREE));
+        if contacts.is_some() {
+            self.coil(KEYS_FREE, vec![closed], "plc.rung.keys-free");
+        }
         let [forward_key, reverse_key] = KEYS.map(Bit::Input);
         let sides = [
             (forward, m3, forward_key, reverse, m4, reverse_key, "plc.rung.forward"),
@@ -242,8 +253,9 @@ impl Book<'_> {
             let mut by_key = vec![on(own_key), on(FREE), off(other_key), stop, off(other), off(STARTED)];
             by_key.extend(requirements.reports_standstill.then_some(on(Bit::Input(MachineContact::AtStandstill))));
             by_key.extend(requirements.has_gears.then_some(on(MESHED)));
+            by_key.extend(contacts);
             // A reset behind the stop key starts nothing.
-            let alone = [keeps.as_slice(), &[stop, off(STOPPED)]].concat();
+            let alone = [keeps.as_slice(), &[stop, off(STOPPED)], contacts.as_slice()].concat();
             keeps.push(on(STARTED));
             self.coil(turns, vec![by_code, by_key, alone, keeps], note);
         }
@@ -252,7 +264,7 @@ impl Book<'_> {
     /// The direction to the inverter. In a begun program the stop key acts while the program is interrupted, until the key of the direction
     /// starts the spindle again. A position loop needs its run command without M3; it commands both directions, which only the sign gives.
     fn run_commands(&mut self, requirements: &SpindleRequirements<'_>) {
-        let stop = on(Bit::Input(MachineContact::StopKey));
+        let stop = off(Bit::Input(MachineContact::StopKey));
         let sides = TURNS.into_iter().zip(KEYS.map(Bit::Input));
         let stopped = sides.flat_map(|(turns, key)| {
             [vec![on(turns), on(INTERRUPTED), stop], vec![on(turns), on(STARTED), on(STOPPED), off(key)]]
@@ -261,28 +273,45 @@ impl Book<'_> {
         let message = Bit::Output(MachineOutput::Message(MachineContact::StopKey));
         self.coil(message, vec![vec![on(STOPPED)]], "plc.rung.stopped-message");
         let runs = TURNS.map(|turns| vec![on(turns), off(STOPPED)]);
+        let shift = if requirements.has_gears { Book::shift_runs(requirements.direction) } else { Vec::new() };
         if requirements.direction == Direction::Sign {
             let loops = requirements.positions && self.has(SignalRole::SpindlePositions);
             let angle = loops.then(|| vec![on(Bit::Signal(SignalRole::SpindlePositions)), on(FREE)]);
-            let note = if loops { "plc.rung.run-or-position" } else { "plc.rung.run" };
-            self.coil(Bit::Output(MachineOutput::Run), runs.into_iter().chain(angle).collect(), note);
+            let note = match (loops, requirements.has_gears) {
+                (true, true) => "plc.rung.run-position-or-shift",
+                (true, false) => "plc.rung.run-or-position",
+                (false, true) => "plc.rung.run-or-shift",
+                (false, false) => "plc.rung.run",
+            };
+            self.coil(Bit::Output(MachineOutput::Run), runs.into_iter().chain(angle).chain(shift).collect(), note);
             return;
         }
-        let outputs =
-            [(MachineOutput::Forward, "plc.rung.run-forward"), (MachineOutput::Reverse, "plc.rung.run-reverse")];
-        for (when, (output, note)) in runs.into_iter().zip(outputs) {
-            self.coil(Bit::Output(output), vec![when], note);
-        }
+        let [forward, reverse] = runs;
+        let note = if shift.is_empty() { "plc.rung.run-forward" } else { "plc.rung.run-forward-or-shift" };
+        self.coil(Bit::Output(MachineOutput::Forward), [forward].into_iter().chain(shift).collect(), note);
+        self.coil(Bit::Output(MachineOutput::Reverse), vec![reverse], "plc.rung.run-reverse");
     }
 
-    /// Holds the program while the inverter reports a fault, after one until reset, while the spindle of a begun program is stopped by its
-    /// key, after a gear was lost until reset, and while one of the contacts is open, with a text for each contact that stays until the program
+    /// Branches of the run command while gears mesh, without M3 and M4 too: at standstill tooth stands on tooth. Only a spindle that has slowed
+    /// down gets it, and none with a run command of the other direction. A stop key acts in an interrupted program, as elsewhere.
+    fn shift_runs(direction: Direction) -> Branches {
+        let shift = Bit::Signal(SignalRole::ShiftSpeed);
+        let mut guard = vec![on(shift), on(SLOWED), on(FREE), off(STOPPED)];
+        guard.extend((direction == Direction::Contacts).then_some(off(TURNS[1])));
+        [off(INTERRUPTED), on(Bit::Input(MachineContact::StopKey))]
+            .map(|last| guard.iter().copied().chain([last]).collect())
+            .into()
+    }
+
+    /// Holds the program at the operator's key, while the inverter reports a fault, after one until reset, while the spindle of a begun program
+    /// is stopped by its key, after a gear was lost until reset, and while one of the contacts is open, with a text for each contact that stays until the program
     /// runs again or reset is pressed.
     fn hold_program(&mut self, ready: Bit, requirements: &SpindleRequirements<'_>) {
         let contacts = requirements.holds;
         let button = requirements.emergency_holds.then_some(Bit::Input(MachineContact::Emergency));
         let inputs = contacts.iter().copied().map(Bit::Input);
-        let all: Vec<Bit> = [ready].into_iter().chain(button).chain(inputs).collect();
+        let key = Bit::Input(MachineContact::HoldKey);
+        let all: Vec<Bit> = [key, ready].into_iter().chain(button).chain(inputs).collect();
         let causes: Vec<Bit> =
             [FAULT, STOPPED].into_iter().chain(requirements.has_gears.then_some(GEAR_LOST)).collect();
         let free = all.iter().copied().map(on).chain(causes.iter().copied().map(off)).collect();

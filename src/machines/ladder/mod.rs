@@ -60,7 +60,7 @@ pub enum MachineContact {
     ForwardKey,
     /// Key "spindle counterclockwise".
     ReverseKey,
-    /// Key "spindle stop".
+    /// Key "spindle stop", closed while it is not pressed.
     StopKey,
     /// A gear stage is in position.
     InGear(u8),
@@ -80,6 +80,43 @@ pub enum MachineContact {
     ReelNotEmpty,
     /// The turret's controller answers its start signal: the commanded tool is in position and locked.
     TurretInPosition,
+    /// Key "feed hold", closed while it is not pressed.
+    HoldKey,
+}
+
+/// Kind of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactKind {
+    /// It closes with its event: a broken wire is no event.
+    Make,
+    /// It opens with its event: a broken wire acts like the event.
+    Break,
+}
+
+impl MachineContact {
+    /// The kind. Contacts that stop or hold the machine break, those that start something or report a position make.
+    pub fn kind(self) -> ContactKind {
+        match self {
+            MachineContact::Emergency
+            | MachineContact::EmergencyDelayed
+            | MachineContact::InverterReady
+            | MachineContact::InverterEnabled
+            | MachineContact::StopKey
+            | MachineContact::HoldKey
+            | MachineContact::LoopNotFull
+            | MachineContact::WebNotTight
+            | MachineContact::ReelNotEmpty => ContactKind::Break,
+            MachineContact::ResetKey
+            | MachineContact::AtSpeed
+            | MachineContact::ForwardKey
+            | MachineContact::ReverseKey
+            | MachineContact::InGear(_)
+            | MachineContact::AtShiftSpeed
+            | MachineContact::AtStandstill
+            | MachineContact::SpindleClamped
+            | MachineContact::TurretInPosition => ContactKind::Make,
+        }
+    }
 }
 
 /// An output to the machine.
@@ -277,6 +314,8 @@ pub struct Device {
     pub unit: &'static str,
     /// Catalog id of its meaning.
     pub meaning: &'static str,
+    /// Kind of the contact that switches it; none for all but inputs from the machine.
+    pub contact: Option<ContactKind>,
     /// Source and grade.
     pub cite: Citation,
 }

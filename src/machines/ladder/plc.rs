@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::codes::{STOPPED, TURNS};
+use super::codes::{SLOWED, STOPPED, TURNS};
 use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::interface::SignalRole;
@@ -23,6 +23,8 @@ const BY_SPEED: [Bit; 3] = [
     Bit::Input(MachineContact::AtShiftSpeed),
     Bit::Input(MachineContact::AtStandstill),
 ];
+/// Run commands of the inverter.
+const RUNS: [MachineOutput; 3] = [MachineOutput::Forward, MachineOutput::Reverse, MachineOutput::Run];
 /// Speed (r/min) up to which the standstill monitor closes its contact.
 const STANDSTILL: f64 = 0.5;
 /// Contacts that follow the movers of the machine: closed until [switched](LadderPlc::switch).
@@ -217,7 +219,8 @@ impl LadderPlc {
             Bit::Signal(SignalRole::SpindlePositions) => stops.positions,
             Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
             Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
-            Bit::Input(MachineContact::StopKey) => stops.spindle_key == Some(0),
+            Bit::Input(MachineContact::StopKey) => stops.spindle_key != Some(0),
+            Bit::Input(MachineContact::HoldKey) => !stops.hold_key,
             _ => return None,
         })
     }
@@ -226,7 +229,10 @@ impl LadderPlc {
     fn contacts(&mut self, t: f64) {
         let is_on = |stage: &u8| self.image.is_on(Bit::Output(MachineOutput::Gear(*stage)));
         let stage = self.valves.iter().copied().find(is_on).unwrap_or(1);
-        if stage != self.gear.0 {
+        let runs = RUNS.into_iter().any(|run| self.image.is_on(Bit::Output(run)));
+        // At standstill tooth stands on tooth: gears mesh while the spindle turns.
+        let waits = !runs && t < self.gear.1 + self.wiring.meshing;
+        if stage != self.gear.0 || waits {
             self.gear = (stage, t);
         }
         for bit in self.named.iter() {
@@ -255,13 +261,12 @@ impl LadderPlc {
                 Bit::Signal(
                     SignalRole::ProgramEnd | SignalRole::Reset | SignalRole::TFunction | SignalRole::MFunction(_),
                 )
-                | Bit::Input(
-                    MachineContact::ResetKey
-                    | MachineContact::ForwardKey
-                    | MachineContact::ReverseKey
-                    | MachineContact::StopKey,
-                ) => self.image.set(*bit, false),
-                Bit::Input(MachineContact::Emergency | MachineContact::EmergencyDelayed) => self.image.set(*bit, true),
+                | Bit::Input(MachineContact::ResetKey | MachineContact::ForwardKey | MachineContact::ReverseKey) => {
+                    self.image.set(*bit, false)
+                }
+                Bit::Input(MachineContact::Emergency | MachineContact::EmergencyDelayed | MachineContact::StopKey) => {
+                    self.image.set(*bit, true)
+                }
                 _ => {}
             }
         }
@@ -273,12 +278,10 @@ impl LadderPlc {
         let coil = |bit: Bit| ladder.drives(bit).then(|| image.is_on(bit));
         let signal = |role: SignalRole| coil(Bit::Signal(role));
         let output = |output: MachineOutput| coil(Bit::Output(output));
-        let runs = [MachineOutput::Forward, MachineOutput::Reverse, MachineOutput::Run]
-            .into_iter()
-            .filter_map(output)
-            .reduce(|a, b| a || b);
+        let runs = RUNS.into_iter().filter_map(output).reduce(|a, b| a || b);
         let spindle = [signal(SignalRole::SpindleEnable), signal(SignalRole::SpindleHold).map(|held| !held), runs];
         io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
+        io.stops.shift_turns = i8::from(image.is_on(SLOWED) && runs == Some(true));
         let directions = TURNS.iter().all(|turns| ladder.drives(*turns));
         io.stops.turns = directions.then(|| {
             let [forward, reverse] = TURNS.map(|turns| i8::from(image.is_on(turns) && !image.is_on(STOPPED)));
@@ -402,6 +405,10 @@ impl Plc for LadderPlc {
 
     fn watches_inverter(&self) -> bool {
         self.ladder.drives(Bit::Output(MachineOutput::InverterAlarm))
+    }
+
+    fn reads_hold_key(&self) -> bool {
+        self.named.binary_search(&Bit::Input(MachineContact::HoldKey)).is_ok()
     }
 
     fn boxed(&self) -> Box<dyn Plc> {

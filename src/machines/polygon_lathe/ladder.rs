@@ -68,13 +68,16 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             direction: Direction::Contacts,
         };
         book.spindle(&rules, &requirements);
-    } else if delayed {
-        let released = vec![vec![on(Bit::Input(MachineContact::Emergency))]];
-        book.coil(Bit::Signal(SignalRole::HoldReleased), released, "polygon.ladder.emergency-hold");
+    } else {
+        let button = delayed.then_some(MachineContact::Emergency);
+        let closed = [MachineContact::HoldKey].into_iter().chain(button).map(|contact| on(Bit::Input(contact)));
+        let note = if delayed { "polygon.ladder.emergency-hold" } else { "polygon.ladder.hold-key" };
+        book.coil(Bit::Signal(SignalRole::HoldReleased), vec![closed.collect()], note);
     }
     channels(&mut book);
     sequence(&mut book, lathe.p.settling(), delayed);
     answers(&mut book, lathe.has_main_spindle());
+    // A single cutter is on a spindle of its own at the slide: its T selects the offset alone, and nothing turns.
     busy.extend(program::changes_tools(lathe).then(|| book.turret()));
     book.answer(&busy);
     meanings(&mut book);

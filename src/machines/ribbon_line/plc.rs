@@ -81,6 +81,10 @@ impl Plc for RibbonPlc {
         self.ladder.watches_inverter()
     }
 
+    fn reads_hold_key(&self) -> bool {
+        self.ladder.reads_hold_key()
+    }
+
     fn follows_movers(&self) -> bool {
         true
     }

@@ -457,7 +457,12 @@ fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
 /// Spindle off, absolute dimensions, program end, and the alarm to which block `check` leads. `#3004` is cleared by the reset of M30: written
 /// here it would act before the last moves are done.
 fn end(b: &mut Builder, line: &RibbonLine, check: u32) {
-    b.n(50).words([m(5)]);
+    if line.dialect.spindle().volts_stay {
+        // Else a key would turn the unwinder at the speed of the program.
+        b.n(50).words([m(5), s(0)]).note("NO VOLTAGE FOR THE KEYS");
+    } else {
+        b.n(50).words([m(5)]);
+    }
     phase::end(b, line);
     let absolute = codes(line, [Code::Absolute]);
     if !absolute.is_empty() {

@@ -45,6 +45,9 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::SpindleGearMaximum(1), one(number(p.top_speed().min(p.speed_at_10v)))),
         (ParamRole::SpindleMinimum, one(number(0.0))),
         (ParamRole::SpindleEncoder, yes(p.spindle_encoder)),
+        // The guards of a restart are in the first blocks.
+        (ParamRole::RewindAtReset, yes(true)),
+        (ParamRole::RewindAtEnd, yes(true)),
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(line.pull_words() == 2))]),
         (ParamRole::AxisRotary, turning),
         (ParamRole::AxisRollOver, each(|| ParamValue::Answer(true))),

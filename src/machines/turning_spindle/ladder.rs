@@ -6,14 +6,14 @@ use super::resolved::TurningSpindle;
 use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SpindleRequirements, TURNS};
+use crate::machines::ladder::codes::{
+    BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SLOWED, SpindleRequirements, TURNS,
+};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
 /// Relays of the stages that the control requests by number.
 const WANTED: [Bit; 4] =
     [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
-/// The spindle is slow enough for the gears, from then on to the end of the change.
-const SLOWED: Bit = Bit::Relay("slowed");
 
 /// The valve of the clamp.
 const CLAMP: Bit = Bit::Output(MachineOutput::SpindleClamp);
@@ -61,8 +61,9 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     if let Some(codes) = lathe.driven_codes() {
         driven_tool(&mut book, codes);
     }
-    let turret = lathe.changes_tools().then(|| book.turret());
-    let busy: Vec<Bit> = (stages > 1).then_some(BUSY).into_iter().chain(clamps).chain(turret).collect();
+    // The program calls its tool at each start, and the turret may stand at another one.
+    let turret = book.turret();
+    let busy: Vec<Bit> = (stages > 1).then_some(BUSY).into_iter().chain(clamps).chain([turret]).collect();
     book.answer(&busy);
     book.finish()
 }
@@ -145,6 +146,10 @@ impl Gears<'_, '_> {
             let when = vec![vec![on(self.wanted(stage)), on(SLOWED)], vec![on(valve(stage)), off(SLOWED)], stays];
             self.book.coil(valve(stage), when, "turning.ladder.valve");
         }
+        // The coil of the first stage, for valves that keep their position without power. After a power failure the work may still coast.
+        let first = self.commanded(1);
+        let [begins, stays] = [slow, valve(1)].map(|bit| [first.clone(), vec![on(bit)]].concat());
+        self.book.coil(valve(1), vec![begins, stays], "turning.ladder.valve-1");
         let in_position = |stage| on(Bit::Input(MachineContact::InGear(stage)));
         let meshed = self.all().map(|stage| [self.commanded(stage), vec![in_position(stage)]].concat()).collect();
         self.book.coil(MESHED, meshed, "turning.ladder.meshed");

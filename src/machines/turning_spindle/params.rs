@@ -337,7 +337,7 @@ const ROWS: &[&[Field<Params>]] = &[
     number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
         .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
     number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")
-        .unit("s").range(0.0..=60.0).default(0.0).decimals(2).step(0.5).fact().when(Params::has_gear_alarm),
+        .unit("s").range(0.0..=60.0).default(5.0).decimals(2).step(0.5).fact().when(Params::has_gear_alarm),
     choice("output", member!(Params.output: Output)).group("turning.group.output").label("turning.output").help("turning.output.help")
         .fact().when(Params::has_signed_output),
     number("offset-zero", member!(Params.offset_zero)).group("turning.group.output").label("turning.offset-zero").help("turning.offset-zero.help")

@@ -142,11 +142,6 @@ impl TurningSpindle {
         self.p.keyway_diameter().filter(|_| cuts)
     }
 
-    /// Whether the program calls more than one tool.
-    pub(super) fn changes_tools(&self) -> bool {
-        self.keyway().is_some() && self.p.driven_number != self.p.tool
-    }
-
     /// Codes that lock the spindle at its angle and release it again, where the program locks it.
     pub(super) fn lock_codes(&self) -> Option<(u32, Option<u32>)> {
         let [lock, release] = [self.p.lock_code, self.p.release_code].map(given_code);

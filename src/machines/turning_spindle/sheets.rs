@@ -82,6 +82,9 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleUpperSet, number(p.chuck_limit)),
         (ParamRole::SpindleSurfaceLimit, number(p.upper_limit)),
         (ParamRole::TurnsThroughReset, yes(rules.turns_through_reset)),
+        // The guards of a restart are in the first blocks.
+        (ParamRole::RewindAtReset, yes(true)),
+        (ParamRole::RewindAtEnd, yes(true)),
         (ParamRole::GearShift, yes(shifts)),
         (ParamRole::GearShiftBefore, number(delay_before(lathe))),
         (ParamRole::GearShiftAfter, number(1000.0 * shift.after)),

@@ -1,5 +1,6 @@
 //! Interruptions of the lathe: the spindle turns on while the tool is in the cut, until the operator ends the program.
 
+use super::gears;
 use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up::{engaged, highest};
@@ -65,15 +66,26 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             anew(Interruption::InverterFault),
         ),
     ];
+    let unpowered = match gears::has_gears(lathe) {
+        true => msg!("turning.stops.coasts-in-gear", time = coasts),
+        false => msg!("lathe.stops.work-coasts", time = coasts),
+    };
     rows.push(Reaction {
         cite: if sinks.is_some() { CLOSING } else { DESIGN },
-        ..row(
-            Interruption::PowerFailure,
-            slides_without_supply(sinks),
-            msg!("lathe.stops.work-coasts", time = coasts),
-            anew(Interruption::PowerFailure),
-        )
+        ..row(Interruption::PowerFailure, slides_without_supply(sinks), unpowered, anew(Interruption::PowerFailure))
     });
+    if let Some(patience) = gears::gear_times(lathe).patience.filter(|_| gears::has_gears(lathe)) {
+        rows.push(Reaction {
+            cause: Some("turning.stops.gear-late"),
+            spindle: SpindleReaction::Off,
+            ..row(
+                Interruption::Alarm,
+                msg!("lathe.stops.axes-block"),
+                msg!("turning.stops.gear-late-work", time = (patience, 1)),
+                msg!("turning.stops.gear-late-mend"),
+            )
+        });
+    }
     if lathe.keyway().is_some() {
         rows.extend(in_keyway(lathe, sinks));
     }
@@ -98,7 +110,7 @@ fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
 }
 
 /// Rows of the keyway: the spindle is locked at its angle, and the driven tool turns in the work.
-fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
+fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 4] {
     // The ladder opens a clamp without a release code at reset; a person locks where there is no code at all.
     let opens = matches!(lathe.lock_codes(), Some((_, None)));
     // Where the PLC reads the reset key, an emergency stop is no reset to it.
@@ -140,6 +152,14 @@ fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
             slides_at_emergency_stop(sinks),
             stops,
             anew(Interruption::EmergencyStop),
+        ),
+        row(
+            Interruption::PowerFailure,
+            "turning.stops.keyway-power",
+            SpindleReaction::StaysLocked,
+            slides_without_supply(sinks),
+            msg!("turning.stops.clamp-unpowered"),
+            anew(Interruption::PowerFailure),
         ),
     ]
 }

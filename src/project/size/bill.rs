@@ -133,7 +133,8 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
         let meaning = listed(&told);
         let asked = match item {
             BillItem::OverrideSwitch => msg!("size.bill.override-switch", meaning),
-            BillItem::GearValve | BillItem::ClampValve => msg!("size.bill.valve", meaning),
+            BillItem::GearValve => msg!("size.bill.gear-valve", meaning),
+            BillItem::ClampValve => msg!("size.bill.clamp-valve", meaning),
             BillItem::Turret => msg!("size.bill.turret"),
             _ => msg!("size.bill.contact", meaning),
         };

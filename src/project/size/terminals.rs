@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::bill::BillRow;
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
-use crate::machines::ladder::{Device, Ladder, PlcSide};
+use crate::machines::ladder::{ContactKind, Device, Ladder, PlcSide};
 use crate::machines::sheets::say;
 use crate::motion::Mover;
 use crate::msg;
@@ -227,6 +227,16 @@ fn wire(strip: Strip, signal: &'static str, from: WireEnd, to: WireEnd) -> Wire 
     Wire { strip, signal: say(signal), from, to, cite: STRIPS }
 }
 
+/// Meaning of the signal of a wire, with the kind of the contact that switches it.
+fn signal_of(device: &Device) -> String {
+    let meaning = say(device.meaning);
+    match device.contact {
+        Some(ContactKind::Make) => sentence(&msg!("size.terminal.make-contact", meaning)),
+        Some(ContactKind::Break) => sentence(&msg!("size.terminal.break-contact", meaning)),
+        None => meaning,
+    }
+}
+
 /// The wires of the PLC's contacts and outputs, and after them the common wire of each item at their other end.
 fn contacts(ladder: Option<&Ladder>, bill: &[BillRow]) -> Vec<Wire> {
     let end = |item: BillItem| WireEnd::of(item, bill.iter().find(|row| row.item == item).and_then(|row| row.axis));
@@ -241,7 +251,7 @@ fn contacts(ladder: Option<&Ladder>, bill: &[BillRow]) -> Vec<Wire> {
         };
         let plc = WireEnd { place, ..WireEnd::of(BillItem::Control, None) };
         let (from, to) = if is_output(device) { (plc, end(*item)) } else { (end(*item), plc) };
-        Wire { strip: Strip::Contacts, signal: say(device.meaning), from, to, cite: device.cite }
+        Wire { strip: Strip::Contacts, signal: signal_of(device), from, to, cite: device.cite }
     };
     // An inverter has a common of its own for its inputs.
     let signal = |item: BillItem, is_output: bool| match (item, is_output) {

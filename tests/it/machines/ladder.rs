@@ -8,7 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use macroline::controls::interface::{PlcLanguage, SignalRole};
 use macroline::machines;
 use macroline::machines::ladder::scan::Image;
-use macroline::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, PlcSide, RungAction};
+use macroline::machines::ladder::{
+    Bit, ContactKind, Ladder, MachineContact, MachineOutput, PlcNumber, PlcSide, RungAction,
+};
 use macroline::project::Project;
 use macroline::text::catalog::words;
 use macroline::view::Sheet;
@@ -189,12 +191,17 @@ fn reset(ladder: &Ladder, image: &mut Image) {
     }
 }
 
-/// The ladder with its contacts closed, but for keys.
+/// Whether a key closes its contact, pressed or not.
+fn is_closed(key: MachineContact, pressed: bool) -> bool {
+    pressed == (key.kind() == ContactKind::Make)
+}
+
+/// The ladder with its contacts closed, but for keys that make.
 fn at_rest(ladder: &Ladder) -> Image {
     let mut image = Image::default();
     let is_key = |contact: MachineContact| {
-        use MachineContact::{ForwardKey, ResetKey, ReverseKey, StopKey};
-        [ForwardKey, ReverseKey, StopKey, ResetKey].contains(&contact)
+        use MachineContact::{ForwardKey, ResetKey, ReverseKey};
+        [ForwardKey, ReverseKey, ResetKey].contains(&contact)
     };
     for (contact, _) in ladder.bits.iter().filter(|row| matches!(row.0, Bit::Input(input) if !is_key(input))) {
         image.set(*contact, true);
@@ -213,7 +220,7 @@ fn spindle_keys_act_without_a_program_and_stop_wins() {
         }
         let press = |image: &mut Image, keys: &[MachineContact]| {
             for on in [true, false] {
-                keys.iter().for_each(|key| image.set(Bit::Input(*key), on));
+                keys.iter().for_each(|key| image.set(Bit::Input(*key), is_closed(*key, on)));
                 settle(&ladder, image, 0.0);
             }
             (image.is_on(forward), image.is_on(reverse))
@@ -241,7 +248,7 @@ const RUNS: [Bit; 2] = [Bit::Output(MachineOutput::Forward), Bit::Output(Machine
 /// Presses a key for longer than the ladder needs; returns the run commands while it is pressed, and after it.
 fn press(ladder: &Ladder, image: &mut Image, key: MachineContact) -> [[bool; 2]; 2] {
     [true, false].map(|on| {
-        image.set(Bit::Input(key), on);
+        image.set(Bit::Input(key), is_closed(key, on));
         settle(ladder, image, 0.0);
         RUNS.map(|run| image.is_on(run))
     })
@@ -423,7 +430,7 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
             continue;
         }
         let mut image = Image::default();
-        let keys = [MachineContact::ForwardKey, MachineContact::ReverseKey, MachineContact::StopKey];
+        let keys = [MachineContact::ForwardKey, MachineContact::ReverseKey];
         let keys = [&keys[..], &[MachineContact::ResetKey]].concat();
         for (contact, _) in
             ladder.bits.iter().filter(|row| matches!(row.0, Bit::Input(input) if !keys.contains(&input)))
@@ -521,7 +528,9 @@ fn tool_changes_wait_for_the_turret() {
     let mut turrets = 0;
     for (name, project) in projects() {
         let ladder = ladder(&project);
-        assert_eq!(ladder.drives(start), tools(&project).len() > 1, "{name}: {:?}", tools(&project));
+        // A single cutter of the polygon lathe is on a spindle of its own: nothing turns for its T.
+        let least = if name.starts_with("polygon") { 2 } else { 1 };
+        assert_eq!(ladder.drives(start), tools(&project).len() >= least, "{name}: {:?}", tools(&project));
         if !ladder.drives(start) {
             continue;
         }

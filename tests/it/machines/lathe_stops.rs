@@ -1,5 +1,6 @@
 //! Turning spindle and polygon lathe react to hold, single block, alarm, reset and emergency stop as in their tables.
 
+use macroline::controls::Alarm;
 use macroline::machines;
 use macroline::motion::{Action, Event, Io, ProgramState, Snapshot, Stops};
 use macroline::project::Project;
@@ -33,6 +34,10 @@ fn tables_of_both_lathes_name_every_interruption() {
         let fault = project.prepared().plc().watches_inverter();
         wanted.extend(fault.then_some("Inverter fault"));
         wanted.push("Power failure");
+        let has_gear_alarm = rows.iter().any(|cells| cells[0] == "Gear not in position in time");
+        let gears = project.control.raises(Alarm::GearTimeout) && project.machine.id() == "turning-spindle";
+        assert_eq!(has_gear_alarm, gears, "{}: a new project has a patience", project.control.id);
+        wanted.extend(gears.then_some("Gear not in position in time"));
         wanted.extend((project.machine.id() == "polygon-lathe").then_some("Alarm: one drive of work or tool fails"));
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
@@ -54,10 +59,11 @@ fn keyway_has_rows_of_its_own_in_the_table_of_stops() {
     };
     let spindles = |rows: &[Vec<String>]| rows.iter().map(|cells| cells[1].clone()).collect::<Vec<_>>();
     let locked = rows(&[]);
-    assert_eq!(spindles(&locked), ["Stays locked at its angle"; 3]);
+    assert_eq!(spindles(&locked), ["Stays locked at its angle"; 4]);
+    assert!(locked[3][3].contains("stays closed without power"), "{locked:?}");
     assert!(locked[1][4].contains("set R124 to 0"), "{locked:?}");
     let opens = "Its clamp opens: no code releases it";
-    assert_eq!(spindles(&rows(&[("release-code", "0")]))[1..], [opens, "Stays locked at its angle"]);
+    assert_eq!(spindles(&rows(&[("release-code", "0")]))[1..3], [opens, "Stays locked at its angle"]);
 }
 
 /// The direction that the PLC gives the spindle at M3 behind its lock code and an interruption: none while the clamp is closed.
@@ -102,10 +108,10 @@ fn both_lathes_stop_and_turn_on_as_their_tables_say() {
     for project in projects() {
         let whole = over_time(&project, vec![]);
         let end = whole.timeline().end();
-        // In a cut: it turns, and the slide along the work moves.
+        // In a cut: it turns, faster than while gears mesh, and the slide along the work moves.
         let cuts = |t: &f64| {
             let now = whole.timeline().at(*t);
-            turning(&now).iter().any(|speed| speed.abs() > 1.0) && now.axes.iter().any(|axis| axis.feed != 0.0)
+            turning(&now).iter().any(|speed| speed.abs() > 40.0) && now.axes.iter().any(|axis| axis.feed != 0.0)
         };
         let at = (1..1000).map(|k| end * f64::from(k) / 1000.0).find(cuts).expect("a cut");
         let name = format!("{} at {at}", project.control.id);

@@ -27,7 +27,12 @@ fn open_contact_takes_the_feed_hold_of_every_control_away() {
     for control in controls() {
         let ladder = project(control.id, &[]).prepared().ladder().expect("a ladder");
         let mut image = Image::default();
-        let closed = [MachineContact::Emergency, MachineContact::InverterReady, MachineContact::AtSpeed];
+        let closed = [
+            MachineContact::HoldKey,
+            MachineContact::Emergency,
+            MachineContact::InverterReady,
+            MachineContact::AtSpeed,
+        ];
         for contact in closed.into_iter().chain(HOLDING) {
             image.set(Bit::Input(contact), true);
         }

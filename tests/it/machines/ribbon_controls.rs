@@ -377,6 +377,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.001#1 |  |  | 0 |  | 0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)
             No.001#2 |  | X | 0 |  | words of X: 0 diameters, 1 radii
             No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
+            No.005#4 |  |  | 1 |  | M30: 1 goes back to the first block, 0 stays at the end
             No.015 | CMR | X | 113 |  | numerator: counts of the encoder per turn of the motor
             No.015 | CMR | C | 25 |  | numerator: counts of the encoder per turn of the motor
             No.016 | CMD | X | 71 |  | denominator: output units of 0.001 mm per turn (X by diameters: 0.0005 mm), both in lowest terms
@@ -395,6 +396,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.196#4 |  |  | 0 |  | 1: several spindles
             No.252 |  | X | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
             No.252 |  | C | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
+            K10 RESB |  |  | 1 |  | reset: 1 goes back to the first block, 0 stays in the program
         "#]],
     );
     check(
@@ -454,7 +456,7 @@ fn operator_notes_of_each_control_match() {
     .assert_eq(&told("gsk-980tdc"));
     // K · 1200 r/min of the published machine: 251 mm/s, 310 with the knob at its highest position.
     expect![[r#"
-        This control has no variable that switches the feed override off: it has to stand at 100 %, or the ribbon piles up or tears. At 0 % the unwinder keeps its 251 mm/s, and the loop of 500 mm is full after 2 s.
+        The PLC fixes the feed override at 100 %, which no manual at hand confirms for this control; the position 0 % still stops the axes. The unwinder keeps its 251 mm/s, and the loop of 500 mm is full after 2 s.
     "#]].assert_eq(&told("sinumerik-808d"));
     expect![[r#"
         This control forgets #100 and up at power-off: run O9102 once after each power-on.

@@ -11,7 +11,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[],
         "interface",
         expect![[r#"
-            G30 |  | PLC | control |  | Spindle override as a code, tens of percent: the control multiplies S by it
+            G30 |  | PLC | control |  | Spindle override as a code of its position: the control multiplies S by its percentage
             G54 | #1032 | PLC | program |  | Spindle override or final speed for the program
             F10 |  | control | PLC |  | Number of the M function
             D100 |  | machine | PLC | % | Spindle override knob
@@ -31,11 +31,12 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
             X3.2 |  | machine | PLC |  | Key: spindle clockwise
             X3.3 |  | machine | PLC |  | Key: spindle counter-clockwise
-            X3.4 |  | machine | PLC |  | Key: spindle stop
+            X3.4 |  | machine | PLC |  | Key: spindle stop, opens when pressed
             X3.5 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
             X3.6 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
             X3.7 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.0 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
+            X4.1 |  | machine | PLC |  | Key: feed hold, opens when pressed; the panel’s own key must not reach the same coil
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             A0.0 |  | PLC | control |  | Alarm: fault of the inverter
@@ -67,167 +68,182 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             12 | LD F0.5 | 
             13 | ANI R10.3 | 
             14 | ANI F1.1 | 
-            15 | LD R11.0 | 
+            15 | LD R11.1 | 
             16 | ANI R10.3 | 
             17 | ANI F1.1 | 
             18 | ORB | 
-            19 | OUT R11.0 | program is begun, until its end or reset
-            20 | LD R11.0 | 
+            19 | OUT R11.1 | program is begun, until its end or reset
+            20 | LD R11.1 | 
             21 | ANI F0.5 | 
             22 | OUT R10.4 | stopped in the middle: hold, M00, alarm
             23 | LD R10.0 | 
-            24 | DIVB 1 D100 K10 G30 | the knob as a code of tens of percent
+            24 | ADDB 2 D100 K5 D108 | the knob and half a step, for rounding
             25 | LD R10.0 | 
-            26 | OUT G6.4 | cutting override is fixed
+            26 | DIVB 2 D108 K10 D116 | the knob in tens of percent
             27 | LD R10.0 | 
-            28 | MOVN 2 D100 G54 | the same to the program
-            29 | LDI X3.1 | 
-            30 | LDI X3.5 | 
-            31 | AND R11.0 | 
-            32 | ORB | 
-            33 | LD R10.5 | 
-            34 | ANI F1.1 | 
-            35 | ORB | 
-            36 | OUT R10.5 | fault of the inverter, until reset
-            37 | LD R10.5 | 
-            38 | OUT A0.0 | alarm: fault of the inverter
-            39 | LD X0.5 | 
-            40 | AND X3.1 | 
-            41 | AND X3.5 | 
-            42 | ANI F1.1 | 
-            43 | OUT R10.7 | spindle may turn: no emergency stop, fault, reset or lock
-            44 | LD R40.0 | 
-            45 | AND R10.2 | 
-            46 | LD R40.1 | 
-            47 | AND R10.1 | 
-            48 | ORB | 
-            49 | OUT A0.1 | M3 and M4 need M5 between them
+            28 | CODB 1 27 D116 G30 7 7 7 7 7 7 6 2 3 1 0 4 5 5 5 5 5 5 5 5 5 5 5 5 5 5 5 | the code of the nearest position, at most 120 % and at least 50 %, from a table
+            29 | LD R10.0 | 
+            30 | CODB 1 27 D116 D112 50 50 50 50 50 50 60 70 80 90 100 110 120 120 120 120 120 120 120 120 120 120 120 120 120 120 120 | the same position in percent, for the program
+            31 | LD R10.0 | 
+            32 | OUT G6.4 | cutting override is fixed
+            33 | LD R10.0 | 
+            34 | MOVN 2 D112 G54 | the same to the program
+            35 | LDI X3.1 | 
+            36 | LDI X3.5 | 
+            37 | AND R11.1 | 
+            38 | ORB | 
+            39 | LD R10.5 | 
+            40 | ANI F1.1 | 
+            41 | ORB | 
+            42 | OUT R10.5 | fault of the inverter, until reset
+            43 | LD R10.5 | 
+            44 | OUT A0.0 | alarm: fault of the inverter
+            45 | LD X0.5 | 
+            46 | AND X3.1 | 
+            47 | AND X3.5 | 
+            48 | ANI F1.1 | 
+            49 | OUT R11.0 | spindle may turn: no emergency stop, fault, reset or lock
             50 | LD R40.0 | 
-            51 | AND R10.7 | 
-            52 | ANI R10.2 | 
-            53 | LD X3.2 | 
-            54 | AND R10.7 | 
-            55 | ANI X3.3 | 
-            56 | ANI X3.4 | 
-            57 | ANI R10.2 | 
-            58 | ANI R11.0 | 
-            59 | ORB | 
-            60 | LD R10.1 | 
-            61 | AND R10.7 | 
-            62 | ANI R40.2 | 
-            63 | ANI X3.4 | 
-            64 | ANI R11.1 | 
-            65 | ORB | 
-            66 | LD R10.1 | 
-            67 | AND R10.7 | 
-            68 | ANI R40.2 | 
-            69 | AND R11.0 | 
+            51 | AND R10.2 | 
+            52 | LD R40.1 | 
+            53 | AND R10.1 | 
+            54 | ORB | 
+            55 | OUT A0.1 | M3 and M4 need M5 between them
+            56 | LD X3.6 | 
+            57 | AND X3.7 | 
+            58 | AND X4.0 | 
+            59 | OUT R10.6 | loop, web and reel allow a run by key
+            60 | LD R40.0 | 
+            61 | AND R11.0 | 
+            62 | ANI R10.2 | 
+            63 | LD X3.2 | 
+            64 | AND R11.0 | 
+            65 | ANI X3.3 | 
+            66 | AND X3.4 | 
+            67 | ANI R10.2 | 
+            68 | ANI R11.1 | 
+            69 | AND R10.6 | 
             70 | ORB | 
-            71 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
-            72 | LD R40.1 | 
-            73 | AND R10.7 | 
-            74 | ANI R10.1 | 
-            75 | LD X3.3 | 
-            76 | AND R10.7 | 
-            77 | ANI X3.2 | 
-            78 | ANI X3.4 | 
-            79 | ANI R10.1 | 
-            80 | ANI R11.0 | 
-            81 | ORB | 
-            82 | LD R10.2 | 
-            83 | AND R10.7 | 
-            84 | ANI R40.2 | 
-            85 | ANI X3.4 | 
-            86 | ANI R11.1 | 
-            87 | ORB | 
-            88 | LD R10.2 | 
-            89 | AND R10.7 | 
-            90 | ANI R40.2 | 
-            91 | AND R11.0 | 
-            92 | ORB | 
-            93 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
-            94 | LD R10.1 | 
-            95 | AND R10.4 | 
-            96 | AND X3.4 | 
-            97 | LD R10.1 | 
-            98 | AND R11.0 | 
-            99 | AND R11.1 | 
-            100 | ANI X3.2 | 
+            71 | LD R10.1 | 
+            72 | AND R11.0 | 
+            73 | ANI R40.2 | 
+            74 | AND X3.4 | 
+            75 | ANI R11.2 | 
+            76 | AND R10.6 | 
+            77 | ORB | 
+            78 | LD R10.1 | 
+            79 | AND R11.0 | 
+            80 | ANI R40.2 | 
+            81 | AND R11.1 | 
+            82 | ORB | 
+            83 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+            84 | LD R40.1 | 
+            85 | AND R11.0 | 
+            86 | ANI R10.1 | 
+            87 | LD X3.3 | 
+            88 | AND R11.0 | 
+            89 | ANI X3.2 | 
+            90 | AND X3.4 | 
+            91 | ANI R10.1 | 
+            92 | ANI R11.1 | 
+            93 | AND R10.6 | 
+            94 | ORB | 
+            95 | LD R10.2 | 
+            96 | AND R11.0 | 
+            97 | ANI R40.2 | 
+            98 | AND X3.4 | 
+            99 | ANI R11.2 | 
+            100 | AND R10.6 | 
             101 | ORB | 
             102 | LD R10.2 | 
-            103 | AND R10.4 | 
-            104 | AND X3.4 | 
-            105 | ORB | 
-            106 | LD R10.2 | 
-            107 | AND R11.0 | 
-            108 | AND R11.1 | 
-            109 | ANI X3.3 | 
-            110 | ORB | 
-            111 | OUT R11.1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-            112 | LD R11.1 | 
-            113 | OUT A0.2 | text for the operator: spindle stopped by its key
-            114 | LD R10.1 | 
-            115 | ANI R11.1 | 
-            116 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
-            117 | LD R10.2 | 
-            118 | ANI R11.1 | 
-            119 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
-            120 | LD X3.1 | 
-            121 | AND X3.5 | 
-            122 | AND X3.6 | 
-            123 | AND X3.7 | 
-            124 | AND X4.0 | 
-            125 | ANI R10.5 | 
-            126 | ANI R11.1 | 
-            127 | OUT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-            128 | LDI X3.5 | 
-            129 | LD A0.3 | 
-            130 | ANI F0.5 | 
-            131 | ANI F1.1 | 
-            132 | ORB | 
-            133 | OUT A0.3 | text for the operator until the program runs again
-            134 | LDI X3.6 | 
-            135 | LD A0.4 | 
-            136 | ANI F0.5 | 
-            137 | ANI F1.1 | 
-            138 | ORB | 
-            139 | OUT A0.4 | text for the operator until the program runs again
-            140 | LDI X3.7 | 
-            141 | LD A0.5 | 
-            142 | ANI F0.5 | 
-            143 | ANI F1.1 | 
-            144 | ORB | 
-            145 | OUT A0.5 | text for the operator until the program runs again
-            146 | LDI X4.0 | 
-            147 | LD A0.6 | 
-            148 | ANI F0.5 | 
-            149 | ANI F1.1 | 
-            150 | ORB | 
-            151 | OUT A0.6 | text for the operator until the program runs again
-            152 | LDI R10.4 | 
-            153 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            154 | LD F7.0 | 
-            155 | OR F7.2 | 
-            156 | OR F7.3 | 
-            157 | OUT G4.3 | one answer for M, S and T
-            158 | LD R10.4 | 
-            159 | AND Y5.0 | 
-            160 | ANI F1.1 | 
-            161 | LD R10.4 | 
-            162 | AND Y5.1 | 
-            163 | ANI F1.1 | 
-            164 | ORB | 
-            165 | LD R10.6 | 
-            166 | ANI T0 | 
-            167 | ANI F1.1 | 
-            168 | ORB | 
-            169 | OUT R10.6 | axes wait at the restart
-            170 | LD R10.6 | 
-            171 | ANI R10.4 | 
-            172 | TMRB T0 2050 | as long as behind M3
-            173 | LDI R10.6 | 
-            174 | OR R10.4 | 
-            175 | OUT G8.0 | axes may move
+            103 | AND R11.0 | 
+            104 | ANI R40.2 | 
+            105 | AND R11.1 | 
+            106 | ORB | 
+            107 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+            108 | LD R10.1 | 
+            109 | AND R10.4 | 
+            110 | ANI X3.4 | 
+            111 | LD R10.1 | 
+            112 | AND R11.1 | 
+            113 | AND R11.2 | 
+            114 | ANI X3.2 | 
+            115 | ORB | 
+            116 | LD R10.2 | 
+            117 | AND R10.4 | 
+            118 | ANI X3.4 | 
+            119 | ORB | 
+            120 | LD R10.2 | 
+            121 | AND R11.1 | 
+            122 | AND R11.2 | 
+            123 | ANI X3.3 | 
+            124 | ORB | 
+            125 | OUT R11.2 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+            126 | LD R11.2 | 
+            127 | OUT A0.2 | text for the operator: spindle stopped by its key
+            128 | LD R10.1 | 
+            129 | ANI R11.2 | 
+            130 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            131 | LD R10.2 | 
+            132 | ANI R11.2 | 
+            133 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            134 | LD X4.1 | 
+            135 | AND X3.1 | 
+            136 | AND X3.5 | 
+            137 | AND X3.6 | 
+            138 | AND X3.7 | 
+            139 | AND X4.0 | 
+            140 | ANI R10.5 | 
+            141 | ANI R11.2 | 
+            142 | OUT G8.5 | hold key, fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            143 | LDI X3.5 | 
+            144 | LD A0.3 | 
+            145 | ANI F0.5 | 
+            146 | ANI F1.1 | 
+            147 | ORB | 
+            148 | OUT A0.3 | text for the operator until the program runs again
+            149 | LDI X3.6 | 
+            150 | LD A0.4 | 
+            151 | ANI F0.5 | 
+            152 | ANI F1.1 | 
+            153 | ORB | 
+            154 | OUT A0.4 | text for the operator until the program runs again
+            155 | LDI X3.7 | 
+            156 | LD A0.5 | 
+            157 | ANI F0.5 | 
+            158 | ANI F1.1 | 
+            159 | ORB | 
+            160 | OUT A0.5 | text for the operator until the program runs again
+            161 | LDI X4.0 | 
+            162 | LD A0.6 | 
+            163 | ANI F0.5 | 
+            164 | ANI F1.1 | 
+            165 | ORB | 
+            166 | OUT A0.6 | text for the operator until the program runs again
+            167 | LDI R10.4 | 
+            168 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            169 | LD F7.0 | 
+            170 | OR F7.2 | 
+            171 | OR F7.3 | 
+            172 | OUT G4.3 | one answer for M, S and T
+            173 | LD R10.4 | 
+            174 | AND Y5.0 | 
+            175 | ANI F1.1 | 
+            176 | LD R10.4 | 
+            177 | AND Y5.1 | 
+            178 | ANI F1.1 | 
+            179 | ORB | 
+            180 | LD R10.7 | 
+            181 | ANI T0 | 
+            182 | ANI F1.1 | 
+            183 | ORB | 
+            184 | OUT R10.7 | axes wait at the restart
+            185 | LD R10.7 | 
+            186 | ANI R10.4 | 
+            187 | TMRB T0 2050 | as long as behind M3
+            188 | LDI R10.7 | 
+            189 | OR R10.4 | 
+            190 | OUT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );
@@ -257,11 +273,12 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             X3.2 |  | machine | PLC |  | Inverter is at the commanded speed
             X3.3 |  | machine | PLC |  | Key: spindle clockwise
             X3.4 |  | machine | PLC |  | Key: spindle counter-clockwise
-            X3.5 |  | machine | PLC |  | Key: spindle stop
+            X3.5 |  | machine | PLC |  | Key: spindle stop, opens when pressed
             X3.6 |  | machine | PLC |  | Inverter ready: closed while the supply is on, the enable is closed and there is no fault
             X3.7 |  | machine | PLC |  | Loop sensor: opens when the loop reaches its longest limit, the loop capacity
             X4.0 |  | machine | PLC |  | Tension switch at the loop: opens when the ribbon reaches its tension limit
             X4.1 |  | machine | PLC |  | Reel sensor: open when the ribbon left on the reel is just enough for the stop
+            X4.2 |  | machine | PLC |  | Key: feed hold, opens when pressed; the panel’s own key must not reach the same coil
             Y5.0 |  | PLC | machine |  | Inverter: run clockwise
             Y5.1 |  | PLC | machine |  | Inverter: run counter-clockwise
             A0.0 |  | PLC | control |  | Alarm: fault of the inverter
@@ -292,12 +309,12 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             12 | RD F0.5 | 
             13 | AND.NOT R10.3 | 
             14 | AND.NOT F1.1 | 
-            15 | RD.STK R11.0 | 
+            15 | RD.STK R11.1 | 
             16 | AND.NOT R10.3 | 
             17 | AND.NOT F1.1 | 
             18 | OR.STK | 
-            19 | WRT R11.0 | program is begun, until its end or reset
-            20 | RD R11.0 | 
+            19 | WRT R11.1 | program is begun, until its end or reset
+            20 | RD R11.1 | 
             21 | AND.NOT F0.5 | 
             22 | WRT R10.4 | stopped in the middle: hold, M00, alarm
             23 | RD R10.0 | 
@@ -306,7 +323,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             26 | SUB 45 MOVN 2 D100 G54 | the same to the program
             27 | RD.NOT X3.1 | 
             28 | RD.NOT.STK X3.5 | 
-            29 | AND R11.0 | 
+            29 | AND R11.1 | 
             30 | OR.STK | 
             31 | RD.STK R10.5 | 
             32 | AND.NOT F1.1 | 
@@ -318,136 +335,145 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             38 | AND X3.1 | 
             39 | AND X3.5 | 
             40 | AND.NOT F1.1 | 
-            41 | WRT R10.7 | spindle may turn: no emergency stop, fault, reset or lock
-            42 | RD R40.0 | 
-            43 | AND R10.7 | 
-            44 | RD.STK X3.2 | 
-            45 | AND R10.7 | 
-            46 | AND.NOT X3.3 | 
-            47 | AND.NOT X3.4 | 
-            48 | AND.NOT R10.2 | 
-            49 | AND.NOT R11.0 | 
-            50 | OR.STK | 
-            51 | RD.STK R10.1 | 
-            52 | AND R10.7 | 
-            53 | AND.NOT R40.2 | 
-            54 | AND.NOT R40.1 | 
-            55 | AND.NOT X3.4 | 
-            56 | AND.NOT R11.1 | 
-            57 | OR.STK | 
-            58 | RD.STK R10.1 | 
-            59 | AND R10.7 | 
-            60 | AND.NOT R40.2 | 
-            61 | AND.NOT R40.1 | 
-            62 | AND R11.0 | 
+            41 | WRT R11.0 | spindle may turn: no emergency stop, fault, reset or lock
+            42 | RD X3.6 | 
+            43 | AND X3.7 | 
+            44 | AND X4.0 | 
+            45 | WRT R10.6 | loop, web and reel allow a run by key
+            46 | RD R40.0 | 
+            47 | AND R11.0 | 
+            48 | RD.STK X3.2 | 
+            49 | AND R11.0 | 
+            50 | AND.NOT X3.3 | 
+            51 | AND X3.4 | 
+            52 | AND.NOT R10.2 | 
+            53 | AND.NOT R11.1 | 
+            54 | AND R10.6 | 
+            55 | OR.STK | 
+            56 | RD.STK R10.1 | 
+            57 | AND R11.0 | 
+            58 | AND.NOT R40.2 | 
+            59 | AND.NOT R40.1 | 
+            60 | AND X3.4 | 
+            61 | AND.NOT R11.2 | 
+            62 | AND R10.6 | 
             63 | OR.STK | 
-            64 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
-            65 | RD R40.1 | 
-            66 | AND R10.7 | 
-            67 | RD.STK X3.3 | 
-            68 | AND R10.7 | 
-            69 | AND.NOT X3.2 | 
-            70 | AND.NOT X3.4 | 
-            71 | AND.NOT R10.1 | 
-            72 | AND.NOT R11.0 | 
-            73 | OR.STK | 
-            74 | RD.STK R10.2 | 
-            75 | AND R10.7 | 
-            76 | AND.NOT R40.2 | 
-            77 | AND.NOT R40.0 | 
-            78 | AND.NOT X3.4 | 
-            79 | AND.NOT R11.1 | 
+            64 | RD.STK R10.1 | 
+            65 | AND R11.0 | 
+            66 | AND.NOT R40.2 | 
+            67 | AND.NOT R40.1 | 
+            68 | AND R11.1 | 
+            69 | OR.STK | 
+            70 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+            71 | RD R40.1 | 
+            72 | AND R11.0 | 
+            73 | RD.STK X3.3 | 
+            74 | AND R11.0 | 
+            75 | AND.NOT X3.2 | 
+            76 | AND X3.4 | 
+            77 | AND.NOT R10.1 | 
+            78 | AND.NOT R11.1 | 
+            79 | AND R10.6 | 
             80 | OR.STK | 
             81 | RD.STK R10.2 | 
-            82 | AND R10.7 | 
+            82 | AND R11.0 | 
             83 | AND.NOT R40.2 | 
             84 | AND.NOT R40.0 | 
-            85 | AND R11.0 | 
-            86 | OR.STK | 
-            87 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
-            88 | RD R10.1 | 
-            89 | AND R10.4 | 
-            90 | AND X3.4 | 
-            91 | RD.STK R10.1 | 
-            92 | AND R11.0 | 
+            85 | AND X3.4 | 
+            86 | AND.NOT R11.2 | 
+            87 | AND R10.6 | 
+            88 | OR.STK | 
+            89 | RD.STK R10.2 | 
+            90 | AND R11.0 | 
+            91 | AND.NOT R40.2 | 
+            92 | AND.NOT R40.0 | 
             93 | AND R11.1 | 
-            94 | AND.NOT X3.2 | 
-            95 | OR.STK | 
-            96 | RD.STK R10.2 | 
+            94 | OR.STK | 
+            95 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+            96 | RD R10.1 | 
             97 | AND R10.4 | 
-            98 | AND X3.4 | 
-            99 | OR.STK | 
-            100 | RD.STK R10.2 | 
-            101 | AND R11.0 | 
-            102 | AND R11.1 | 
-            103 | AND.NOT X3.3 | 
-            104 | OR.STK | 
-            105 | WRT R11.1 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-            106 | RD R11.1 | 
-            107 | WRT A0.1 | text for the operator: spindle stopped by its key
-            108 | RD R10.1 | 
-            109 | AND.NOT R11.1 | 
-            110 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
-            111 | RD R10.2 | 
-            112 | AND.NOT R11.1 | 
-            113 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
-            114 | RD X3.1 | 
-            115 | AND X3.5 | 
-            116 | AND X3.6 | 
-            117 | AND X3.7 | 
-            118 | AND X4.0 | 
-            119 | AND.NOT R10.5 | 
-            120 | AND.NOT R11.1 | 
-            121 | WRT G8.5 | fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-            122 | RD.NOT X3.5 | 
-            123 | RD.STK A0.2 | 
-            124 | AND.NOT F0.5 | 
-            125 | AND.NOT F1.1 | 
-            126 | OR.STK | 
-            127 | WRT A0.2 | text for the operator until the program runs again
-            128 | RD.NOT X3.6 | 
-            129 | RD.STK A0.3 | 
-            130 | AND.NOT F0.5 | 
-            131 | AND.NOT F1.1 | 
-            132 | OR.STK | 
-            133 | WRT A0.3 | text for the operator until the program runs again
-            134 | RD.NOT X3.7 | 
-            135 | RD.STK A0.4 | 
-            136 | AND.NOT F0.5 | 
-            137 | AND.NOT F1.1 | 
-            138 | OR.STK | 
-            139 | WRT A0.4 | text for the operator until the program runs again
-            140 | RD.NOT X4.0 | 
-            141 | RD.STK A0.5 | 
-            142 | AND.NOT F0.5 | 
-            143 | AND.NOT F1.1 | 
-            144 | OR.STK | 
-            145 | WRT A0.5 | text for the operator until the program runs again
-            146 | RD.NOT R10.4 | 
-            147 | WRT G29.6 | spindle stops with the axes; S and M3 stay
-            148 | RD F7.0 | 
-            149 | OR F7.2 | 
-            150 | OR F7.3 | 
-            151 | WRT G4.3 | one answer for M, S and T
-            152 | RD R10.4 | 
-            153 | AND Y5.0 | 
-            154 | AND.NOT F1.1 | 
-            155 | RD.STK R10.4 | 
-            156 | AND Y5.1 | 
-            157 | AND.NOT F1.1 | 
-            158 | OR.STK | 
-            159 | RD.STK R10.6 | 
-            160 | AND.NOT R30.0 | 
-            161 | AND.NOT F1.1 | 
-            162 | OR.STK | 
-            163 | WRT R10.6 | axes wait at the restart
-            164 | RD R10.6 | 
-            165 | AND.NOT R10.4 | 
-            166 | SUB 24 TMRB 1 2050 | 
-            167 | WRT R30.0 | as long as behind M3
-            168 | RD.NOT R10.6 | 
-            169 | OR R10.4 | 
-            170 | WRT G8.0 | axes may move
+            98 | AND.NOT X3.4 | 
+            99 | RD.STK R10.1 | 
+            100 | AND R11.1 | 
+            101 | AND R11.2 | 
+            102 | AND.NOT X3.2 | 
+            103 | OR.STK | 
+            104 | RD.STK R10.2 | 
+            105 | AND R10.4 | 
+            106 | AND.NOT X3.4 | 
+            107 | OR.STK | 
+            108 | RD.STK R10.2 | 
+            109 | AND R11.1 | 
+            110 | AND R11.2 | 
+            111 | AND.NOT X3.3 | 
+            112 | OR.STK | 
+            113 | WRT R11.2 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+            114 | RD R11.2 | 
+            115 | WRT A0.1 | text for the operator: spindle stopped by its key
+            116 | RD R10.1 | 
+            117 | AND.NOT R11.2 | 
+            118 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            119 | RD R10.2 | 
+            120 | AND.NOT R11.2 | 
+            121 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            122 | RD X4.1 | 
+            123 | AND X3.1 | 
+            124 | AND X3.5 | 
+            125 | AND X3.6 | 
+            126 | AND X3.7 | 
+            127 | AND X4.0 | 
+            128 | AND.NOT R10.5 | 
+            129 | AND.NOT R11.2 | 
+            130 | WRT G8.5 | hold key, fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            131 | RD.NOT X3.5 | 
+            132 | RD.STK A0.2 | 
+            133 | AND.NOT F0.5 | 
+            134 | AND.NOT F1.1 | 
+            135 | OR.STK | 
+            136 | WRT A0.2 | text for the operator until the program runs again
+            137 | RD.NOT X3.6 | 
+            138 | RD.STK A0.3 | 
+            139 | AND.NOT F0.5 | 
+            140 | AND.NOT F1.1 | 
+            141 | OR.STK | 
+            142 | WRT A0.3 | text for the operator until the program runs again
+            143 | RD.NOT X3.7 | 
+            144 | RD.STK A0.4 | 
+            145 | AND.NOT F0.5 | 
+            146 | AND.NOT F1.1 | 
+            147 | OR.STK | 
+            148 | WRT A0.4 | text for the operator until the program runs again
+            149 | RD.NOT X4.0 | 
+            150 | RD.STK A0.5 | 
+            151 | AND.NOT F0.5 | 
+            152 | AND.NOT F1.1 | 
+            153 | OR.STK | 
+            154 | WRT A0.5 | text for the operator until the program runs again
+            155 | RD.NOT R10.4 | 
+            156 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            157 | RD F7.0 | 
+            158 | OR F7.2 | 
+            159 | OR F7.3 | 
+            160 | WRT G4.3 | one answer for M, S and T
+            161 | RD R10.4 | 
+            162 | AND Y5.0 | 
+            163 | AND.NOT F1.1 | 
+            164 | RD.STK R10.4 | 
+            165 | AND Y5.1 | 
+            166 | AND.NOT F1.1 | 
+            167 | OR.STK | 
+            168 | RD.STK R10.7 | 
+            169 | AND.NOT R30.0 | 
+            170 | AND.NOT F1.1 | 
+            171 | OR.STK | 
+            172 | WRT R10.7 | axes wait at the restart
+            173 | RD R10.7 | 
+            174 | AND.NOT R10.4 | 
+            175 | SUB 24 TMRB 1 2050 | 
+            176 | WRT R30.0 | as long as behind M3
+            177 | RD.NOT R10.7 | 
+            178 | OR R10.4 | 
+            179 | WRT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );

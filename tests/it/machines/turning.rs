@@ -317,6 +317,7 @@ fn parameter_sheets_match_their_goldens() {
         No.001#1 0 Sister
         No.001#2 X 0 Sister
         No.001#4 1 Sister
+        No.005#4 1 Sister
         No.015 CMR X 1 Sister
         No.015 CMR Z 2 Sister
         No.016 CMD X 1 Sister
@@ -342,6 +343,7 @@ fn parameter_sheets_match_their_goldens() {
         No.252 X 0 Sister
         No.252 Z 0 Sister
         K10.1 0 Sister
+        K10 RESB 1 Sister
         K15.0 1 Sister
         K16.5 0 Sister
         K17.3 0 Sister

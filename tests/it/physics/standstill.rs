@@ -98,6 +98,36 @@ fn plc_alarm_mid_cut_stops_where_the_axes_are() {
     assert!((0.0..=100.0 * TAU / 2.0 + 1e-6).contains(&left), "{left}");
 }
 
+/// Has the key "feed hold" at an input, and holds the program by it, or not.
+#[derive(Debug, Clone)]
+struct WithKey(BenchPlc, bool);
+
+impl Plc for WithKey {
+    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
+        io.stops.hold = self.1 && io.stops.hold_key;
+        self.0.scan(t, io)
+    }
+
+    fn reads_hold_key(&self) -> bool {
+        true
+    }
+
+    fn boxed(&self) -> Box<dyn Plc> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn hold_key_at_the_plc_acts_through_it_alone() {
+    for (holds, wanted) in [(true, RunEnd::Stop), (false, RunEnd::ProgramEnd)] {
+        let lines = vec![turn(1200.0, 1), linear(100.0, 30.0, 6000.0), one(Canon::End)];
+        let plc = WithKey(BenchPlc::new(0.05, None), holds);
+        let mut planner = planner_with(Box::new(plc), &plant(), vec![at(0.8, Action::Hold)], lines);
+        assert_eq!(finish(&mut planner).1, wanted);
+        assert!(!planner.is_held_by_plc(), "the key is released");
+    }
+}
+
 #[test]
 fn an_event_before_standstill_changes_nothing_before_it() {
     for first in [Action::Hold, Action::Reset, Action::EmergencyStop] {

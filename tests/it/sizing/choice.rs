@@ -260,7 +260,8 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let energy = 0.5 * inertia * omega * omega - 0.5 * 2.0 / 0.8 * omega * stop;
     let plain = row.asked.replace('\u{202f}', "");
     assert!(plain.contains(&format!("{energy:.0} J each time; the form has 150 % braking torque")), "{}", row.asked);
-    assert!(plain.contains("brakes 2 times"), "{}", row.asked);
+    // Once from the speed at which the gears mesh.
+    assert!(plain.contains("brakes 3 times"), "{}", row.asked);
     assert_eq!((row.axis, row.grade), (Some("turning.drive.spindle"), PartGrade::Open));
 }
 
@@ -471,8 +472,15 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             let held = project.with_entries(&[("emergency", "held".to_owned())]);
             assert_eq!(held.as_ref().map_or(0, at_once), 0, "{name}");
             assert_eq!(coasting.as_ref().map_or(2, at_once), 2, "{name}");
-            // Encoder and command of every servo motor, pulses of the spindle.
-            assert_eq!(rows("W"), 2 * billed(BillItem::Amplifier) + billed(BillItem::Encoder), "{name}");
+            // Encoder and command of every servo motor, pulses of the spindle, number of the tool.
+            let others = billed(BillItem::Encoder) + billed(BillItem::Turret);
+            assert_eq!(rows("W"), 2 * billed(BillItem::Amplifier) + others, "{name}");
+            // Contacts by their kind: broken wires of stop and hold stop.
+            let contact = |key: &str| sizing.terminals.iter().find(|row| row.signal.starts_with(key));
+            let kind = |key: &str, kind: &str| contact(key).is_none_or(|row| row.signal.ends_with(kind));
+            assert!(contact("Key: feed hold").is_some() && kind("Key: feed hold", "(break contact)"), "{name}");
+            assert!(kind("Key: spindle stop", "(break contact)"), "{name}");
+            assert!(kind("Key: spindle clockwise", "(make contact)"), "{name}");
             // Every input and output of the ladder that a wire leads to, each once, with its device.
             let ladder = project.prepared().ladder().unwrap();
             let inputs = ladder.bits.iter().filter(|(bit, _)| matches!(bit, Bit::Input(_)));

@@ -1,12 +1,12 @@
-//! Ladders on a wired machine: codes of the override.
+//! Ladders on a wired machine: codes of the override, gears at standstill, broken wires, and contacts beside a program.
 
 use macroline::controls::interface::SignalRole;
-use macroline::machines::ladder::PlcNumber;
 use macroline::machines::ladder::scan::Image;
+use macroline::machines::ladder::{Bit, ContactKind, Ladder, MachineContact, MachineOutput, PlcNumber};
 use macroline::motion::Action;
 use macroline::project::Project;
 
-use super::{ladder, settle};
+use super::{RUNS, at_rest, is_held, ladder, projects, put_out, settle, sheet};
 use crate::machines::restart::within;
 
 /// Codes of 50 to 120 % in steps of 10, by the setting of the switch. Source: reference/gsk-980tdc.md, section 6.
@@ -55,4 +55,189 @@ fn control_turns_at_the_percentage_of_the_code() {
             assert_eq!(speed, 1200.0 * percent / 100.0, "knob at {knob} %");
         }
     }
+}
+
+/// Requests gear stage 2 as this control does.
+fn ask_for_stage_2(ladder: &Ladder, image: &mut Image) {
+    let change = Bit::Signal(SignalRole::GearChange);
+    if ladder.bits.iter().any(|row| row.0 == change) {
+        image.set(change, true);
+        (0..3).for_each(|bit| image.set(Bit::Signal(SignalRole::GearAsked(bit)), bit == 1));
+    } else {
+        put_out(ladder, image, 42, true);
+    }
+}
+
+#[test]
+fn gears_mesh_from_standstill_with_a_run_command() {
+    let (shift, emergency) = (Bit::Signal(SignalRole::ShiftSpeed), Bit::Input(MachineContact::Emergency));
+    let in_gear = |stage| Bit::Input(MachineContact::InGear(stage));
+    let mut found = 0;
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        if !ladder.drives(shift) {
+            continue;
+        }
+        found += 1;
+        let all = [RUNS[0], RUNS[1], Bit::Output(MachineOutput::Run)];
+        let runs = |image: &Image| all.map(|run| image.is_on(run));
+        let alone = if ladder.drives(RUNS[0]) { [true, false, false] } else { [false, false, true] };
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
+        image.set(in_gear(2), false);
+        image.set(Bit::Signal(SignalRole::Running), true);
+        settle(&ladder, &mut image, 0.0);
+        ask_for_stage_2(&ladder, &mut image);
+        for t in [0.1, 0.6] {
+            settle(&ladder, &mut image, t);
+        }
+        image.set(in_gear(1), false);
+        settle(&ladder, &mut image, 0.7);
+        assert!(image.is_on(shift) && image.is_on(Bit::Output(MachineOutput::Gear(2))), "{name}");
+        assert_eq!(runs(&image), alone, "{name}: the gears mesh");
+        for (contact, closed) in [(emergency, false), (emergency, true)] {
+            image.set(contact, closed);
+            settle(&ladder, &mut image, 0.8);
+            assert_eq!(runs(&image) == alone, closed, "{name}: {contact:?}");
+        }
+        image.set(in_gear(2), true);
+        for t in [0.9, 9.0] {
+            settle(&ladder, &mut image, t);
+        }
+        assert_eq!(runs(&image), [false; 3], "{name}: in gear, without M3");
+    }
+    assert!(found > 10);
+}
+
+#[test]
+fn shift_never_turns_against_m4() {
+    let shift = Bit::Signal(SignalRole::ShiftSpeed);
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        if !ladder.drives(shift) || !ladder.drives(RUNS[0]) {
+            continue;
+        }
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
+        image.set(Bit::Signal(SignalRole::Running), true);
+        for on in [true, false] {
+            put_out(&ladder, &mut image, 4, on);
+            settle(&ladder, &mut image, 0.0);
+        }
+        // Fast and on its way down: no other run command, and none while it coasts either.
+        image.set(Bit::Input(MachineContact::AtShiftSpeed), false);
+        ask_for_stage_2(&ladder, &mut image);
+        for t in [0.1, 5.0] {
+            settle(&ladder, &mut image, t);
+            assert_eq!(RUNS.map(|run| image.is_on(run)), [false, true], "{name}");
+        }
+        image.set(Bit::Input(MachineContact::AtShiftSpeed), true);
+        settle(&ladder, &mut image, 5.1);
+        assert_eq!(RUNS.map(|run| image.is_on(run)), [false, true], "{name}: slow");
+    }
+}
+
+#[test]
+fn broken_wire_of_stop_or_hold_key_stops() {
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
+        settle(&ladder, &mut image, 0.0);
+        assert!(!is_held(&ladder, &image), "{name}");
+        image.set(Bit::Input(MachineContact::HoldKey), false);
+        settle(&ladder, &mut image, 0.0);
+        assert!(is_held(&ladder, &image), "{name}: hold");
+        image.set(Bit::Input(MachineContact::HoldKey), true);
+        let key = Bit::Input(MachineContact::ForwardKey);
+        if !ladder.drives(RUNS[0]) || !ladder.bits.iter().any(|row| row.0 == key) {
+            continue;
+        }
+        for pressed in [true, false] {
+            image.set(key, pressed);
+            settle(&ladder, &mut image, 0.0);
+        }
+        assert!(image.is_on(RUNS[0]), "{name}");
+        image.set(Bit::Input(MachineContact::StopKey), false);
+        settle(&ladder, &mut image, 0.0);
+        assert!(!image.is_on(RUNS[0]), "{name}: stop");
+    }
+}
+
+#[test]
+fn each_contact_has_its_kind_in_the_ladder() {
+    use MachineContact::{ForwardKey, HoldKey, ResetKey, StopKey};
+    for (name, project) in projects() {
+        for (bit, device) in ladder(&project).bits.iter() {
+            let kind = match bit {
+                Bit::Input(ForwardKey | ResetKey) => Some(ContactKind::Make),
+                Bit::Input(StopKey | HoldKey) => Some(ContactKind::Break),
+                Bit::Input(other) => Some(other.kind()),
+                _ => None,
+            };
+            assert_eq!(device.contact, kind, "{name}: {bit:?}");
+        }
+    }
+}
+
+#[test]
+fn contacts_of_the_ribbon_stop_a_run_by_key() {
+    use MachineContact::{LoopNotFull, ReelNotEmpty, WebNotTight};
+    for (name, project) in projects().filter(|(name, _)| name.starts_with("ribbon")) {
+        let ladder = ladder(&project);
+        for contact in [LoopNotFull, WebNotTight, ReelNotEmpty].map(Bit::Input) {
+            if !ladder.bits.iter().any(|row| row.0 == contact) {
+                continue;
+            }
+            let mut image = at_rest(&ladder);
+            let press = |image: &mut Image| {
+                for on in [true, false] {
+                    image.set(Bit::Input(MachineContact::ForwardKey), on);
+                    settle(&ladder, image, 0.0);
+                }
+                image.is_on(RUNS[0])
+            };
+            assert!(press(&mut image), "{name}");
+            image.set(contact, false);
+            settle(&ladder, &mut image, 0.0);
+            assert!(!image.is_on(RUNS[0]), "{name}: {contact:?} opens");
+            assert!(!press(&mut image), "{name}: {contact:?} is open");
+            image.set(contact, true);
+            settle(&ladder, &mut image, 0.0);
+            assert!(!image.is_on(RUNS[0]), "{name}: nothing restarts by itself");
+        }
+    }
+}
+
+#[test]
+fn gsk_starts_each_program_at_its_first_block() {
+    for machine in ["turning-spindle", "ribbon-line"] {
+        let project = Project::of(machine, Some("gsk-980tdc")).unwrap();
+        let rows = sheet(&project, "parameters").rows;
+        for number in ["No.005#4", "K10 RESB"] {
+            let row = rows.iter().find(|row| row.cells[0] == number).unwrap_or_else(|| panic!("no {number}"));
+            assert!(row.cells.iter().any(|cell| cell == "1"), "{machine}: {:?}", row.cells);
+        }
+    }
+}
+
+#[test]
+fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
+    use macroline::machines::devices::BillItem;
+    use macroline::project::size::{SizingRuns, answers};
+    let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+    let bill = answers(&project, &SizingRuns::new(&project, &project.written())).bill;
+    for (item, words) in [(BillItem::GearValve, "without power"), (BillItem::ClampValve, "when the power fails")] {
+        let row = bill.iter().find(|row| row.item == item).unwrap_or_else(|| panic!("no {item:?}"));
+        assert!(row.asked.contains(words), "{row:?}");
+    }
+    let ladder = ladder(&project);
+    let [first, second] = [1, 2].map(|stage| Bit::Output(MachineOutput::Gear(stage)));
+    let mut image = at_rest(&ladder);
+    image.set(Bit::Input(MachineContact::AtShiftSpeed), false);
+    settle(&ladder, &mut image, 0.0);
+    assert!(!image.is_on(first) && !image.is_on(second), "no coil shifts under a work that still coasts");
+    image.set(Bit::Input(MachineContact::AtShiftSpeed), true);
+    settle(&ladder, &mut image, 0.0);
+    assert!(image.is_on(first) && !image.is_on(second), "one coil for each stage");
 }
