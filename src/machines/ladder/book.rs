@@ -70,6 +70,11 @@ impl<'a> Book<'a> {
         vec![vec![on(ALWAYS)]]
     }
 
+    /// The condition that never holds.
+    pub fn never() -> Branches {
+        vec![vec![off(ALWAYS)]]
+    }
+
     /// Sets the meaning (catalog id) of a signal on this machine, with its source.
     pub fn means(&mut self, bit: Bit, meaning: &'static str, cite: Citation) {
         self.bit_meanings.insert(bit, (meaning, cite));
@@ -448,6 +453,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::SpindleOverrideCode => "plc.signal.override-code",
         SignalRole::FeedOverride => "plc.signal.feed-override",
         SignalRole::FeedOverrideOff => "plc.signal.feed-override-off",
+        SignalRole::FeedOverrideValid => "plc.signal.feed-override-valid",
         SignalRole::MacroInputLow(_) => "plc.signal.macro-input",
         SignalRole::MacroInputHigh(_) => "plc.signal.macro-input-high",
         SignalRole::SpindleFinal => "plc.signal.final",

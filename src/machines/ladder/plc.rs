@@ -291,7 +291,9 @@ impl LadderPlc {
         io.stops.axes = axes.into_iter().flatten().any(|on| !on);
         io.stops.hold =
             signal(SignalRole::HoldReleased) == Some(false) || signal(SignalRole::HoldRequest) == Some(true);
-        io.overrides.feed_off = signal(SignalRole::FeedOverrideOff).unwrap_or(false);
+        // An override that is not valid is 100 %, but 0 % stops the axes all the same.
+        let invalid = signal(SignalRole::FeedOverrideValid) == Some(false) && io.feed_override > 0.0;
+        io.overrides.feed_off = invalid || signal(SignalRole::FeedOverrideOff).unwrap_or(false);
         for rung in ladder.rungs.iter() {
             match rung.written() {
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverride)) => {

@@ -88,6 +88,9 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     if book.has(SignalRole::FeedOverrideOff) {
         book.coil(Bit::Signal(SignalRole::FeedOverrideOff), Book::always(), "ribbon.ladder.feed");
     }
+    if book.has(SignalRole::FeedOverrideValid) {
+        book.coil(Bit::Signal(SignalRole::FeedOverrideValid), Book::never(), "ribbon.ladder.feed-invalid");
+    }
     let Some(input) = line.handed() else { return };
     let low = PlcNumber::Signal(SignalRole::MacroInputLow(input));
     if p.override_form == OverrideForm::FinalSpeed && book.has(SignalRole::SpindleFinal) {

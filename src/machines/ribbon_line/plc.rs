@@ -22,6 +22,8 @@ pub(super) struct RibbonPlc {
     typed: Option<f64>,
     /// Ribbon (mm) per revolution of the unwinder, and capacity (mm) of the loop, where the feed override moves the axes alone.
     filled: Option<(f64, f64)>,
+    /// The override does so at 0 % only.
+    stops_alone: bool,
 }
 
 impl RibbonPlc {
@@ -39,7 +41,9 @@ impl RibbonPlc {
             contacts: RibbonContacts::new(line),
             opened: None,
             typed: line.p.knob_turns_alone().then(|| line.p.override_stepped()),
-            filled: program::feed_override_acts(line).then_some((line.d.k, line.p.loop_capacity)),
+            filled: (program::feed_override_acts(line) || program::feed_override_stops(line))
+                .then_some((line.d.k, line.p.loop_capacity)),
+            stops_alone: program::feed_override_stops(line),
         }
     }
 }
@@ -51,7 +55,8 @@ impl RibbonPlc {
         if let Some(typed) = self.typed.filter(|typed| *typed != percent) {
             io.notice = Some(msg!("ribbon.knob-left", percent = (percent, 0), programmed = (typed, 0)));
         }
-        if let Some((k, capacity)) = self.filled.filter(|_| feed != 100.0) {
+        if let Some((k, capacity)) = self.filled.filter(|_| if self.stops_alone { feed == 0.0 } else { feed != 100.0 })
+        {
             // Ribbon laid in mm/s: v · (1 - percent / 100).
             let speed = k * io.spindle_command.abs() / 60.0;
             let time = capacity / (speed * (1.0 - feed / 100.0).abs());

@@ -188,7 +188,12 @@ fn overrides_can_be_off(line: &RibbonLine) -> bool {
 /// Whether the feed override slows down the axes, and not the unwinder: neither the program nor the PLC can fix it at 100 %.
 pub(super) fn feed_override_acts(line: &RibbonLine) -> bool {
     let fixed_by_plc = line.dialect.device(line.control, SignalRole::FeedOverrideOff).is_some();
-    !overrides_can_be_off(line) && !fixed_by_plc
+    !overrides_can_be_off(line) && !fixed_by_plc && !feed_override_stops(line)
+}
+
+/// Whether the PLC fixes the feed override at 100 %, but for 0 %, which stops the axes and not the unwinder.
+pub(super) fn feed_override_stops(line: &RibbonLine) -> bool {
+    line.dialect.device(line.control, SignalRole::FeedOverrideValid).is_some()
 }
 
 /// Whether the program shifts the coordinates back at each start.

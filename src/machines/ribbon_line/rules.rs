@@ -156,10 +156,11 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         found.push(Diagnostic::warning(message).about("contact-length"));
     }
     let speed = line.fast.line_speed / 60.0;
-    if program::feed_override_acts(line) && speed > 0.0 {
-        let time = (p.loop_capacity / speed, 1);
-        let message = msg!("ribbon.override-acts", speed = (speed, 0), capacity = (p.loop_capacity, 0), time);
-        found.push(Diagnostic::info(message));
+    if speed > 0.0 {
+        let (speed, capacity, time) = ((speed, 0), (p.loop_capacity, 0), (p.loop_capacity / speed, 1));
+        let acts = program::feed_override_acts(line).then(|| msg!("ribbon.override-acts", speed, capacity, time));
+        let stops = program::feed_override_stops(line).then(|| msg!("ribbon.override-stops", speed, capacity, time));
+        found.extend(acts.or(stops).map(Diagnostic::info));
     }
     if !line.control.macros.common_kept {
         found.push(Diagnostic::info(msg!("form.values-are-lost", program = program::SETUP)));

@@ -22,6 +22,7 @@ pub const SIGNALS: &[Signal] = &[
     from_plc(ResetRequest, "V30000000.7", "", "reset of the mode group", PLC_RULE),
     from_plc(AxesStop, "V32000006.0", "", "feed disable", PLC_RULE),
     from_plc(ReadInDisable, "V32000006.1", "", "read-in disable: the next block waits", PLC_RULE),
+    from_plc(FeedOverrideValid, "V32000006.7", "", "feed override is valid; at 0 it is 100 %, but for 0 %", PLC_RULE),
     from_plc(HoldRequest, "V32000007.3", "", "NC stop", PLC_RULE),
     to_plc(Running, "V33000003.0", "", "the program runs", PLC_SIGNALS),
     to_plc(Idle, "V33000003.7", "", "channel in reset: no program is begun", PLC_SIGNALS),

@@ -222,6 +222,23 @@ fn gsk_starts_each_program_at_its_first_block() {
 }
 
 #[test]
+fn feed_override_of_the_ribbon_on_siemens_is_fixed() {
+    let valid = Bit::Signal(SignalRole::FeedOverrideValid);
+    for control in ["sinumerik-802d", "sinumerik-808d"] {
+        let project = Project::of("ribbon-line", Some(control)).unwrap();
+        let (ladder, mut image) = (ladder(&project), Image::default());
+        settle(&ladder, &mut image, 0.0);
+        assert_eq!((ladder.bit(valid), image.is_on(valid)), ("V32000006.7", false), "{control}");
+        let speed = |knob: f64| {
+            let run = within(30.0, &project, &[(0.0, Action::FeedOverride(knob))]);
+            run.planner.timeline().at(20.0).axes.iter().map(|axis| axis.feed.abs()).fold(0.0, f64::max)
+        };
+        assert!(speed(100.0) > 1.0 && speed(50.0) == speed(100.0), "{control}");
+        assert_eq!(speed(0.0), 0.0, "{control}: the lowest position acts all the same");
+    }
+}
+
+#[test]
 fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
     use macroline::machines::devices::BillItem;
     use macroline::project::size::{SizingRuns, answers};
