@@ -58,6 +58,12 @@ test('repair makes failing results hold, one undo restores them', () =>
     await page.locator('.repairs').getByText('7 results fail').waitFor();
     assert.equal(await failing.count(), 7);
     await page.locator('.repairs').getByRole('button', { name: 'Repair', exact: true }).click();
+    // Several ways, each with its consequences.
+    const way = page.locator('.ways-out li', { hasText: 'Set 47 heads' });
+    await way.getByText(/Roller : ribbon speed 7\.850 → 1\.00/).waitFor();
+    assert.ok((await page.locator('.ways-out li').count()) > 1);
+    await accessible(page);
+    await way.getByRole('button').click();
     await page.locator('.notices', { hasText: 'All results hold now: Add a dancer; Set a loop of 1773.5 mm' }).waitFor();
     await page.locator('.repairs').waitFor({ state: 'detached' });
     assert.equal(await failing.count(), 0);

@@ -69,7 +69,6 @@ pub(crate) fn ProgramTab() -> impl IntoView {
     view! {
         <FileChips />
         <Tools follow=follow />
-        <Show when=move || page.program.edited.get()><Detached /></Show>
         <Silenced />
         <div class="fill" on:click=move |event| press(page, &event) on:dblclick=move |event| show_line(page, &event)>
             <Show when=move || page.view.program.get() == ProgramView::Listing><DebuggerBar /></Show>
@@ -77,6 +76,8 @@ pub(crate) fn ProgramTab() -> impl IntoView {
             <Show when=move || page.view.program.get() == ProgramView::Listing><BlockTimes /><Seen /></Show>
             <Now />
         </div>
+        // Below the text, so that no line moves under the hand at the first edit.
+        <Show when=move || page.program.edited.get()><Detached /></Show>
     }
 }
 
