@@ -25,7 +25,7 @@ pub(super) fn program_sets_phase(line: &RibbonLine) -> bool {
     line.reads_positions()
 }
 
-/// Jumps to the alarm if the product before was broken off. The check is block `number`, to which [`alarm`] goes back.
+/// Jumps to the alarm if the product before was broken off. The check is block `number`.
 pub(super) fn check(b: &mut Builder, line: &RibbonLine, number: u32) {
     if !program_sets_phase(line) {
         b.n(number).if_goto(v(PHASE).gt(0), 900 + ALARM);
@@ -68,11 +68,11 @@ pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
     b.assign(PHASE, 0).note("THE PRODUCT IS WHOLE");
 }
 
-/// Writes the alarm after the end of the program; `check` is the number of the check.
-pub(super) fn alarm(b: &mut Builder, line: &RibbonLine, check: u32) {
+/// Writes the alarm after the end of the program. Only a reset ends it: after an M0, cycle start would bring a jogged roller back.
+pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
     if program_sets_phase(line) {
         return;
     }
-    let text = format!("TURN {} TO A HEAD BY HAND, {}=0", line.p.print_axis.address(), line.control.variable(PHASE));
-    writing::alarm_until_cleared(b, line.control, ALARM, &text, check);
+    let (axis, variable) = (line.p.print_axis.address(), line.control.variable(PHASE));
+    writing::alarm(b, line.control, ALARM, &format!("RESET, TURN {axis} TO A HEAD BY HAND, {variable}=0"));
 }

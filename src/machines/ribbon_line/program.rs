@@ -370,7 +370,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(46).end_do(2);
     b.n(47).end_do(1);
     last_pitch(b, line);
-    end(b, line, 3);
+    end(b, line);
     length_alarms(b, line);
 }
 
@@ -459,9 +459,9 @@ fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
     }
 }
 
-/// Spindle off, absolute dimensions, program end, and the alarm to which block `check` leads. `#3004` is cleared by the reset of M30: written
+/// Spindle off, absolute dimensions, program end, and the alarm of a broken-off product. `#3004` is cleared by the reset of M30: written
 /// here it would act before the last moves are done.
-fn end(b: &mut Builder, line: &RibbonLine, check: u32) {
+fn end(b: &mut Builder, line: &RibbonLine) {
     if line.dialect.spindle().volts_stay {
         // Else a key would turn the unwinder at the speed of the program.
         b.n(50).words([m(5), s(0)]).note("NO VOLTAGE FOR THE KEYS");
@@ -474,7 +474,7 @@ fn end(b: &mut Builder, line: &RibbonLine, check: u32) {
         b.n(51).words(absolute);
     }
     b.n(52).words([m(30)]);
-    phase::alarm(b, line, check);
+    phase::alarm(b, line);
 }
 
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
@@ -525,7 +525,7 @@ fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl 
     preset(b, line, 24);
     passes(b);
     last_pitch(b, line);
-    end(b, line, 19);
+    end(b, line);
     length_alarms(b, line);
     writing::alarms(b, line.control, &entries(line));
     b.words([m(30)]);

@@ -209,9 +209,12 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     b.n(if lathe.keyway().is_some() { 70 } else { 55 }).words([m(30)]);
     writing::alarms(b, lathe.control, &entries(lathe));
-    let flag = begun(lathe).map_or_else(String::new, |flag| format!(", {flag}=0"));
-    let text = format!("RETRACT THE TOOL BY HAND{flag}");
-    writing::alarm_until_cleared(b, lathe.control, away_alarm(lathe), &text, 1);
+    // Reset first: after an M0, cycle start would bring jogged axes back into the work.
+    let text = match begun(lathe) {
+        Some(flag) => format!("RESET, RETRACT THE TOOL BY HAND, {flag}=0"),
+        None => "RETRACT THE TOOL BY HAND".to_owned(),
+    };
+    writing::alarm(b, lathe.control, away_alarm(lathe), &text);
     if let Some((_, text)) = core_guard(lathe) {
         writing::alarm(b, lathe.control, core_alarm(lathe), &text);
     }

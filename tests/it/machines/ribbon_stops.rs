@@ -471,9 +471,11 @@ fn operator_goes_on_as_the_table_says() {
         for actions in [&anew[..], &[(8.0, Action::Reset), (14.0, Action::Start)]] {
             if !tells {
                 assert_eq!(run(actions).0, RunEnd::Stop, "{} {actions:?}", control.id);
-                // The program asks for a turn of the roller: after it the product begins, without another reset.
-                let asked = [(16.0, Action::Variable(138, Some(0.0))), (17.0, Action::Start)];
-                let (end, planner) = run(&[actions, &asked[..]].concat());
+                // The program asks for a turn of the roller: cycle start would turn it back, a reset before it ends the product.
+                let turned = [(16.0, Action::Variable(138, Some(0.0))), (17.0, Action::Start)];
+                let (end, _) = run(&[actions, &turned[..]].concat());
+                assert_eq!(end, RunEnd::Stop, "{} {actions:?}", control.id);
+                let (end, planner) = run(&[actions, &[(15.0, Action::Reset)], &turned].concat());
                 assert_eq!(end, RunEnd::ProgramEnd, "{} {actions:?}", control.id);
                 assert!(pitch(&project, &planner) > 1.0, "{} {actions:?}", control.id);
             }

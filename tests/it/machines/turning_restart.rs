@@ -113,16 +113,16 @@ fn keyway_restart_waits_for_the_mill_and_unlocks() {
         assert_eq!(ended, Some(RunEnd::Stop), "{control}");
         let end = planner.timeline().end();
         let message = planner.timeline().message_at(end).unwrap_or_default();
-        assert!(message.contains("RETRACT THE TOOL BY HAND, R124=0"), "{control}: {message}");
+        assert!(message.contains("RESET, RETRACT THE TOOL BY HAND, R124=0"), "{control}: {message}");
         let [before, after] = [along + PAUSE, end].map(|t| planner.timeline().words_at(t));
         assert!(before.iter().zip(after).all(|(b, a)| (b - a).abs() < 1e-6), "{control}: it moved");
-        assert_eq!(again, ["show RETRACT THE TOOL BY HAND, R124=0", "stop"], "{control}: no turret indexes");
+        assert_eq!(again, ["show RESET, RETRACT THE TOOL BY HAND, R124=0", "stop"], "{control}: no turret indexes");
     }
 }
 
-/// The tool is out of the groove at the reset, and the operator clears the mark at the message.
+/// The tool is out of the groove at the first reset. In M0 cycle start would bring a jogged mill back into the groove: only a reset ends it.
 #[test]
-fn cleared_mark_frees_the_start_without_a_reset() {
+fn cleared_mark_frees_the_start_only_after_a_reset() {
     for control in ["sinumerik-802d", "sinumerik-808d"] {
         let project = Project::named("turning-spindle", Some(control), Some("keyway")).unwrap();
         let whole = outcome(&project, &[]);
@@ -135,7 +135,10 @@ fn cleared_mark_frees_the_start_without_a_reset() {
         let again = outcome(&project, &stopped);
         assert_eq!(again.ended, Some(RunEnd::Stop), "{control}: the mark is set");
         let start = out + 12.0;
-        let cleared = [(out + 10.0, Action::Variable(124, Some(0.0))), (start, Action::Start)];
+        let unreset = [(out + 10.0, Action::Variable(124, Some(0.0))), (start, Action::Start)];
+        let again = outcome(&project, &[&stopped[..], &unreset].concat());
+        assert_eq!(again.ended, Some(RunEnd::Stop), "{control}: no reset");
+        let cleared = [&[(out + 9.0, Action::Reset)][..], &unreset].concat();
         let Outcome { planner, ended, log } = outcome(&project, &[&stopped[..], &cleared].concat());
         assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}: {:?}", planner.diagnostics());
         assert_eq!(planner.timeline().message_at(start + 2.0), None, "{control}");
