@@ -56,6 +56,17 @@ impl AxisBlock {
     }
 }
 
+/// Seconds of the ramp of an axis: its time constant; without one the servo itself rounds a step off, as a first-order lag of `1 / K`.
+pub fn ramp(time_constant: f64, position_gain: f64) -> f64 {
+    time_constant.max(1.0 / position_gain)
+}
+
+/// Greatest acceleration (mm/s² or °/s²) of an axis that reaches rapid traverse and its greatest feed (mm/min or °/min) in the same ramp
+/// (s): `max(v_rapid, v_feed) / t`.
+pub fn greatest_acceleration(rapid: f64, clamp: f64, ramp: f64) -> f64 {
+    rapid.max(clamp) / 60.0 / ramp
+}
+
 /// Amplitude ratio (0 to 1) between an axis and a commanded motion with a period in seconds, after a moving average of `time_constant`
 /// seconds and a first-order servo of gain K: `|sin x| / x · K / √(K² + ω²)` with `ω = 2π / T`, `x = ω τ / 2`. Source: sizing facts 3.5.
 pub fn response(period: f64, time_constant: f64, position_gain: f64) -> f64 {

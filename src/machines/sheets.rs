@@ -62,11 +62,6 @@ pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, A
     }
 }
 
-/// Acceleration (mm/s² or °/s²) of an axis that takes `time_constant` (ms) to its greatest feed (mm/min or °/min): `v / τ`.
-pub fn acceleration(clamp: f64, time_constant: f64) -> f64 {
-    clamp / 60.0 / (time_constant / 1000.0)
-}
-
 /// Registers between PLC and control: writer, reader and purpose.
 pub fn interface(rows: Vec<Row>) -> Sheet {
     Sheet {

@@ -76,6 +76,8 @@ pub enum ParamRole {
     RewindAtReset,
     /// The end of the program brings it back to its first block.
     RewindAtEnd,
+    /// Whether the PLC writes the spindle override in a code instead of percent.
+    OverrideIsCoded,
     /// Whether a spindle encoder is fitted.
     SpindleEncoder,
     /// Whether words of the axis count diameters.

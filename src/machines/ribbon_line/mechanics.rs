@@ -3,6 +3,7 @@
 use super::derive::Derived;
 use super::params::{Params, PathMode};
 use super::reel;
+use crate::drives::block;
 use crate::drives::duty::{counted_pause, with_pause};
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
@@ -82,8 +83,7 @@ impl ServoAxis {
             torque: load::through_gear(side.torque, ratio, efficiency),
             efficiency,
         };
-        // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
-        let ramp = side.time_constant.max(1.0 / side.position_gain);
+        let ramp = block::ramp(side.time_constant, side.position_gain);
         let speed = side.rpm * RPM;
         let rise = load.accelerating(motor.rotor, speed, ramp);
         let hold = side.hold / ratio;

@@ -5,6 +5,7 @@ use super::params::PrintAxis;
 use super::resolved::RibbonLine;
 use super::stops::reactions;
 use crate::controls::ParamRole;
+use crate::drives::block::{greatest_acceleration, ramp};
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue};
 use crate::machines::stops;
@@ -38,6 +39,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
     let mut values = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
+        (ParamRole::OverrideIsCoded, yes(false)),
         (ParamRole::SpindleLimit, one(number(p.speed_at_10v))),
         (ParamRole::SpindleUnipolar, yes(true)),
         (ParamRole::SpindleRatedVolts, one(number(100.0))),
@@ -61,8 +63,8 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (
             ParamRole::AxisGreatestAcceleration,
             per_axis(
-                sheets::acceleration(p.clamp_x, p.time_constant_x),
-                sheets::acceleration(p.clamp_y, p.time_constant_y),
+                greatest_acceleration(p.rapid_x, p.clamp_x, ramp(p.time_constant_x / 1e3, p.position_gain_x)),
+                greatest_acceleration(p.rapid_y, p.clamp_y, ramp(p.time_constant_y / 1e3, p.position_gain_y)),
             ),
         ),
         (ParamRole::AxisPositionGain, per_axis(p.position_gain_x, p.position_gain_y)),

@@ -2,6 +2,7 @@
 
 use super::form::{self, SlideParams};
 use crate::controls::Address;
+use crate::drives::block;
 use crate::machines::form::Field;
 use crate::machines::scaling::{self, AxisDrive};
 use crate::motion::AxisPlant;
@@ -101,6 +102,16 @@ pub(in crate::machines) const fn rows<P: SlideForm>(x: XDefaults) -> [Field<P>; 
 }
 
 impl LatheSlides {
+    /// Seconds of the ramp of a slide, to rapid traverse and to its greatest feed.
+    pub(super) fn ramp(&self) -> f64 {
+        block::ramp(self.time_constant / 1e3, self.position_gain)
+    }
+
+    /// Greatest acceleration (mm/s²) of a slide, as the torque of its motor is sized for.
+    pub(in crate::machines) fn greatest_acceleration(&self, slide: &SlideParams) -> f64 {
+        block::greatest_acceleration(slide.rapid, slide.clamp, self.ramp())
+    }
+
     /// Drives of X and Z. A word of X counts `x_units` per mm of its slide: 2 for diameters.
     pub(in crate::machines) fn drives(&self, x_units: f64) -> [AxisDrive<'static>; 2] {
         [self.x.drive("X", x_units), self.z.drive("Z", 1.0)]

@@ -116,8 +116,7 @@ impl LatheSlides {
             limits: limits.at_starts(duty.starts_per_minute).derated(site_share),
             site_share,
             rapid: form.rapid,
-            // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
-            ramp: (self.time_constant / 1e3).max(1.0 / self.position_gain),
+            ramp: self.ramp(),
             feed_force: duty.cutting_force * self.feed_force / 100.0,
             starts_per_minute: duty.starts_per_minute,
             cuts_downhill: place.cuts_downhill,

@@ -51,6 +51,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     let mut values: Vec<(ParamRole, AxisValues)> = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
+        (ParamRole::OverrideIsCoded, yes(false)),
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
         (ParamRole::SpindleOffsetZero, volts(ParamRole::SpindleOffsetZero, p.offset_zero)),
         (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * SHIFT_VOLTS)),
@@ -99,8 +100,8 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (
             ParamRole::AxisGreatestAcceleration,
             slides(
-                sheets::acceleration(p.slides.x.clamp, p.slides.time_constant),
-                sheets::acceleration(p.slides.z.clamp, p.slides.time_constant),
+                p.slides.greatest_acceleration(&p.slides.x),
+                p.slides.greatest_acceleration(&p.slides.z),
             ),
         ),
         (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),

@@ -1,9 +1,10 @@
 //! Slides of the lathes at the edges of their operation: screws near their critical speed, loads that burn a dynamic brake.
 
+use macroline::project::Project;
 use macroline::view::Verdict;
 
 use super::turning::project;
-use crate::asked::readout;
+use crate::asked::{near, readout};
 
 /// 0.8 of the first critical speed of a steel bar of 27.2 mm between a fixed bearing and a supporting one, 3 m apart (sizing facts 2.13).
 #[test]
@@ -27,5 +28,32 @@ fn load_that_burns_a_dynamic_brake_fails() {
     // 21.3 kg cm² of the slide.
     for (rotor, verdict) in [("11.6", Verdict::Ok), ("2", Verdict::Warn), ("0.5", Verdict::Fail)] {
         assert_eq!(at(rotor).verdict, verdict, "{} : 1", at(rotor).value);
+    }
+}
+
+/// The sheet of a control that has an acceleration instead of a time constant: as sizing and run assume it.
+#[test]
+fn sheet_acceleration_reaches_rapid_in_the_ramp() {
+    let acceleration = |machine: &str, changes: &[(&'static str, &str)], axis: &str| {
+        let project = Project::named(machine, Some("sinumerik-802d"), None).unwrap();
+        let sets: Vec<_> = changes.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+        let sheets = project.with_entries(&sets).unwrap().prepared().sheets();
+        let rows = sheets.iter().flat_map(|sheet| &sheet.rows);
+        let row = rows.map(|row| &row.cells).find(|cells| cells[0] == "MD32300" && cells[2] == axis);
+        row.expect("an acceleration")[3].parse::<f64>().unwrap()
+    };
+    // X of the ribbon line is a modulo axis, in turns of 360 units.
+    for (machine, constant, unit) in
+        [("turning-spindle", "time-constant", 1000.0), ("ribbon-line", "time-constant-x", 360.0)]
+    {
+        let at = |rapid, clamp| {
+            let changes = [("rapid-x", rapid), ("clamp-x", clamp), (constant, "80")];
+            acceleration(machine, &changes, "X")
+        };
+        near(at("9000", "3000"), 9000.0 / 60.0 / 0.08 / unit, 1e-3);
+        near(at("3000", "6000"), 6000.0 / 60.0 / 0.08 / unit, 1e-3);
+        // Without a time constant the servo lag of its position gain is the ramp.
+        let step = [("rapid-x", "6000"), ("clamp-x", "6000"), (constant, "0")];
+        assert!(acceleration(machine, &step, "X").is_finite(), "{machine}");
     }
 }

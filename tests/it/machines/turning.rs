@@ -268,6 +268,7 @@ fn parameter_sheets_match_their_goldens() {
     let changes =
         [("stage-3", "1500"), ("offset-zero", "-12"), ("offset-full", "35"), ("lower-limit", "40"), ("keyway", "true")];
     expect![[r#"
+        MD12060 OVR_SPIND_IS_GRAY_CODE 0 Sister
         MD20100 DIAMETER_AX_DEF X X Sister
         MD30130 CTRLOUT_TYPE 1 Open
         MD30200 NUM_ENCS 1 Sister
@@ -292,8 +293,8 @@ fn parameter_sheets_match_their_goldens() {
         MD32200 POSCTRL_GAIN Z 1.98 1000/min Open
         MD32250 RATED_OUTVAL 100 % Open
         MD32260 RATED_VELO 1500 r/min Open
-        MD32300 MAX_AX_ACCEL X 0.667 m/s² Open
-        MD32300 MAX_AX_ACCEL Z 1.333 m/s² Open
+        MD32300 MAX_AX_ACCEL X 1.333 m/s² Open
+        MD32300 MAX_AX_ACCEL Z 1.667 m/s² Open
         MD35010 GEAR_STEP_CHANGE_ENABLE 1 Open
         MD35100 SPIND_VELO_LIMIT 3000 r/min Sister
         MD35130 GEAR_STEP_MAX_VELO_LIMIT 1 1000 r/min Sister

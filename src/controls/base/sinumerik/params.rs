@@ -13,6 +13,8 @@ const ENCODER: Citation = Citation::new("alarm 16770 of the 808D, p.243", Grade:
 const MODULO: Citation = Citation::new("808D parameter manual, p.225 and 227: modulo axes", Grade::Sister);
 pub(super) const SCALING: Citation =
     Citation::new("840D sl basic functions 01/2015, p.349: encoder, lead and gear", Grade::Sister);
+const CODED: Citation =
+    Citation::new("840D sl basic functions 01/2015, p.1338: MD12060, binary or Gray code", Grade::Sister);
 const OUTPUT: Citation = Citation::new("start-up of Siemens controls, unverified", Grade::Open);
 
 const GEARS: Citation = Citation::new("802S start-up, p.4-48", Grade::Sister);
@@ -21,6 +23,14 @@ const ANGLE: Citation = Citation::new("840D sl axes and spindles 06/2019, p.754"
 
 /// One row per parameter, by number.
 pub const PARAMS: &[ParamDef] = &[
+    param(
+        OverrideIsCoded,
+        "MD12060",
+        "OVR_SPIND_IS_GRAY_CODE",
+        Plain,
+        "0: the byte of the spindle override is a number of percent, as the ladder writes it; 1: Gray code",
+        CODED,
+    ),
     param(AxisDiameter, "MD20100", "DIAMETER_AX_DEF", Plain, "transverse axis, for diameters and G96", TRANSVERSE)
         .answered("X", ""),
     param(SpindleConnection, "MD30130", "CTRLOUT_TYPE", Plain, "0 simulation, 1 output to the drive", OUTPUT),
@@ -59,7 +69,7 @@ pub const PARAMS: &[ParamDef] = &[
         "MD32300",
         "MAX_AX_ACCEL",
         MetresPerSecondSquared,
-        "acceleration of the axis: greatest feed by time constant",
+        "acceleration of the axis: greatest of rapid traverse and feed by time constant",
         OUTPUT,
     ),
     param(
