@@ -26,6 +26,8 @@ pub mod orient;
 
 pub mod cutting;
 
+pub mod bending;
+
 pub mod spindle_motor;
 
 pub mod main_spindle;

@@ -1,5 +1,6 @@
 //! Materials of the part, for every machine that cuts: specific cutting force by the formula of Kienzle.
 
+use crate::drives::bending::STEEL;
 use crate::options;
 
 options! {
@@ -44,6 +45,19 @@ pub(crate) struct Kienzle {
 }
 
 impl Material {
+    /// Modulus of elasticity, N/mm²; that of steel where the force is entered. Source: memory (polygon turning facts 3.13).
+    pub(crate) fn elasticity(self) -> f64 {
+        match self {
+            Material::GreyIron => 110_000.0,
+            Material::NodularIron => 169_000.0,
+            Material::Stainless => 200_000.0,
+            Material::Aluminium => 70_000.0,
+            Material::Brass => 100_000.0,
+            Material::Titanium => 114_000.0,
+            _ => STEEL,
+        }
+    }
+
     /// The row of a material; `None` where the force is entered.
     ///
     /// Source: ISCAR turning catalogue 2017, p.558, read from the text of the page (`reference/turning-spindle.md` section 4).

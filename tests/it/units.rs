@@ -220,6 +220,7 @@ fn verdicts_in_inches_have_converted_limits() {
         -  Cutting time by milling in polar interpolation           64.8 s
         -  Milling time over turning time                   1.21
         -  Greatest cutting force of an insert               875 N
+        ok  Bending of the work                            0.0000 in  (at most 0.0039)
         -  Inserts in the cut at once                          1
         ok  X drifts by its scaling                        0.0000 µin/in  (at most 1)
         ok  Z drifts by its scaling                        0.0000 µin/in  (at most 1)

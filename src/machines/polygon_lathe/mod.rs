@@ -60,6 +60,7 @@ mod pose;
 
 mod progress;
 
+mod bending;
 mod charts;
 
 mod sheets;

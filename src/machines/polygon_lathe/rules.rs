@@ -1,5 +1,6 @@
 //! The rules of the polygon lathe, as rows: result, limit, remedy.
 
+use super::bending;
 use super::derive::choices_on_tip_circle;
 use super::geometry::own_shape;
 use super::main_spindle;
@@ -57,6 +58,7 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("infeed", infeed_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("free-length", jaws, Citation::new("mechanics", Grade::Inferred)),
     Rule::new("finish-feed", finish_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
+    Rule::new("bending", bending::judge, Citation::new("polygon turning facts 3.13", Grade::Open)),
     Rule::new("tool-torque", drives::tool_peak, MOTOR),
     Rule::new("tool-torque-effective", drives::tool_effective, MOTOR),
     Rule::new("tool-power", drives::tool_power, MOTOR),

@@ -40,6 +40,7 @@ mod pose;
 
 mod progress;
 
+mod bending;
 mod charts;
 
 mod sheets;

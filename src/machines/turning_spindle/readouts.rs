@@ -1,5 +1,6 @@
 //! The results of the turning spindle as rows: label, unit, formula, source.
 
+use super::bending;
 use super::gears;
 use super::keyway;
 use super::resolved::TurningSpindle;
@@ -13,6 +14,7 @@ const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a 
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
 const KIENZLE: Citation = Citation::new("ISCAR turning catalogue 2017, p.558, groups by their order", Grade::Inferred);
+const BENDING: Citation = Citation::new("polygon turning facts 3.13", Grade::Open);
 const INERTIA: Citation = Citation::new("sizing facts 2.1", Grade::Inferred);
 const TORQUE: Citation = Citation::new("sizing facts 2.2", Grade::Inferred);
 const ENERGY: Citation = Citation::new("sizing facts 2.4", Grade::Inferred);
@@ -130,6 +132,10 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0,
         formula: "kc1.1 · b · h^(1 - mc) · (1 - γ / 100)", cite: KIENZLE, value: |lathe| lathe.p.cutting_force, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "bending", label: "turning.readout.bending", unit: "mm", decimals: 3,
+        formula: "F / 3E · Σ (b³ - a³) / I, I = π D⁴ / 64, from the cut to the end of the stock", cite: BENDING, value: bending::free, shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "work-inertia", label: "turning.readout.work-inertia", unit: "kg m²", decimals: 4,

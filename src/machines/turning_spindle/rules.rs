@@ -1,5 +1,6 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
+use super::bending;
 use super::cooling;
 use super::demand::CutPoint;
 use super::derive::Derived;
@@ -46,6 +47,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
     Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),
     Rule::new("torque", cooling::judge, Citation::new("sizing facts 2.10", Grade::Open)),
+    Rule::new("bending", slender, Citation::new("polygon turning facts 3.13", Grade::Open)),
     Rule::new("peak-torque", peak_torque, Citation::new("turning spindle facts, 4", Grade::Inferred)),
 ];
 
@@ -285,6 +287,20 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
         return advice;
     }
     advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
+}
+
+/// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force.
+fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
+    let bending = bending::free(lathe);
+    let limit = AtMost(bending::LIMIT);
+    if bending <= bending::LIMIT {
+        return ok(limit);
+    }
+    let told = match lathe.p.path {
+        Path::Facing => msg!("turning.face-bends", bending = (bending, 2)),
+        _ => msg!("turning.work-bends", bending = (bending, 2), held = (bending::held(&lathe.p), 3)),
+    };
+    warn(limit, [with_depth(lathe, bending::LIMIT / bending, told)])
 }
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.

@@ -99,10 +99,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
         (
             ParamRole::AxisGreatestAcceleration,
-            slides(
-                p.slides.greatest_acceleration(&p.slides.x),
-                p.slides.greatest_acceleration(&p.slides.z),
-            ),
+            slides(p.slides.greatest_acceleration(&p.slides.x), p.slides.greatest_acceleration(&p.slides.z)),
         ),
         (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),
         (ParamRole::CommandUnit, yes(true)),

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use macroline::drives::polygon::{CutterSetup, Ratio, Section, load};
 use macroline::math;
+use macroline::project::Project;
 use macroline::view::Verdict;
 
 use super::polygon::project;
@@ -221,4 +222,36 @@ fn no_force_leaves_the_cut_unjudged() {
     let free = project(&[("specific-force", "0")]);
     let ids: Vec<_> = free.design().readouts.iter().map(|row| row.id).collect();
     assert!(!ids.contains(&"tool-torque") && ids.contains(&"tool-run-up"));
+}
+
+/// A thin bar far from the jaws: `F L³ / 3 E I`, which the parts of other examples stay well below.
+#[test]
+fn slender_work_that_bends_is_red_and_mended() {
+    let key = Project::named("polygon-lathe", None, Some("hexagon-key")).unwrap();
+    let slender = [
+        ("across-flats", "8"),
+        ("stock-diameter", "10"),
+        ("length", "20"),
+        ("from-face", "0"),
+        ("free-length", "160"),
+        ("material", "c45"),
+        ("overhang", "30"),
+    ];
+    let slender = key.with_entries(&slender.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let bends = readout(&slender, "bending");
+    let moment = |diameter: f64| std::f64::consts::PI * diameter.powi(4) / 64.0;
+    let by_hand = readout(&slender, "cutting-force").value / (3.0 * 210e3)
+        * (20f64.powi(3) / moment(8.0) + (160f64.powi(3) - 20f64.powi(3)) / moment(10.0));
+    near_share(bends.value, by_hand, 1e-9);
+    assert!(bends.value > 7.6, "{} mm", bends.value);
+    assert_eq!(bends.verdict, Verdict::Fail);
+    let shorter = bends.advice.iter().find(|advice| !advice.sets.is_empty()).expect("a remedy");
+    assert_eq!(readout(&slender.with_entries(&shorter.sets).unwrap(), "bending").verdict, Verdict::Ok);
+    // In its place at the jaws a smaller depth helps.
+    let longer = slender.with_entries(&[("free-length", "40".to_owned())]).unwrap();
+    for advice in readout(&longer, "bending").advice.iter().filter(|advice| !advice.sets.is_empty()) {
+        let mended = readout(&longer.with_entries(&advice.sets).unwrap(), "bending");
+        assert_eq!(mended.verdict, Verdict::Ok, "{:?}: {}", advice.sets, mended.value);
+    }
+    assert_eq!(readout(&key, "bending").verdict, Verdict::Ok);
 }

@@ -4,7 +4,7 @@ use macroline::project::Project;
 use macroline::view::Verdict;
 
 use super::turning::{machine, project};
-use crate::asked::{near, readout, value};
+use crate::asked::{near, near_share, readout, value};
 
 /// Ø 300, 45 m/min, 1500 N in a stage of 3000 r/min: little power, and far too much torque.
 const STALLS: [(&str, &str); 10] = [
@@ -236,4 +236,29 @@ fn macroline_materials() -> Vec<(String, String)> {
     let field = fields.into_iter().find(|field| field.id == "material").unwrap();
     let macroline::machines::form::FieldKindInfo::Choice(options) = field.kind else { panic!("no choice") };
     options.iter().map(|(id, label)| ((*id).to_owned(), (*label).to_owned())).collect()
+}
+
+/// A slender bar without a tailstock: `F L³ / 3 E I`; a tailstock leaves a 34th part.
+#[test]
+fn slender_bar_warns_and_names_the_tailstock() {
+    let bar = |length: &str| {
+        let changes = [
+            ("path", "turning"),
+            ("length", length),
+            ("work-length", length),
+            ("stock-diameter", "22"),
+            ("material", "c45"),
+        ];
+        readout(&project("gsk-980tdc", &changes), "bending")
+    };
+    let slender = bar("300");
+    let moment = std::f64::consts::PI * 20f64.powi(4) / 64.0;
+    let force =
+        readout(&project("gsk-980tdc", &[("path", "turning"), ("stock-diameter", "22"), ("material", "c45")]), "force")
+            .value;
+    near_share(slender.value, force * 300f64.powi(3) / (3.0 * 210e3 * moment), 1e-9);
+    assert_eq!(slender.verdict, Verdict::Warn);
+    let told = macroline::text::catalog::sentence(&slender.advice[0].message);
+    assert!(told.contains(&format!("about {:.3} mm", slender.value / 34.0)), "{told}");
+    assert_eq!(bar("60").verdict, Verdict::Ok);
 }

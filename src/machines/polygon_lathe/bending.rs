@@ -1,0 +1,100 @@
+//! Bending of the work between jaws and cutter, under the force of an insert or of the tool that turns an end.
+
+use super::params::{FIELDS, Params};
+use super::resolved::PolygonLathe;
+use crate::drives::bending::cantilever;
+use crate::drives::cutting::LEAST_DEPTH;
+use crate::machines::verdict::{Judgement, down, fail, ok, up};
+use crate::msg;
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+/// Halvings by which a depth is found.
+const HALVINGS: u32 = 20;
+
+impl PolygonLathe {
+    /// Length (mm) of the bar from face to jaws: that of the form, or the least for the cutter.
+    fn free_length(&self) -> f64 {
+        if self.p.free_length > 0.0 { self.p.free_length } else { self.length_to_jaws() }
+    }
+
+    /// Deflection (mm) under a force (N) across the work at a distance from the face, of a bar that is free up to the jaws: the bar has the
+    /// width across flats where a polygon is, which is less than its stiffness.
+    fn deflection(&self, force: f64, behind: f64, free: f64) -> f64 {
+        let mut flats: Vec<&Params> = self.polygons().map(|lathe| &lathe.p).filter(|p| p.far_end() > behind).collect();
+        flats.sort_by(|a, b| a.from_face.total_cmp(&b.from_face));
+        let mut at = behind;
+        let mut steps = Vec::new();
+        for p in flats {
+            let (begin, end) = (p.from_face.max(at), p.far_end().min(free).max(at));
+            let begin = begin.min(end);
+            steps.extend([(begin - at, self.p.stock_diameter), (end - begin, p.across_flats)]);
+            at = end;
+        }
+        steps.push((free - at, self.p.stock_diameter));
+        cantilever(force, self.p.material.elasticity(), steps)
+    }
+
+    /// Greatest deflection (mm) of the work, at the end of each polygon towards the face, with its forces times `share`.
+    fn bending_of(&self, free: f64, share: f64) -> f64 {
+        let cuts = self.polygons().map(|lathe| {
+            let force = lathe.d.load.cuts.iter().map(|cut| cut.force).fold(0.0, f64::max);
+            self.deflection(share * force, lathe.p.from_face, free)
+        });
+        cuts.fold(0.0, f64::max)
+    }
+
+    /// Greatest deflection (mm) of the work under the force of an insert.
+    pub(super) fn bending(&self) -> f64 {
+        self.bending_of(self.free_length(), 1.0)
+    }
+
+    /// Depth of a pass (mm) with which no force is above a share of the greatest one; none that the passes allow.
+    fn shallower(&self, share: f64) -> Option<f64> {
+        let limit = share * self.force();
+        let force = |depth: f64| {
+            let forces = self.polygons().flat_map(|lathe| {
+                let p = Params { depth, ..lathe.p.clone() };
+                let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
+                p.load(&sizes).cuts.map(|cut| cut.force)
+            });
+            forces.fold(0.0, f64::max)
+        };
+        let least = LEAST_DEPTH.max(self.p.stock_diameter / 2.0 / super::passes::PASSES);
+        if least >= self.p.depth || force(least) > limit {
+            return None;
+        }
+        let halved = |(holding, failing): (f64, f64), _| {
+            let middle = 0.5 * (holding + failing);
+            if force(middle) <= limit { (middle, failing) } else { (holding, middle) }
+        };
+        Some((0..HALVINGS).fold((least, self.p.depth), halved).0)
+    }
+}
+
+/// Bending against the tolerance of the flats, with a shorter free length or a smaller depth as a remedy where one of them suffices.
+pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
+    let p = &lathe.p;
+    let (bending, limit) = (lathe.bending(), AtMost(p.flatness));
+    if bending <= p.flatness {
+        return ok(limit);
+    }
+    let (free, needed) = (lathe.free_length(), up(FIELDS, "free-length", lathe.length_to_jaws()));
+    let told = Advice::from(msg!(
+        "polygon.work-bends",
+        bending = (bending, 3),
+        limit = (p.flatness, 4),
+        length = (free, 1),
+        needed = (needed.value, 1)
+    ));
+    let is_short_enough = needed.value < free && lathe.bending_of(needed.value, 1.0) <= p.flatness;
+    let advice = if is_short_enough {
+        told.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
+    } else if let Some(depth) = lathe.shallower(p.flatness / bending) {
+        let set = down(FIELDS, "depth", depth);
+        told.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
+    } else {
+        told
+    };
+    fail(limit, [advice])
+}
