@@ -366,8 +366,10 @@ impl SpindleRun {
 pub struct SpindleEncoder {
     /// Catalog id of the name of its drive.
     pub name: &'static str,
-    /// Greatest speed of the spindle, r/min.
+    /// Greatest speed of the encoder, r/min.
     pub speed: f64,
+    /// Lines per turn of the encoder.
+    pub lines: f64,
 }
 
 /// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.

@@ -260,6 +260,10 @@ pub trait Prepared: Send + Sync {
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
+    /// Abilities that the inverter of the spindle needs beside its ratings, for the open points of its order.
+    fn inverter_abilities(&self) -> Vec<Message> {
+        Vec::new()
+    }
     /// Devices that the form's options need, and sensors with a known place, with their requirements.
     fn devices(&self) -> Vec<AskedDevice> {
         Vec::new()
@@ -268,7 +272,7 @@ pub trait Prepared: Send + Sync {
     fn severe_site(&self) -> Option<SevereSite> {
         None
     }
-    /// The axes that coast at a power failure by the formulas of the machine, where no spindle with a coasting time does so in the run.
+    /// The axes that coast at a power failure by the formulas of the machine, beside a spindle that coasts in the run.
     fn without_supply(&self) -> Option<CoastedAxes> {
         None
     }

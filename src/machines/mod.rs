@@ -30,6 +30,8 @@ mod slides;
 
 mod main_spindle;
 
+mod spindle_encoder;
+
 pub mod ladder;
 
 pub mod header;

@@ -80,6 +80,18 @@ pub enum ParamRole {
     OverrideIsCoded,
     /// Whether a spindle encoder is fitted.
     SpindleEncoder,
+    /// Lines per turn of the spindle encoder.
+    SpindleEncoderLines,
+    /// Whether the spindle encoder is on the spindle and not on its motor.
+    SpindleEncoderDirect,
+    /// Turns of the encoder in its ratio to the spindle.
+    SpindleEncoderTurns,
+    /// Turns of the spindle in that ratio.
+    SpindleEncoderSpindleTurns,
+    /// High bit of the ratio of spindle to encoder: 1, 2, 4 or 8 turns of the spindle per turn of the encoder.
+    SpindleEncoderHigh,
+    /// Low bit of that ratio.
+    SpindleEncoderLow,
     /// Whether words of the axis count diameters.
     AxisDiameter,
     /// Rapid traverse of an axis.

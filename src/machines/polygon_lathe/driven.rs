@@ -94,7 +94,8 @@ impl HasSlides for PolygonLathe {
     }
 }
 
-/// Quantities checked during operation: lead of the tool over its ratio to the work.
+/// Quantities checked during operation: lead of the tool over its ratio to the work, in the cut of a polygon alone. Elsewhere the axes stand,
+/// run up, or turn to other start angles.
 pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
     id: "phase",
     label: "polygon.gauge.phase",
@@ -102,7 +103,7 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
     decimals: 3,
     limit: |_| None,
     field: None,
-    value: |lathe, now| lathe.phase(now).abs(),
+    value: |lathe, now| if lathe.cuts_flats(now) { lathe.phase(now).abs() } else { 0.0 },
 }];
 
 /// Work and tool after a power failure at the speeds of the first polygon: the phase that they lose, and the time until both are at rest.

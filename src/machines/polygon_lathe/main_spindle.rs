@@ -12,6 +12,7 @@ use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
 use crate::machines::machine::Samples;
 use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
+use crate::machines::spindle_encoder::LINES;
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::RPM;
 use crate::motion::Stretch;
@@ -217,10 +218,15 @@ pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stret
     lathe.has_main_spindle().then(|| p.main.run(NAME, idle, cuts))
 }
 
-/// The encoder by which the control feeds per revolution and cuts a thread, for the greatest speed that the knob allows.
+/// Greatest speed (r/min) that the knob allows.
+pub(super) fn greatest(lathe: &PolygonLathe) -> f64 {
+    lathe.speed_at(highest(lathe), lathe.knob_ends().higher.unwrap_or(100.0))
+}
+
+/// The encoder by which the control feeds per revolution and cuts a thread.
 pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
-    let speed = lathe.speed_at(highest(lathe), lathe.knob_ends().higher.unwrap_or(100.0));
-    lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed })
+    let speed = greatest(lathe);
+    lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed, lines: LINES })
 }
 
 /// The fan of its motor with forced cooling.

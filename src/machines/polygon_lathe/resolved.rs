@@ -118,6 +118,13 @@ impl PolygonLathe {
         (2.0 * at(self.cross()), at(self.along()))
     }
 
+    /// The slide is in the stock of a polygon, with work and tool turning.
+    pub(super) fn cuts_flats(&self, now: &Snapshot) -> bool {
+        let (across, along) = self.slide(now);
+        let there = self.polygons().any(|lathe| (lathe.p.from_face..=lathe.p.far_end()).contains(&-along));
+        there && across < self.p.stock_diameter && [WORK, TOOL].iter().all(|axis| now.pmc[*axis].feed != 0.0)
+    }
+
     /// Phase of the tool ahead of ratio and start angles of the polygon at the slide, degrees of the tool, within half a turn.
     pub(super) fn phase(&self, now: &Snapshot) -> f64 {
         let p = &self.at(-self.slide(now).1).p;

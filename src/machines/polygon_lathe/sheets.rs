@@ -45,6 +45,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.x_per_mm() > 1.0))]),
         (ParamRole::AxisRapid, slides(p.slides.x.rapid, p.slides.z.rapid)),
         (ParamRole::AxisClamp, slides(p.slides.x.clamp, p.slides.z.clamp)),
+        (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
         (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),
         (ParamRole::EditLock, vec![("", ParamValue::Answer(false))]),
@@ -79,6 +80,11 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         ("3", p.tool_gain, "1/s", "polygon.param.gain"),
     ] {
         let cells = [String::new(), String::new(), axis.to_owned(), show(value, 3), unit.to_owned(), say(text)];
+        sheet.rows.push(row(cells, OURS));
+    }
+    if lathe.has_main_spindle() {
+        // Both turn the same shaft.
+        let cells = ["", "", "4", "", "", &say("polygon.param.servo-off")].map(str::to_owned);
         sheet.rows.push(row(cells, OURS));
     }
     sheet

@@ -1,7 +1,7 @@
 //! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
 
 use super::citations::OURS;
-use super::main_spindle::highest;
+use super::main_spindle::greatest;
 use super::resolved::PolygonLathe;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
@@ -53,10 +53,25 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
     };
     let turns = main_spindle(lathe, Interruption::Reset) == SpindleReaction::Turns;
     let after_reset = if turns { msg!("lathe.stops.work-turns") } else { msg!("lathe.stops.work-slows") };
-    let coasts = lathe.p.main_spindle().coasting(highest(lathe));
-    let (reset, emergency) = (Some("polygon.stops.main-reset"), Some("polygon.stops.main-emergency"));
+    let coasts = lathe.p.main_spindle().coasting(greatest(lathe));
+    let [hold, alarm] = ["polygon.stops.main-hold", "polygon.stops.main-alarm"].map(Some);
+    let [reset, emergency] = ["polygon.stops.main-reset", "polygon.stops.main-emergency"].map(Some);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     vec![
+        row(
+            Interruption::Hold,
+            hold,
+            msg!("lathe.stops.axes-hold"),
+            msg!("lathe.stops.work-turns"),
+            msg!("lathe.stops.start"),
+        ),
+        row(
+            Interruption::Alarm,
+            alarm,
+            msg!("lathe.stops.axes-block"),
+            msg!("lathe.stops.work-turns"),
+            msg!("polygon.stops.mend"),
+        ),
         row(Interruption::Reset, reset, msg!("lathe.stops.axes-reset"), after_reset, msg!("lathe.stops.anew")),
         row(
             Interruption::EmergencyStop,

@@ -12,6 +12,7 @@ use crate::machines::driven::{
     DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
     MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
 };
+use crate::machines::spindle_encoder::LINES;
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
@@ -154,7 +155,8 @@ pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
 
 /// The encoder of the unwinder's motor, where the form has one.
 pub(super) fn encoder(line: &RibbonLine) -> Option<SpindleEncoder> {
-    line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed: line.fast.actual_speed })
+    let speed = line.fast.actual_speed;
+    line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed, lines: LINES })
 }
 
 /// The pitch, which the program reads before each block.

@@ -177,7 +177,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "products-per-hour", label: "ribbon.readout.products-per-hour", unit: "1/h", decimals: 1,
-        formula: "3600 / (time of a product + pause)",
+        formula: "3600 / (time of a product + pause), a change of the reel only as far as the pause has it",
         cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.products_per_hour, ..ReadoutRow::BASE
     },
     ReadoutRow {

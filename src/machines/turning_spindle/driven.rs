@@ -1,13 +1,15 @@
 //! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
 
 use super::derive::Derived;
-use super::params::Path;
+use super::params::{Output, Path};
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
 use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
 use crate::math::RPM;
+use crate::msg;
+use crate::text::Message;
 use crate::view::Limit;
 
 /// The spindle's motor with the cut and the friction at the largest diameter of the cut, where they ask the greatest torque; none where nothing is
@@ -68,8 +70,15 @@ pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
 
 /// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
-    let at_knob = lathe.at_highest_knob().map_or(0.0, |(_, fast)| run_up::highest_of(fast));
-    SpindleEncoder { name: NAME, speed: run_up::highest(lathe).max(at_knob) }
+    let of = &lathe.p.encoder;
+    SpindleEncoder { name: NAME, speed: run_up::greatest(lathe) * of.ratio(), lines: of.lines }
+}
+
+/// Abilities of the inverter that the catalogue does not tell: a speed input of both signs, and the feedback of a position loop.
+pub(super) fn inverter_abilities(lathe: &TurningSpindle) -> Vec<Message> {
+    let both_signs = (lathe.p.output == Output::Bipolar).then(|| msg!("size.bill.bipolar-input"));
+    let feedback = lathe.positions().then(|| msg!("size.bill.encoder-feedback"));
+    both_signs.into_iter().chain(feedback).collect()
 }
 
 /// Starts of a slide in a pass: it goes to its place or cuts, and comes back; along a taper X goes to its place, cuts, and comes back.

@@ -2,10 +2,10 @@
 
 use super::resolved::TurningSpindle;
 use crate::controls::ParamRole;
-use crate::machines::verdict::{Judgement, ok, warn};
+use crate::machines::verdict::{Judgement, ok};
 use crate::math;
 use crate::msg;
-use crate::view::Limit::AtMost;
+use crate::view::Verdict;
 
 /// Times (s) of a gear change.
 #[derive(Clone, Copy)]
@@ -45,14 +45,15 @@ pub(super) fn delay_before(lathe: &TurningSpindle) -> f64 {
     math::whole_up(1000.0 * slowing(lathe).max(gear_times(lathe).before))
 }
 
-/// The time of slowing down against the delay that such a control's own ladder has at first.
+/// The time of slowing down against the delay that such a control's own ladder has at first: a fact to know, for the exported ladder waits for
+/// the shift speed and reads no such delay.
 pub(super) fn judge_delay(lathe: &TurningSpindle) -> Option<Judgement> {
     let parameter = lathe.control.param(ParamRole::GearShiftBefore)?;
     let (needed, initial) = (slowing(lathe), lathe.control.bench.shift.before);
-    let limit = AtMost(initial);
-    if limit.holds(needed) {
-        return ok(limit);
+    if needed <= initial {
+        return ok(None);
     }
     let (parameter, least) = (parameter.number, delay_before(lathe));
-    warn(limit, [msg!("turning.gear-delay-too-short", needed = (needed, 2), initial, parameter, least).into()])
+    let advice = vec![msg!("turning.gear-delay-too-short", needed = (needed, 2), initial, parameter, least).into()];
+    Some(Judgement { verdict: Verdict::None, limit: None, advice })
 }

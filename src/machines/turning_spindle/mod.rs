@@ -186,6 +186,10 @@ impl Prepared for TurningSpindle {
         self.spindle_run(run, stretches)?.resistor(self.p.spindle.braking, self.p.pause)
     }
 
+    fn inverter_abilities(&self) -> Vec<Message> {
+        driven::inverter_abilities(self)
+    }
+
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         Some(driven::encoder(self))
     }

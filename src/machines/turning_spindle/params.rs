@@ -8,6 +8,7 @@ use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number,
 use crate::machines::main_spindle::{self, SpindleDrive};
 use crate::machines::materials::Material;
 use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
+use crate::machines::spindle_encoder::{self, EncoderParams};
 use crate::machines::{shift, site};
 use crate::{member, options};
 
@@ -118,6 +119,7 @@ pub(crate) struct Params {
     pub stage_4: f64,
     pub chuck_limit: f64,
     pub spindle: SpindleDrive,
+    pub encoder: EncoderParams,
     pub spindle_inertia: f64,
     pub gear_time: f64,
     pub gear_patience: f64,
@@ -334,6 +336,9 @@ const ROWS: &[&[Field<Params>]] = &[
     number("spindle-inertia", member!(Params.spindle_inertia)).group("turning.group.spindle").label("turning.spindle-inertia").help("turning.spindle-inertia.help").symbol("J")
         .unit("kg m²").range(0.0001..=10000.0).default(0.2).decimals(4).step(0.01).fact(),
     main_spindle::friction("spindle-friction", "turning.spindle-friction", "turning.spindle-friction.help", member!(Params.spindle.friction)).group("turning.group.spindle"),
+    spindle_encoder::lines("turning.group.spindle", member!(Params.encoder.lines)),
+    spindle_encoder::turns("turning.group.spindle", member!(Params.encoder.turns)),
+    spindle_encoder::spindle_turns("turning.group.spindle", member!(Params.encoder.spindle_turns)),
     number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
         .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
     number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")

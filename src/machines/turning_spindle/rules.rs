@@ -196,6 +196,10 @@ fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
     let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
     let needed = p.block_time + BLOCKS_BETWEEN_PASSES * p.macro_time;
+    // The block of a taper is read while the tool goes to its begin, over the clearance.
+    let approach = if p.path == Path::Taper { 60_000.0 * p.clearance / (p.feed * d.high) } else { f64::INFINITY };
+    let worse = lasts * p.block_time > approach * needed;
+    let (lasts, needed) = if worse { (approach, p.block_time) } else { (lasts, needed) };
     if lasts >= needed {
         return None;
     }
@@ -455,6 +459,7 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
     if lathe.form.speed_mode != p.speed_mode {
         found.push(Diagnostic::info(msg!("turning.no-surface-speed", control = lathe.control.name)));
     }
+    found.extend(p.encoder.finding(lathe.control));
     keyway::findings(lathe, &mut found);
     if p.stages().count() < usize::from(p.gear as u8) {
         found.push(Diagnostic::warning(msg!("turning.no-such-stage", stage = f64::from(p.gear as u8))).about("gear"));

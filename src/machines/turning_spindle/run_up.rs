@@ -21,6 +21,16 @@ pub(super) fn highest_of(d: &Derived) -> f64 {
     d.speed_largest.max(d.speed_smallest)
 }
 
+/// Greatest speed (r/min) of the program with the knob at its highest position.
+pub(super) fn greatest(lathe: &TurningSpindle) -> f64 {
+    lathe.at_highest_knob().map_or(0.0, |(_, fast)| highest_of(fast)).max(highest(lathe))
+}
+
+/// Seconds in which the spindle coasts to rest from its greatest speed.
+pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
+    engaged(lathe).coasting(greatest(lathe))
+}
+
 /// The spindle in the program's gear stage.
 pub(super) fn engaged(lathe: &TurningSpindle) -> MainSpindle {
     lathe.p.main_spindle(lathe.d.stage_speed)

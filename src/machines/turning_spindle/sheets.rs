@@ -107,6 +107,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::VariablesAtPowerOn, yes(false)),
         (ParamRole::EditLock, yes(false)),
     ];
+    values.extend(p.encoder.parameters(lathe.control));
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     let axes = AxisUnits { in_diameters: if lathe.diameters() { &["X"] } else { &[] }, rotary: &[] };
     sheets::parameters(lathe.control, &axes, values)

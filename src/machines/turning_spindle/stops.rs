@@ -3,7 +3,7 @@
 use super::gears;
 use super::program;
 use super::resolved::TurningSpindle;
-use super::run_up::{engaged, highest};
+use super::run_up;
 use crate::controls::interface::SignalRole;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
@@ -40,7 +40,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
     let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
     let block = msg!("lathe.stops.axes-block");
     let reset = if off { msg!("lathe.stops.work-slows") } else { msg!("lathe.stops.work-turns") };
-    let coasts = (engaged(lathe).coasting(highest(lathe)), 1);
+    let coasts = (run_up::coasting(lathe), 1);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
     let anew = anew(lathe);
     let mut rows = vec![

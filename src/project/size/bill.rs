@@ -90,6 +90,8 @@ pub(super) fn bill(
     let trimmed =
         |row: &&mut BillRow| row.item == BillItem::Inverter && dancers.iter().any(|dancer| dancer.drive == row.axis);
     rows.iter_mut().filter(trimmed).for_each(|row| row.open.push(msg!("size.bill.trim-input")));
+    let inverters = rows.iter_mut().filter(|row| row.item == BillItem::Inverter);
+    inverters.for_each(|row| row.open.extend(prepared.inverter_abilities()));
     if let Some(site) = prepared.severe_site() {
         let sensitive = |row: &&mut BillRow| matches!(row.item, BillItem::Amplifier | BillItem::Inverter);
         rows.iter_mut().filter(sensitive).for_each(|row| row.open.push(site.order()));
@@ -170,11 +172,13 @@ fn unknown_resistor(axis: &'static str, returned: &ResistorLoad) -> BillRow {
 fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
     let item = BillItem::Encoder;
     let goes = project.catalogue().into_iter().filter_map(|part| match part.ratings {
-        Ratings::Encoder(of) => Some((part, of.top_speed.filter(|speed| *speed >= asked.speed)?)),
+        Ratings::Encoder(of) if of.pulses.is_none_or(|pulses| pulses == asked.lines) => {
+            Some((part, of.top_speed.filter(|speed| *speed >= asked.speed)?))
+        }
         _ => None,
     });
     let least = goes.min_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.model.cmp(&b.0.model)));
-    let told = msg!("size.bill.encoder", speed = (asked.speed, 0));
+    let told = msg!("size.bill.encoder", speed = (asked.speed, 0), lines = (asked.lines, 0));
     part_or_open((item, asked.name), least.map(|(part, _)| part), true, &told)
 }
 

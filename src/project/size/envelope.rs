@@ -300,10 +300,11 @@ impl Envelope<'_> {
                 self.stopped(event, whole, |run, t| run.event(Event { t, action: Action::EmergencyStop }))
             }
             OperatingEvent::PowerFailure => {
+                let axes = self.prepared.without_supply().map_or_else(Vec::new, coasted);
                 if self.prepared.plant().spindle.coasting.is_none() {
-                    return self.prepared.without_supply().map_or_else(Vec::new, coasted);
+                    return axes;
                 }
-                self.stopped(event, whole, |run, at| run.lose_power(at))
+                worst([axes, self.stopped(event, whole, |run, at| run.lose_power(at))])
             }
         }
     }

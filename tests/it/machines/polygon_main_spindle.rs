@@ -11,7 +11,7 @@ use macroline::view::Verdict;
 use super::polygon_shaft::whole;
 use super::restart::{Outcome, within};
 use super::ribbon_controls::{begun, ended};
-use crate::asked::{near, readout, sized_without_envelope};
+use crate::asked::{near, readout, sized, sized_without_envelope, stop_table, value};
 
 const NAME: &str = "polygon.drive.main";
 
@@ -190,7 +190,7 @@ fn stops_name_the_inverter_where_the_bar_is_turned() {
         (sheet.title, sheet.rows.len())
     };
     let (with, without) = (stops(&shaft(&[])), stops(&shaft(&[("before", "false")])));
-    assert_eq!((with.0, without.0, with.1 - without.1), ("sheet.stops-and-fault", "sheet.stops", 3));
+    assert_eq!((with.0, without.0, with.1 - without.1), ("sheet.stops-and-fault", "sheet.stops", 5));
 }
 
 #[test]
@@ -321,4 +321,39 @@ fn work_servo_waits_until_the_main_spindle_stands() {
     };
     assert!(sizing.terminals.iter().any(ends), "{place}");
     assert!(sizing.bill.iter().any(|row| row.item == BillItem::StandstillMonitor));
+}
+
+/// Half of the program turns the bar by the main spindle: hold and alarm leave it turning.
+#[test]
+fn stops_and_servo_off_of_the_main_spindle_are_on_the_sheets() {
+    let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    let rows = stop_table(&shaft);
+    for name in ["Feed hold", "Alarm"] {
+        let of_main = format!("{name} while the main spindle turns");
+        let row = rows.iter().find(|cells| cells[0] == of_main).expect("a row of its own");
+        assert!(row[1].contains("Keeps turning") && row[3] == "The work keeps turning", "{row:?}");
+    }
+    let servo_off = |project: &Project| {
+        let sheets = project.prepared().sheets();
+        let rows = sheets.iter().filter(|sheet| sheet.id == "parameters").flat_map(|sheet| &sheet.rows);
+        rows.filter(|row| row.cells[5].contains("servo off")).count()
+    };
+    let square = Project::named("polygon-lathe", None, None).unwrap();
+    assert_eq!([&shaft, &square].map(servo_off), [1, 0]);
+}
+
+/// Between the polygons the axes turn to other angles; under the main spindle they stand. Only in the cut the phase counts.
+#[test]
+fn envelope_takes_the_phase_in_the_cut_of_a_polygon() {
+    let two = [("second", "true"), ("second-across-flats", "21")];
+    let square = Project::named("polygon-lathe", None, None).unwrap();
+    let two = square.with_entries(&two.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    let phase = |project: &Project, event: OperatingEvent| {
+        let rows = sized(project).envelope;
+        let row = rows.iter().find(|row| row.event == event && row.id == "phase").expect("a phase");
+        row.value
+    };
+    near(phase(&two, OperatingEvent::Run), 0.0, 1e-6);
+    near(phase(&shaft, OperatingEvent::PowerFailure), value(&shaft, "coast-phase").abs(), 1e-9);
 }

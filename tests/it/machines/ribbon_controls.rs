@@ -390,7 +390,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.029 |  | C | 100 | ms | time constant of acceleration, cutting feed, 10 to 4000
             No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
             No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
-            No.069/070 |  |  | 1 |  | spindle encoder fitted, and its lines (100 to 10000)
+            No.069 |  |  | 1 |  | 1: spindle encoder fitted
             No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
             No.187#0 |  | C | 01 |  | kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none
             No.196#4 |  |  | 0 |  | 1: several spindles
@@ -432,7 +432,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
             3771 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
             3772 |  |  | 1480 | r/min | spindle speed clamp, 0: none
-            4002#1 |  |  | 0 |  | 1: spindle encoder fitted
+            4002#1 |  |  | 0 |  | 1: encoder of a serial spindle fitted; an analog one has none
             6000#5 | SBM |  | 0 |  | 1: macro blocks stop in single block
             6001#6 | CCV |  | 1 |  | 0: #100 to #199 become vacant at reset
         "#]],

@@ -275,8 +275,10 @@ fn parameter_sheets_match_their_goldens() {
         MD30134 IS_UNIPOLAR_OUTPUT 1 Open
         MD31020 ENC_RESOL X 10000 p/rev Sister
         MD31020 ENC_RESOL Z 10000 p/rev Sister
+        MD31020 ENC_RESOL 1024 Sister
         MD31030 LEADSCREW_PITCH X 5 mm Sister
         MD31030 LEADSCREW_PITCH Z 5 mm Sister
+        MD31040 ENC_IS_DIRECT 1 Sister
         MD31050 DRIVE_AX_RATIO_DENOM X 1 Sister
         MD31050 DRIVE_AX_RATIO_DENOM Z 1 Sister
         MD31050 DRIVE_AX_RATIO_DENOM 1 1000 Sister
@@ -287,6 +289,8 @@ fn parameter_sheets_match_their_goldens() {
         MD31060 DRIVE_AX_RATIO_NUMERA 1 1500 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA 2 1500 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA 3 1500 Sister
+        MD31070 DRIVE_ENC_RATIO_DENOM 1 Sister
+        MD31080 DRIVE_ENC_RATIO_NUMERA 1 Sister
         MD32000 MAX_AX_VELO X 8000 mm/min Sister
         MD32000 MAX_AX_VELO Z 10000 mm/min Sister
         MD32200 POSCTRL_GAIN X 1.98 1000/min Open
@@ -336,7 +340,8 @@ fn parameter_sheets_match_their_goldens() {
         No.039 1500 r/min Manual
         No.043 40 r/min Sister
         No.067 100 mV Sister
-        No.069/070 1 Sister
+        No.069 1 Sister
+        No.070 1024 Sister
         No.072 0 ms Sister
         No.075 3000 r/min Sister
         No.175#6 0 Sister
@@ -375,6 +380,8 @@ fn parameter_sheets_match_their_goldens() {
         3202#4 NE9 0 Open
         3701#1 ISI 1 Open
         3705#1 GST 1 Open
+        3706#0 PG1 0 Open
+        3706#1 PG2 0 Open
         3708#0 SAR 0 Open
         3732 41 Open
         3740 0 ms Open

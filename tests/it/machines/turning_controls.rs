@@ -7,7 +7,7 @@ use macroline::controls::{Address, Code, Control};
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 
-use super::turning::{cuts, ideal, machine, over_time, project, run_of};
+use super::turning::{cuts, ideal, machine, over_time, project, run_of, sheet};
 use crate::asked::value;
 use macroline::project::Project;
 
@@ -322,4 +322,34 @@ fn differences_between_controls_match_the_table() {
             mitsubishi-e60  7.16
     "#]]
     .assert_eq(&table);
+}
+
+/// An encoder at another ratio than the parameters have makes feed per revolution, pitch and angle wrong.
+#[test]
+fn spindle_encoder_is_on_the_sheet_with_its_ratio() {
+    let half = [("encoder-lines", "2500"), ("encoder-turns", "1"), ("spindle-turns", "2")];
+    let third = [("spindle-turns", "3")];
+    let rows: [(&str, &[&str]); 3] = [
+        (
+            "sinumerik-802d",
+            &[
+                "MD31020 ENC_RESOL 2500 Sister",
+                "MD31040 ENC_IS_DIRECT 1 Sister",
+                "MD31070 DRIVE_ENC_RATIO_DENOM 1 Sister",
+                "MD31080 DRIVE_ENC_RATIO_NUMERA 2 Sister",
+            ],
+        ),
+        ("gsk-980tdc", &["No.069 1 Sister", "No.070 2500 Sister"]),
+        ("fanuc-0i-tf", &["3706#0 PG1 1 Sister", "3706#1 PG2 0 Sister"]),
+    ];
+    for (control, wanted) in rows {
+        let sheet = sheet(control, &half);
+        assert!(wanted.iter().all(|row| sheet.lines().any(|line| line == *row)), "{control}: {sheet}");
+    }
+    let warns = |control: &str, changes: &[(&'static str, &str)]| {
+        let found = project(control, changes).design().diagnostics;
+        found.iter().any(|found| found.field == Some("encoder-turns"))
+    };
+    let of = |changes: &[(&'static str, &str)]| rows.map(|(control, _)| warns(control, changes));
+    assert_eq!([of(&[]), of(&half), of(&third)], [[false; 3], [false, true, false], [false, true, true]]);
 }

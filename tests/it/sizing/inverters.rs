@@ -6,6 +6,8 @@ use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
 
+use crate::asked::sized_without_envelope;
+
 /// A lathe that turns a shaft at 1500 r/min, with a motor of 15 Nm of the user, its rated current in A, and inverters: model, rated power in W,
 /// rated current in A, overload in %. The cut takes 13 Nm, a run-up within 1.5 s 24 Nm, 1.6 times the rated torque.
 fn lathe(ramp: &str, current: f64, inverters: &[(&str, f64, f64, &str)]) -> Sizing {
@@ -108,4 +110,22 @@ fn overload_is_a_number_of_the_table_of_parts() {
         parts.is_empty() && found.iter().any(|found| sentence(&found.message).contains("write 150 for 1.5 times")),
         "{found:?}"
     );
+}
+
+/// No inverter of the catalogue tells its speed input: most take 0 to 10 V alone.
+#[test]
+fn output_of_both_signs_is_an_open_point_of_the_inverter() {
+    let open = |entries: &[(&'static str, &str)]| {
+        let lathe = Project::named("turning-spindle", Some("sinumerik-802d"), None).unwrap();
+        let force = [("material", "c45")];
+        let entries: Vec<_> = force.iter().chain(entries).map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+        let rows = sized_without_envelope(&lathe.with_entries(&entries).unwrap()).bill;
+        let row = rows.into_iter().find(|row| row.item == BillItem::Inverter).expect("an inverter");
+        row.open.iter().map(|message| message.id).collect::<Vec<_>>()
+    };
+    let points = ["size.bill.bipolar-input", "size.bill.encoder-feedback"];
+    let has = |entries: &[(&'static str, &str)]| points.map(|point| open(entries).contains(&point));
+    assert_eq!(has(&[]), [false, false]);
+    assert_eq!(has(&[("output", "+-10")]), [true, false]);
+    assert_eq!(has(&[("output", "+-10"), ("keyway", "true")]), [true, true]);
 }

@@ -1,6 +1,6 @@
 //! Parameters of the FANUC family that a machine has to set.
 
-use super::sources::{CMR, COMMANDS, MEMORY, ROLL_OVER, SPEED_REACHED};
+use super::sources::{CMR, CODER, COMMANDS, MEMORY, ROLL_OVER, SPEED_REACHED};
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
 use crate::controls::ParamUnit::*;
@@ -54,6 +54,15 @@ pub const LATHE: &[ParamDef] = &[
         MEMORY,
     ),
     param(ShiftBySignal, "3705#1", "GST", Plain, "1: SOR turns the spindle at the speed of a gear change", MEMORY),
+    param(SpindleEncoderLow, "3706#0", "PG1", Plain, "turns of the spindle per turn of its encoder, low bit", CODER),
+    param(
+        SpindleEncoderHigh,
+        "3706#1",
+        "PG2",
+        Plain,
+        "high bit: 00 one turn, 01 two, 10 four, 11 eight; an encoder of 1024 lines",
+        CODER,
+    ),
     param(SpindleReached, "3708#0", "SAR", Plain, "1: cuts wait for the signal of reached speed", SPEED_REACHED),
     param(SpindleOffsetRated, "3730", "", TenthPercent, "gain of the analog output", MEMORY),
     param(SpindleOffsetZero, "3731", "", Plain, "offset of the analog output", MEMORY),
@@ -72,7 +81,7 @@ pub const LATHE: &[ParamDef] = &[
     param(SpindleGear(4), "3744", "", TurnsPerMinute, "spindle speed at 10 V, gear 4", COMMANDS),
     param(SpindleMinimum, "3771", "", TurnsPerMinute, "smallest spindle speed at constant surface speed", MEMORY),
     param(SpindleMaximum, "3772", "", TurnsPerMinute, "spindle speed clamp, 0: none", MEMORY),
-    param(SpindleEncoder, "4002#1", "", Plain, "1: spindle encoder fitted", MEMORY),
+    param(SpindleEncoder, "4002#1", "", Plain, "1: encoder of a serial spindle fitted; an analog one has none", MEMORY),
     param(MacroSingle, "6000#5", "SBM", Plain, "1: macro blocks stop in single block", MEMORY),
     param(VariablesAtReset, "6001#6", "CCV", Plain, "0: #100 to #199 become vacant at reset", MEMORY)
         .answered("0", "1"),

@@ -7,6 +7,9 @@ pub const MEMORY: Citation = Citation::new("FANUC 0i-T usage, unverified", Grade
 /// Custom macro B: calls and arguments.
 pub const CALLS: Citation = Citation::new("FANUC 16i/18i-PB manual B-63684EN, p.278", Grade::Inferred);
 
+/// Ratio of spindle and position coder.
+pub const CODER: Citation = Citation::new("FANUC Power Mate i-D/H parameter manual, 3706: PG1 and PG2", Grade::Sister);
+
 /// Arguments without a decimal point.
 pub const ARGUMENTS: Citation = CALLS;
 /// G codes of lathes, by a secondary source.

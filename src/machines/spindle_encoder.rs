@@ -1,0 +1,98 @@
+//! The encoder of a spindle that the control counts turns and angle by: its lines and its ratio to the spindle, as form and parameters.
+
+use super::form::Field;
+use super::form::rows::{Member, number};
+use super::sheets::{AxisValues, ParamValue};
+use crate::controls::{Control, ParamRole};
+use crate::msg;
+use crate::text::Diagnostic;
+
+/// Lines of an encoder that the makers of controls take as usual.
+pub(super) const LINES: f64 = 1024.0;
+
+/// An encoder beside the spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::machines) struct EncoderParams {
+    /// Lines per turn of the encoder.
+    pub lines: f64,
+    /// Turns of the encoder in its ratio to the spindle, a whole number.
+    pub turns: f64,
+    /// Turns of the spindle in that ratio, a whole number.
+    pub spindle_turns: f64,
+}
+
+impl Default for EncoderParams {
+    fn default() -> EncoderParams {
+        EncoderParams { lines: LINES, turns: 1.0, spindle_turns: 1.0 }
+    }
+}
+
+/// A field for the lines.
+pub(super) const fn lines<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
+    let row = number("encoder-lines", member).group(group).label("encoder.lines").help("encoder.lines.help");
+    row.range(1.0..=1_000_000.0).default(LINES).decimals(0).step(256.0).fact()
+}
+
+/// A field for the turns of the encoder in its ratio to the spindle.
+pub(super) const fn turns<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
+    let row = number("encoder-turns", member).group(group).label("encoder.turns").help("encoder.turns.help");
+    row.range(1.0..=1000.0).default(1.0).decimals(0).step(1.0).fact()
+}
+
+/// A field for the turns of the spindle in that ratio.
+pub(super) const fn spindle_turns<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
+    let row = number("spindle-turns", member).group(group).label("encoder.spindle-turns");
+    row.help("encoder.turns.help").range(1.0..=1000.0).default(1.0).decimals(0).step(1.0).fact()
+}
+
+impl EncoderParams {
+    /// Turns of the encoder per turn of the spindle.
+    pub(super) fn ratio(&self) -> f64 {
+        self.turns / self.spindle_turns
+    }
+
+    /// The two bits for 1, 2, 4 or 8 turns of the spindle per turn of the encoder; none of another ratio.
+    fn bits(&self) -> Option<[bool; 2]> {
+        let magnified = |times: f64| self.turns * times == self.spindle_turns;
+        [1.0, 2.0, 4.0, 8.0].into_iter().zip(0u8..).find(|(times, _)| magnified(*times)).map(|(_, code)| {
+            // The high bit first.
+            [code & 2 != 0, code & 1 != 0]
+        })
+    }
+
+    /// Whether parameters of the control have this ratio: as two numbers, as a power of two, or 1 : 1 alone.
+    fn is_known(&self, control: &Control) -> bool {
+        let has = |role| control.param(role).is_some();
+        if has(ParamRole::SpindleEncoderTurns) {
+            return true;
+        }
+        if has(ParamRole::SpindleEncoderHigh) { self.bits().is_some() } else { self.turns == self.spindle_turns }
+    }
+
+    /// Rows of the parameter sheet.
+    pub(super) fn parameters(&self, control: &Control) -> Vec<(ParamRole, AxisValues<'static>)> {
+        let number = |value: f64| vec![("", ParamValue::Number(value))];
+        let yes = |on: bool| vec![("", ParamValue::Answer(on))];
+        let [high, low] = self.bits().unwrap_or_default();
+        let told = |values: AxisValues<'static>| if self.is_known(control) { values } else { Vec::new() };
+        vec![
+            (ParamRole::SpindleEncoderLines, number(self.lines)),
+            (ParamRole::SpindleEncoderDirect, yes(true)),
+            (ParamRole::SpindleEncoderTurns, number(self.turns)),
+            (ParamRole::SpindleEncoderSpindleTurns, number(self.spindle_turns)),
+            (ParamRole::SpindleEncoderHigh, told(yes(high))),
+            (ParamRole::SpindleEncoderLow, told(yes(low))),
+        ]
+    }
+
+    /// A warning about a ratio that no known parameter of the control has: feed per revolution, thread and angle would be wrong by it.
+    pub(super) fn finding(&self, control: &Control) -> Option<Diagnostic> {
+        let powers = control.param(ParamRole::SpindleEncoderHigh).is_some();
+        let ratio = (self.ratio(), 4);
+        let message = match powers {
+            true => msg!("encoder.not-a-power-of-two", ratio),
+            false => msg!("encoder.not-direct", ratio, control = control.name),
+        };
+        (!self.is_known(control)).then(|| Diagnostic::warning(message).about("encoder-turns"))
+    }
+}
