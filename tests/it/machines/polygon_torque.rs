@@ -239,9 +239,9 @@ fn slender_work_that_bends_is_red_and_mended() {
     ];
     let slender = key.with_entries(&slender.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
     let bends = readout(&slender, "bending");
-    let moment = |diameter: f64| std::f64::consts::PI * diameter.powi(4) / 64.0;
+    let moment = |diameter: f64| std::f64::consts::PI * math::pow(diameter, 4.0) / 64.0;
     let by_hand = readout(&slender, "cutting-force").value / (3.0 * 210e3)
-        * (20f64.powi(3) / moment(8.0) + (160f64.powi(3) - 20f64.powi(3)) / moment(10.0));
+        * (math::pow(20.0, 3.0) / moment(8.0) + (math::pow(160.0, 3.0) - math::pow(20.0, 3.0)) / moment(10.0));
     near_share(bends.value, by_hand, 1e-9);
     assert!(bends.value > 7.6, "{} mm", bends.value);
     assert_eq!(bends.verdict, Verdict::Fail);

@@ -1,5 +1,6 @@
 //! Torque of the turning spindle: the motor's curve in its gear stages, and the force of the cut by material.
 
+use macroline::math;
 use macroline::project::Project;
 use macroline::view::Verdict;
 
@@ -252,11 +253,11 @@ fn slender_bar_warns_and_names_the_tailstock() {
         readout(&project("gsk-980tdc", &changes), "bending")
     };
     let slender = bar("300");
-    let moment = std::f64::consts::PI * 20f64.powi(4) / 64.0;
+    let moment = std::f64::consts::PI * math::pow(20.0, 4.0) / 64.0;
     let force =
         readout(&project("gsk-980tdc", &[("path", "turning"), ("stock-diameter", "22"), ("material", "c45")]), "force")
             .value;
-    near_share(slender.value, force * 300f64.powi(3) / (3.0 * 210e3 * moment), 1e-9);
+    near_share(slender.value, force * math::pow(300.0, 3.0) / (3.0 * 210e3 * moment), 1e-9);
     assert_eq!(slender.verdict, Verdict::Warn);
     let told = macroline::text::catalog::sentence(&slender.advice[0].message);
     assert!(told.contains(&format!("about {:.3} mm", slender.value / 34.0)), "{told}");
