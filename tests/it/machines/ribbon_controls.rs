@@ -396,7 +396,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.196#4 |  |  | 0 |  | 1: several spindles
             No.252 |  | X | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
             No.252 |  | C | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
-            K10 RESB |  |  | 1 |  | reset: 1 goes back to the first block, 0 stays in the program
+            K10 RESB |  |  | 1 |  | reset: 1 goes back to the first block, 0 stays in the program; for the maker's own ladder
         "#]],
     );
     check(
