@@ -3,6 +3,7 @@
 use super::snapshot::Mode;
 use super::timeline::Timeline;
 use crate::controls::Code;
+use crate::drives::Bound;
 
 /// Event at a milestone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +21,10 @@ impl Timeline {
         let mut before = 0;
         for ramp in self.ramps.until(f64::INFINITY) {
             let sign = ramp.command.sign.signum();
+            // A spindle that turns while gears mesh is not switched by a code.
+            if ramp.command.bound == Bound::Shift && before == 0 {
+                continue;
+            }
             if sign != before {
                 let code = match sign {
                     0 => Code::SpindleStop,

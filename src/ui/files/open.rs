@@ -118,7 +118,7 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
 /// Takes a project with an opened program, after a version of the present one.
 fn take_program(page: Page, project: Project) {
     shelf::version_before(page, BEFORE_PROGRAM);
-    show_opened(page, project);
+    show(page, project);
     page.notices.confirm(t("page.opened-program").to_owned());
 }
 
@@ -276,7 +276,7 @@ mod tests {
         assert!(bench.page.program.edited.get_untracked());
         assert!(bench.page.program.text(0).contains("G01 X1."));
         assert!(bench.notices().contains(&t("page.opened-program").to_owned()));
-        assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.opened"));
+        assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.opened-program"));
     }
 
     #[wasm_bindgen_test]

@@ -58,6 +58,21 @@ fn ribbon_line_starts_waits_prints_and_stops_in_this_order() {
 }
 
 #[test]
+fn gears_that_mesh_before_the_start_are_no_start() {
+    let project = Project::of("turning-spindle", None).unwrap();
+    let run = whole(&project);
+    let (contact, _) = project.prepared().first_contact(&run, run.timeline().end()).unwrap();
+    let of_spindle = run.timeline().milestones().into_iter().filter_map(|row| match row {
+        (t, Milestone::Spindle(code)) if t < contact => Some((t, code)),
+        _ => None,
+    });
+    let [(start, Code::SpindleCw)] = of_spindle.collect::<Vec<_>>()[..] else { panic!("one start before the cut") };
+    // The spindle has turned before, while its gears meshed.
+    let turned = (1..100).map(|step| run.timeline().at(start * f64::from(step) / 100.0).spindle.actual);
+    assert!(turned.fold(0.0, f64::max) > 1.0);
+}
+
+#[test]
 fn every_machine_meets_its_work() {
     for project in all() {
         let (run, machine) = (whole(&project), project.prepared());
