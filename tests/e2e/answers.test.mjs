@@ -59,7 +59,7 @@ test('repair makes failing results hold, one undo restores them', () =>
     assert.equal(await failing.count(), 7);
     await page.locator('.repairs').getByRole('button', { name: 'Repair', exact: true }).click();
     // Several ways, each with its consequences.
-    const way = page.locator('.ways-out li', { hasText: 'Set 47 heads' });
+    const way = page.locator('.ways-out li', { hasText: 'Set 47 heads' }).first();
     await way.getByText(/Roller : ribbon speed 7\.850 → 1\.00/).waitFor();
     assert.ok((await page.locator('.ways-out li').count()) > 1);
     await accessible(page);

@@ -32,6 +32,8 @@ pub const MESHED: Bit = Bit::Relay("meshed");
 pub const GEAR_RUN: Bit = Bit::Relay("gear-run");
 /// The commanded stage has left its position while the spindle turned: no program until reset.
 pub const GEAR_LOST: Bit = Bit::Relay("gear-lost");
+/// An emergency stop has ended the run of a gear change, until reset.
+pub const SHIFT_OFF: Bit = Bit::Relay("shift-off");
 /// Nothing forbids a run command.
 const FREE: Bit = Bit::Relay("spindle-free");
 /// No contact of the machine forbids a run by key.
@@ -293,10 +295,11 @@ impl Book<'_> {
     }
 
     /// Branches of the run command while gears mesh, without M3 and M4 too: at standstill tooth stands on tooth. Only a spindle that has slowed
-    /// down gets it, and none with a run command of the other direction. A stop key acts in an interrupted program, as elsewhere.
+    /// down gets it, in a begun program, and none with a run command of the other direction. After an emergency stop or a fault it stays off
+    /// until reset. A stop key acts in an interrupted program, as elsewhere.
     fn shift_runs(direction: Direction) -> Branches {
         let shift = Bit::Signal(SignalRole::ShiftSpeed);
-        let mut guard = vec![on(shift), on(SLOWED), on(FREE), off(STOPPED)];
+        let mut guard = vec![on(shift), on(SLOWED), on(FREE), on(STARTED), off(STOPPED), off(FAULT), off(SHIFT_OFF)];
         guard.extend((direction == Direction::Contacts).then_some(off(TURNS[1])));
         [off(INTERRUPTED), on(Bit::Input(MachineContact::StopKey))]
             .map(|last| guard.iter().copied().chain([last]).collect())
@@ -345,7 +348,8 @@ impl Book<'_> {
         let asked = if is_pulse { TOOL_ASKED } else { Bit::Signal(SignalRole::TStrobe) };
         if is_pulse {
             let reset = self.reset();
-            let waits = [off(start), off(there)].map(|open| vec![on(TOOL_ASKED), open, off(reset)]);
+            let button = on(Bit::Input(MachineContact::Emergency));
+            let waits = [off(start), off(there)].map(|open| vec![on(TOOL_ASKED), open, off(reset), button]);
             let begins = vec![on(Bit::Signal(SignalRole::TFunction))];
             self.coil(TOOL_ASKED, [begins].into_iter().chain(waits).collect(), "plc.rung.tool-asked");
         }

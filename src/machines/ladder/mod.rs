@@ -91,16 +91,18 @@ pub enum ContactKind {
     Make,
     /// It opens with its event: a broken wire acts like the event.
     Break,
+    /// A relay of another device holds it closed in operation: a broken wire acts like the loss of that device.
+    Held,
 }
 
 impl MachineContact {
-    /// The kind. Contacts that stop or hold the machine break, those that start something or report a position make.
+    /// The kind. Contacts that stop or hold the machine break or are held closed, those that start something or report a position make.
     pub fn kind(self) -> ContactKind {
         match self {
+            MachineContact::EmergencyDelayed | MachineContact::InverterReady | MachineContact::InverterEnabled => {
+                ContactKind::Held
+            }
             MachineContact::Emergency
-            | MachineContact::EmergencyDelayed
-            | MachineContact::InverterReady
-            | MachineContact::InverterEnabled
             | MachineContact::StopKey
             | MachineContact::HoldKey
             | MachineContact::LoopNotFull

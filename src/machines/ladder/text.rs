@@ -164,7 +164,9 @@ impl Ladder {
     fn converted(&self, from: PlcNumber, to: PlcNumber, table: &[u8]) -> String {
         let sub = if self.language == PlcLanguage::Pmc { "SUB 27 " } else { "" };
         let entries: Vec<String> = table.iter().map(u8::to_string).collect();
-        format!("{sub}CODB 1 {} {} {} {}", table.len(), self.operand(from), self.operand(to), entries.join(" "))
+        // What is read as a word later is written as a word.
+        let bytes = if matches!(to, PlcNumber::Data(_)) { 2 } else { 1 };
+        format!("{sub}CODB {bytes} {} {} {} {}", table.len(), self.operand(from), self.operand(to), entries.join(" "))
     }
 
     /// Eight M functions by one instruction, or each by a comparison.

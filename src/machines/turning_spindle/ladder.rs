@@ -7,7 +7,7 @@ use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{
-    BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SLOWED, SpindleRequirements, TURNS,
+    BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SHIFT_OFF, SLOWED, SpindleRequirements, TURNS,
 };
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
@@ -92,8 +92,8 @@ fn driven_tool(book: &mut Book, (start, stop): (u32, Option<u32>)) {
     book.coil(run, when.to_vec(), "turning.ladder.driven-tool");
 }
 
-/// The rungs of a gear change. It ends only with the contact of the commanded stage, and a reset does not break it off once a valve has
-/// switched: half-meshed gears turn at the shift voltage alone.
+/// The rungs of a gear change. It ends only with the contact of the commanded stage. A reset breaks it off while the gears are out of mesh, so
+/// that nothing turns and the control reads on; the next request or run command begins it anew.
 struct Gears<'a, 'b> {
     book: &'a mut Book<'b>,
     stages: u8,
@@ -146,9 +146,10 @@ impl Gears<'_, '_> {
             let when = vec![vec![on(self.wanted(stage)), on(SLOWED)], vec![on(valve(stage)), off(SLOWED)], stays];
             self.book.coil(valve(stage), when, "turning.ladder.valve");
         }
-        // The coil of the first stage, for valves that keep their position without power. After a power failure the work may still coast.
+        // The coil of the first stage, for valves that keep their position without power. Only a change switches it: after a power failure the
+        // work may still coast, while the inverter reports that it is slow.
         let first = self.commanded(1);
-        let [begins, stays] = [slow, valve(1)].map(|bit| [first.clone(), vec![on(bit)]].concat());
+        let [begins, stays] = [SLOWED, valve(1)].map(|bit| [first.clone(), vec![on(bit)]].concat());
         self.book.coil(valve(1), vec![begins, stays], "turning.ladder.valve-1");
         let in_position = |stage| on(Bit::Input(MachineContact::InGear(stage)));
         let meshed = self.all().map(|stage| [self.commanded(stage), vec![in_position(stage)]].concat()).collect();
@@ -170,7 +171,7 @@ impl Gears<'_, '_> {
         }
         busy.extend([3, 4].map(|code| vec![on(self.book.function(code)), off(MESHED)]));
         busy.push(vec![on(BUSY), off(done), off(self.book.reset())]);
-        busy.push(vec![on(BUSY), off(done), on(SLOWED)]);
+        busy.push(vec![on(BUSY), off(done), on(SLOWED), on(MESHED)]);
         self.book.coil(BUSY, busy, "turning.ladder.shift");
     }
 
@@ -179,6 +180,10 @@ impl Gears<'_, '_> {
         let late = Bit::Timer("gear-late");
         let lost = TURNS.map(|turns| vec![on(turns), off(BUSY), off(MESHED)]);
         let stays = vec![on(GEAR_LOST), off(self.book.reset())];
+        // Unlocking the button turns nothing; a fault of the inverter has its own latch.
+        let (button, reset) = (Bit::Input(MachineContact::Emergency), self.book.reset());
+        let stopped = vec![vec![on(BUSY), off(button)], vec![on(SHIFT_OFF), off(reset)]];
+        self.book.coil(SHIFT_OFF, stopped, "turning.ladder.shift-off");
         self.book.coil(GEAR_LOST, lost.into_iter().chain([stays]).collect(), "turning.ladder.lost");
         let (mut alarm, mut shifts) = (vec![vec![on(GEAR_LOST)]], vec![on(BUSY)]);
         if let Some(patience) = self.times.patience {

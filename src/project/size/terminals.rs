@@ -232,6 +232,7 @@ fn signal_of(device: &Device) -> String {
     let meaning = say(device.meaning);
     match device.contact {
         Some(ContactKind::Make) => sentence(&msg!("size.terminal.make-contact", meaning)),
+        Some(ContactKind::Held) => sentence(&msg!("size.terminal.held-contact", meaning)),
         Some(ContactKind::Break) => sentence(&msg!("size.terminal.break-contact", meaning)),
         None => meaning,
     }

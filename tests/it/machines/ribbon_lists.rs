@@ -83,7 +83,7 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             27 | LD R10.0 | 
             28 | CODB 1 27 D116 G30 7 7 7 7 7 7 6 2 3 1 0 4 5 5 5 5 5 5 5 5 5 5 5 5 5 5 5 | the code of the nearest position, at most 120 % and at least 50 %, from a table
             29 | LD R10.0 | 
-            30 | CODB 1 27 D116 D112 50 50 50 50 50 50 60 70 80 90 100 110 120 120 120 120 120 120 120 120 120 120 120 120 120 120 120 | the same position in percent, for the program
+            30 | CODB 2 27 D116 D112 50 50 50 50 50 50 60 70 80 90 100 110 120 120 120 120 120 120 120 120 120 120 120 120 120 120 120 | the same position in percent, for the program
             31 | LD R10.0 | 
             32 | OUT G6.4 | cutting override is fixed
             33 | LD R10.0 | 

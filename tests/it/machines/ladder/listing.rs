@@ -249,7 +249,7 @@ fn function(words: &[&str]) -> Option<Line> {
         ["ADDB", "1" | "2" | "4", rest @ ..] => number('+', rest),
         ["MULB", "1" | "2" | "4", rest @ ..] => number('*', rest),
         ["DIVB", "1" | "2" | "4", rest @ ..] => number('/', rest),
-        ["CODB", "1", count, from, to, rest @ ..] => {
+        ["CODB", "1" | "2", count, from, to, rest @ ..] => {
             let entries: Option<Vec<f64>> = rest.iter().map(|entry| entry.parse().ok()).collect();
             let entries = entries.filter(|all| count.parse() == Ok(all.len()))?;
             Some(Line::Convert((*from).to_owned(), (*to).to_owned(), entries))

@@ -95,10 +95,31 @@ fn gears_mesh_from_standstill_with_a_run_command() {
         settle(&ladder, &mut image, 0.7);
         assert!(image.is_on(shift) && image.is_on(Bit::Output(MachineOutput::Gear(2))), "{name}");
         assert_eq!(runs(&image), alone, "{name}: the gears mesh");
-        for (contact, closed) in [(emergency, false), (emergency, true)] {
-            image.set(contact, closed);
-            settle(&ladder, &mut image, 0.8);
-            assert_eq!(runs(&image) == alone, closed, "{name}: {contact:?}");
+        // Nothing turns by itself behind an interruption: only a new request in a begun program does.
+        let ready = Bit::Input(MachineContact::InverterReady);
+        for contact in [Some(emergency), Some(ready), None] {
+            let mut stopped = image.clone();
+            for closed in [false, true].into_iter().filter(|_| contact.is_some()) {
+                stopped.set(contact.unwrap(), closed);
+                settle(&ladder, &mut stopped, 0.8);
+                assert_eq!(runs(&stopped), [false; 3], "{name}: {contact:?}");
+            }
+            stopped.set(Bit::Signal(SignalRole::Running), false);
+            put_out(&ladder, &mut stopped, 42, false);
+            for pressed in [true, false] {
+                stopped.set(Bit::Signal(SignalRole::Reset), pressed);
+                stopped.set(Bit::Input(MachineContact::ResetKey), pressed);
+                settle(&ladder, &mut stopped, 0.9);
+                assert_eq!(runs(&stopped), [false; 3], "{name}: reset after {contact:?}");
+            }
+            settle(&ladder, &mut stopped, 30.0);
+            assert_eq!(runs(&stopped), [false; 3], "{name}: long after {contact:?}");
+            stopped.set(Bit::Signal(SignalRole::Running), true);
+            ask_for_stage_2(&ladder, &mut stopped);
+            for t in [31.0, 32.0] {
+                settle(&ladder, &mut stopped, t);
+            }
+            assert_eq!(runs(&stopped), alone, "{name}: again after {contact:?}");
         }
         image.set(in_gear(2), true);
         for t in [0.9, 9.0] {
@@ -251,10 +272,20 @@ fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
     let ladder = ladder(&project);
     let [first, second] = [1, 2].map(|stage| Bit::Output(MachineOutput::Gear(stage)));
     let mut image = at_rest(&ladder);
-    image.set(Bit::Input(MachineContact::AtShiftSpeed), false);
-    settle(&ladder, &mut image, 0.0);
-    assert!(!image.is_on(first) && !image.is_on(second), "no coil shifts under a work that still coasts");
-    image.set(Bit::Input(MachineContact::AtShiftSpeed), true);
-    settle(&ladder, &mut image, 0.0);
+    // An inverter that has just come on reports a slow spindle, whatever the work does.
+    for slow in [false, true] {
+        image.set(Bit::Input(MachineContact::AtShiftSpeed), slow);
+        settle(&ladder, &mut image, 0.0);
+        assert!(!image.is_on(first) && !image.is_on(second), "no coil shifts without a change");
+    }
+    // The gears of stage 1 are out: the next change to it switches its coil.
+    image.set(Bit::Input(MachineContact::InGear(1)), false);
+    image.set(Bit::Signal(SignalRole::Running), true);
+    let change = Bit::Signal(SignalRole::GearChange);
+    image.set(change, true);
+    (0..3).for_each(|bit| image.set(Bit::Signal(SignalRole::GearAsked(bit)), bit == 0));
+    for t in [0.1, 5.0] {
+        settle(&ladder, &mut image, t);
+    }
     assert!(image.is_on(first) && !image.is_on(second), "one coil for each stage");
 }
