@@ -152,7 +152,7 @@ pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
     match output {
         MachineOutput::Forward | MachineOutput::Reverse | MachineOutput::Run => Some(BillItem::Inverter),
         MachineOutput::Gear(_) => Some(BillItem::GearValve),
-        MachineOutput::SpindleClamp => Some(BillItem::ClampValve),
+        MachineOutput::SpindleClamp | MachineOutput::SpindleUnclamp => Some(BillItem::ClampValve),
         MachineOutput::DrivenTool => Some(BillItem::DrivenTool),
         MachineOutput::TurretStart => Some(BillItem::Turret),
         MachineOutput::InverterAlarm

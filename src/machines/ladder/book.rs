@@ -532,6 +532,7 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::Gear(3) => "plc.output.gear-3",
         MachineOutput::Gear(_) => "plc.output.gear-4",
         MachineOutput::SpindleClamp => "plc.output.spindle-clamp",
+        MachineOutput::SpindleUnclamp => "plc.output.spindle-unclamp",
         MachineOutput::DrivenTool => "plc.output.driven-tool",
         MachineOutput::TurretStart => "plc.output.turret-start",
         MachineOutput::InverterAlarm => "plc.output.inverter-alarm",

@@ -36,8 +36,12 @@ pub const GEAR_LOST: Bit = Bit::Relay("gear-lost");
 pub const SHIFT_OFF: Bit = Bit::Relay("shift-off");
 /// Nothing forbids a run command.
 const FREE: Bit = Bit::Relay("spindle-free");
-/// No contact of the machine forbids a run by key.
-const KEYS_FREE: Bit = Bit::Relay("keys-free");
+/// No contact of the machine forbids a run by the key of each direction.
+const KEYS_FREE: [Bit; 2] = [Bit::Relay("forward-key-free"), Bit::Relay("reverse-key-free")];
+/// Contacts that open at the end of each direction: unwinding fills the loop and empties the reel, winding back pulls the web tight. The other
+/// direction leads back.
+const ENDS: [&[MachineContact]; 2] =
+    [&[MachineContact::LoopNotFull, MachineContact::ReelNotEmpty], &[MachineContact::WebNotTight]];
 /// Keys of the directions.
 const KEYS: [MachineContact; 2] = [MachineContact::ForwardKey, MachineContact::ReverseKey];
 /// On for one scan after the end of the program.
@@ -56,7 +60,7 @@ pub struct SpindleRequirements<'a> {
     /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
     pub holds: &'a [MachineContact],
     /// While this is on, the inverter gets no run command: another drive turns the spindle.
-    pub locked_by: Option<Bit>,
+    pub locked_by: &'a [Bit],
     /// The spindle has gear stages: their contacts release run command and keys.
     pub has_gears: bool,
     /// The program turns the spindle to an angle.
@@ -192,7 +196,7 @@ impl Book<'_> {
         self.coil(Bit::Output(MachineOutput::InverterAlarm), vec![vec![on(FAULT)]], "plc.rung.inverter-alarm");
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
         guard.extend(has_enable.then_some(on(enabled)));
-        guard.extend(requirements.locked_by.map(off));
+        guard.extend(requirements.locked_by.iter().copied().map(off));
         guard.extend(requirements.has_gears.then_some(on(GEAR_RUN)));
         if (requirements.reaction)(Interruption::Reset) == SpindleReaction::Off {
             guard.push(off(self.reset()));
@@ -233,18 +237,22 @@ impl Book<'_> {
         }
         let stop = on(Bit::Input(MachineContact::StopKey));
         // Without a program no hold acts: the contacts themselves stop a spindle that runs by its key.
-        let inputs = requirements.holds.iter().filter(|contact| **contact != MachineContact::InverterEnabled);
-        let closed: Vec<RungContact> = inputs.map(|contact| on(Bit::Input(*contact))).collect();
-        let contacts = (!closed.is_empty()).then_some(on(KEYS_FREE));
-        if contacts.is_some() {
-            self.coil(KEYS_FREE, vec![closed], "plc.rung.keys-free");
+        let notes = ["plc.rung.forward-key-free", "plc.rung.reverse-key-free"];
+        let mut contacts = [None; 2];
+        for (((ends, free), note), contact) in ENDS.into_iter().zip(KEYS_FREE).zip(notes).zip(&mut contacts) {
+            let has = requirements.holds.iter().filter(|contact| ends.contains(contact));
+            let closed: Vec<RungContact> = has.map(|contact| on(Bit::Input(*contact))).collect();
+            if !closed.is_empty() {
+                self.coil(free, vec![closed], note);
+                *contact = Some(on(free));
+            }
         }
         let [forward_key, reverse_key] = KEYS.map(Bit::Input);
         let sides = [
             (forward, m3, forward_key, reverse, m4, reverse_key, "plc.rung.forward"),
             (reverse, m4, reverse_key, forward, m3, forward_key, "plc.rung.reverse"),
         ];
-        for (turns, code, own_key, other, other_code, other_key, note) in sides {
+        for ((turns, code, own_key, other, other_code, other_key, note), contacts) in sides.into_iter().zip(contacts) {
             let mut by_code = vec![on(code), on(FREE)];
             let mut keeps = vec![on(turns), on(FREE), off(m5)];
             if rules.stop_between {

@@ -132,8 +132,10 @@ pub enum MachineOutput {
     Run,
     /// Valve of a gear stage above the first.
     Gear(u8),
-    /// Valve of the clamp that holds the spindle at an angle.
+    /// Coil that closes the clamp, which holds the spindle at an angle.
     SpindleClamp,
+    /// Coil that opens the clamp; without current in both its valve keeps its position.
+    SpindleUnclamp,
     /// Driven tool: run.
     DrivenTool,
     /// Start signal to the turret's controller.
@@ -161,6 +163,7 @@ impl MachineOutput {
             | MachineOutput::Run
             | MachineOutput::Gear(_)
             | MachineOutput::SpindleClamp
+            | MachineOutput::SpindleUnclamp
             | MachineOutput::DrivenTool
             | MachineOutput::TurretStart => false,
         }

@@ -242,7 +242,9 @@ impl LadderPlc {
                     self.image.set(*bit, meshed);
                 }
                 Bit::Input(MachineContact::SpindleClamped) => {
-                    let clamped = self.image.is_on(Bit::Output(MachineOutput::SpindleClamp));
+                    let is_on = |coil| self.image.is_on(Bit::Output(coil));
+                    let kept = !is_on(MachineOutput::SpindleUnclamp) && self.image.is_on(*bit);
+                    let clamped = is_on(MachineOutput::SpindleClamp) || kept;
                     self.image.set(*bit, clamped);
                 }
                 Bit::Input(MachineContact::TurretInPosition) => {

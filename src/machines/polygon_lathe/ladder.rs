@@ -61,7 +61,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             reports_speed,
             reports_standstill: true,
             holds: &[],
-            locked_by: Some(TAKEN),
+            locked_by: &[TAKEN],
             has_gears: false,
             positions: false,
             emergency_holds: delayed,

@@ -28,7 +28,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         reports_speed,
         reports_standstill: false,
         holds: &holds,
-        locked_by: None,
+        locked_by: &[],
         has_gears: false,
         positions: false,
         emergency_holds: false,

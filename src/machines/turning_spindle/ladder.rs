@@ -15,8 +15,10 @@ use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNum
 const WANTED: [Bit; 4] =
     [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
 
-/// The valve of the clamp.
+/// The coil that closes the clamp, the one that opens it, and the contact of the closed clamp.
 const CLAMP: Bit = Bit::Output(MachineOutput::SpindleClamp);
+const UNCLAMP: Bit = Bit::Output(MachineOutput::SpindleUnclamp);
+const CLAMPED: Bit = Bit::Input(MachineContact::SpindleClamped);
 /// The clamp is on its way.
 const CLAMPING: Bit = Bit::Relay("clamping");
 
@@ -47,7 +49,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
             reports_speed,
             reports_standstill: false,
             holds: &[],
-            locked_by: locks.map(|_| CLAMP),
+            locked_by: if locks.is_some() { &[CLAMP, CLAMPED] } else { &[] },
             has_gears: stages > 1,
             positions: lathe.positions(),
             emergency_holds: false,
@@ -69,15 +71,16 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
 }
 
 /// The clamp holds the spindle from its lock code to its release code, through a reset with the tool in the keyway; until reset where there is
-/// no release code. Each waits for the contact.
+/// no release code. Each waits for the contact. The valve has a coil for each, so that a power failure opens nothing: after it the release code
+/// opens the clamp, too.
 fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
-    let reset = book.reset();
-    let ends = release.map_or(reset, |code| book.function(code));
-    let stays = vec![on(CLAMP), off(ends)];
-    let begins = vec![on(book.function(lock))];
-    book.coil(CLAMP, vec![begins, stays], "turning.ladder.clamp");
-    let clamped = Bit::Input(MachineContact::SpindleClamped);
-    let differs = vec![vec![on(CLAMP), off(clamped)], vec![off(CLAMP), on(clamped)]];
+    let (reset, locks) = (book.reset(), book.function(lock));
+    let opens = release.map_or(reset, |code| book.function(code));
+    book.coil(CLAMP, vec![vec![on(locks)], vec![on(CLAMP), off(opens)]], "turning.ladder.clamp");
+    let mut opening = vec![on(UNCLAMP), on(CLAMPED), off(locks)];
+    opening.extend(release.map(|_| off(reset)));
+    book.coil(UNCLAMP, vec![vec![on(opens)], opening], "turning.ladder.unclamp");
+    let differs = vec![vec![on(CLAMP), off(CLAMPED)], vec![on(UNCLAMP), on(CLAMPED)]];
     book.coil(CLAMPING, differs, "turning.ladder.clamping");
 }
 

@@ -86,6 +86,18 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             )
         });
     }
+    if gears::has_gears(lathe) {
+        rows.push(Reaction {
+            cause: Some("turning.stops.gear-lost"),
+            spindle: SpindleReaction::OutputOff,
+            ..row(
+                Interruption::Hold,
+                msg!("lathe.stops.axes-hold"),
+                msg!("turning.stops.gear-lost-work"),
+                msg!("turning.stops.gear-lost-mend"),
+            )
+        });
+    }
     if lathe.keyway().is_some() {
         rows.extend(in_keyway(lathe, sinks));
     }

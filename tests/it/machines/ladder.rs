@@ -234,6 +234,7 @@ fn spindle_keys_act_without_a_program_and_stop_wins() {
             (&[StopKey], (false, false)),
         ];
         let mut image = at_rest(&ladder);
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
         for (keys, runs) in cases {
             assert_eq!(press(&mut image, keys), runs, "{name}: {keys:?}");
         }
@@ -416,7 +417,19 @@ fn spindle_is_locked_by_its_clamp_for_the_keyway() {
     assert!(!image.is_on(Bit::Output(MachineOutput::Run)), "a clamped spindle gets no run command");
     reset(&ladder, &mut image);
     assert!(image.is_on(Bit::Output(MachineOutput::SpindleClamp)), "a reset with the mill in the keyway opens nothing");
-    assert_eq!(pulse(&mut image, 82), (false, true));
+    let opens = Bit::Output(MachineOutput::SpindleUnclamp);
+    assert_eq!((pulse(&mut image, 82), image.is_on(opens)), ((false, true), true));
+    image.set(clamped, false);
+    assert_eq!(pulse(&mut image, 3), (false, false));
+    assert!(image.is_on(Bit::Output(MachineOutput::Run)) && !image.is_on(opens));
+    // After a power failure the valve has kept the clamp closed: nothing turns before the release code, which is read.
+    let mut image = at_rest(&ladder);
+    image.set(Bit::Signal(SignalRole::Running), true);
+    settle(&ladder, &mut image, 0.0);
+    assert!(!image.is_on(Bit::Signal(SignalRole::ReadInDisable)) && !image.is_on(opens));
+    assert_eq!(pulse(&mut image, 3), (false, false));
+    assert!(!image.is_on(Bit::Output(MachineOutput::Run)), "the clamp is closed");
+    assert_eq!((pulse(&mut image, 82), image.is_on(opens)), ((false, true), true));
     image.set(clamped, false);
     assert_eq!(pulse(&mut image, 3), (false, false));
     assert!(image.is_on(Bit::Output(MachineOutput::Run)));
@@ -437,6 +450,7 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
         {
             image.set(*contact, true);
         }
+        image.set(Bit::Input(MachineContact::SpindleClamped), false);
         image.set(Bit::Signal(SignalRole::Running), true);
         let [forward, reverse] = [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output);
         let run = |image: &mut Image, code: u32| {

@@ -1,6 +1,6 @@
 //! Turning spindle and polygon lathe react to hold, single block, alarm, reset and emergency stop as in their tables.
 
-use macroline::controls::Alarm;
+use macroline::controls::{Alarm, Code};
 use macroline::machines;
 use macroline::motion::{Action, Event, Io, ProgramState, Snapshot, Stops};
 use macroline::project::Project;
@@ -38,6 +38,9 @@ fn tables_of_both_lathes_name_every_interruption() {
         let gears = project.control.raises(Alarm::GearTimeout) && project.machine.id() == "turning-spindle";
         assert_eq!(has_gear_alarm, gears, "{}: a new project has a patience", project.control.id);
         wanted.extend(gears.then_some("Gear not in position in time"));
+        let changes = project.machine.id() == "turning-spindle";
+        let has_stages = changes && project.control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)));
+        wanted.extend(has_stages.then_some("Gear leaves its position"));
         wanted.extend((project.machine.id() == "polygon-lathe").then_some("Alarm: one drive of work or tool fails"));
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");

@@ -68,14 +68,14 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             12 | LD F0.5 | 
             13 | ANI R10.3 | 
             14 | ANI F1.1 | 
-            15 | LD R11.1 | 
+            15 | LD R11.2 | 
             16 | ANI R10.3 | 
             17 | ANI F1.1 | 
             18 | ORB | 
-            19 | OUT R11.1 | program is begun, until its end or reset
-            20 | LD R11.1 | 
+            19 | OUT R11.2 | program is begun, until its end or reset
+            20 | LD R11.2 | 
             21 | ANI F0.5 | 
-            22 | OUT R10.4 | stopped in the middle: hold, M00, alarm
+            22 | OUT R10.5 | stopped in the middle: hold, M00, alarm
             23 | LD R10.0 | 
             24 | ADDB 2 D100 K5 D108 | the knob and half a step, for rounding
             25 | LD R10.0 | 
@@ -90,19 +90,19 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             34 | MOVN 2 D112 G54 | the same to the program
             35 | LDI X3.1 | 
             36 | LDI X3.5 | 
-            37 | AND R11.1 | 
+            37 | AND R11.2 | 
             38 | ORB | 
-            39 | LD R10.5 | 
+            39 | LD R10.6 | 
             40 | ANI F1.1 | 
             41 | ORB | 
-            42 | OUT R10.5 | fault of the inverter, until reset
-            43 | LD R10.5 | 
+            42 | OUT R10.6 | fault of the inverter, until reset
+            43 | LD R10.6 | 
             44 | OUT A0.0 | alarm: fault of the inverter
             45 | LD X0.5 | 
             46 | AND X3.1 | 
             47 | AND X3.5 | 
             48 | ANI F1.1 | 
-            49 | OUT R11.0 | spindle may turn: no emergency stop, fault, reset or lock
+            49 | OUT R11.1 | spindle may turn: no emergency stop, fault, reset or lock
             50 | LD R40.0 | 
             51 | AND R10.2 | 
             52 | LD R40.1 | 
@@ -110,140 +110,141 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             54 | ORB | 
             55 | OUT A0.1 | M3 and M4 need M5 between them
             56 | LD X3.6 | 
-            57 | AND X3.7 | 
-            58 | AND X4.0 | 
-            59 | OUT R10.6 | loop, web and reel allow a run by key
-            60 | LD R40.0 | 
-            61 | AND R11.0 | 
-            62 | ANI R10.2 | 
-            63 | LD X3.2 | 
-            64 | AND R11.0 | 
-            65 | ANI X3.3 | 
-            66 | AND X3.4 | 
-            67 | ANI R10.2 | 
-            68 | ANI R11.1 | 
-            69 | AND R10.6 | 
-            70 | ORB | 
-            71 | LD R10.1 | 
-            72 | AND R11.0 | 
-            73 | ANI R40.2 | 
-            74 | AND X3.4 | 
-            75 | ANI R11.2 | 
-            76 | AND R10.6 | 
-            77 | ORB | 
-            78 | LD R10.1 | 
-            79 | AND R11.0 | 
-            80 | ANI R40.2 | 
-            81 | AND R11.1 | 
-            82 | ORB | 
-            83 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
-            84 | LD R40.1 | 
-            85 | AND R11.0 | 
-            86 | ANI R10.1 | 
-            87 | LD X3.3 | 
-            88 | AND R11.0 | 
-            89 | ANI X3.2 | 
-            90 | AND X3.4 | 
-            91 | ANI R10.1 | 
-            92 | ANI R11.1 | 
-            93 | AND R10.6 | 
-            94 | ORB | 
-            95 | LD R10.2 | 
-            96 | AND R11.0 | 
-            97 | ANI R40.2 | 
-            98 | AND X3.4 | 
-            99 | ANI R11.2 | 
-            100 | AND R10.6 | 
-            101 | ORB | 
-            102 | LD R10.2 | 
-            103 | AND R11.0 | 
-            104 | ANI R40.2 | 
-            105 | AND R11.1 | 
-            106 | ORB | 
-            107 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
-            108 | LD R10.1 | 
-            109 | AND R10.4 | 
-            110 | ANI X3.4 | 
-            111 | LD R10.1 | 
-            112 | AND R11.1 | 
+            57 | AND X4.0 | 
+            58 | OUT R10.4 | loop and reel allow unwinding by key
+            59 | LD X3.7 | 
+            60 | OUT R11.0 | the web allows winding back by key
+            61 | LD R40.0 | 
+            62 | AND R11.1 | 
+            63 | ANI R10.2 | 
+            64 | LD X3.2 | 
+            65 | AND R11.1 | 
+            66 | ANI X3.3 | 
+            67 | AND X3.4 | 
+            68 | ANI R10.2 | 
+            69 | ANI R11.2 | 
+            70 | AND R10.4 | 
+            71 | ORB | 
+            72 | LD R10.1 | 
+            73 | AND R11.1 | 
+            74 | ANI R40.2 | 
+            75 | AND X3.4 | 
+            76 | ANI R11.3 | 
+            77 | AND R10.4 | 
+            78 | ORB | 
+            79 | LD R10.1 | 
+            80 | AND R11.1 | 
+            81 | ANI R40.2 | 
+            82 | AND R11.2 | 
+            83 | ORB | 
+            84 | OUT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+            85 | LD R40.1 | 
+            86 | AND R11.1 | 
+            87 | ANI R10.1 | 
+            88 | LD X3.3 | 
+            89 | AND R11.1 | 
+            90 | ANI X3.2 | 
+            91 | AND X3.4 | 
+            92 | ANI R10.1 | 
+            93 | ANI R11.2 | 
+            94 | AND R11.0 | 
+            95 | ORB | 
+            96 | LD R10.2 | 
+            97 | AND R11.1 | 
+            98 | ANI R40.2 | 
+            99 | AND X3.4 | 
+            100 | ANI R11.3 | 
+            101 | AND R11.0 | 
+            102 | ORB | 
+            103 | LD R10.2 | 
+            104 | AND R11.1 | 
+            105 | ANI R40.2 | 
+            106 | AND R11.2 | 
+            107 | ORB | 
+            108 | OUT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+            109 | LD R10.1 | 
+            110 | AND R10.5 | 
+            111 | ANI X3.4 | 
+            112 | LD R10.1 | 
             113 | AND R11.2 | 
-            114 | ANI X3.2 | 
-            115 | ORB | 
-            116 | LD R10.2 | 
-            117 | AND R10.4 | 
-            118 | ANI X3.4 | 
-            119 | ORB | 
-            120 | LD R10.2 | 
-            121 | AND R11.1 | 
+            114 | AND R11.3 | 
+            115 | ANI X3.2 | 
+            116 | ORB | 
+            117 | LD R10.2 | 
+            118 | AND R10.5 | 
+            119 | ANI X3.4 | 
+            120 | ORB | 
+            121 | LD R10.2 | 
             122 | AND R11.2 | 
-            123 | ANI X3.3 | 
-            124 | ORB | 
-            125 | OUT R11.2 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-            126 | LD R11.2 | 
-            127 | OUT A0.2 | text for the operator: spindle stopped by its key
-            128 | LD R10.1 | 
-            129 | ANI R11.2 | 
-            130 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
-            131 | LD R10.2 | 
-            132 | ANI R11.2 | 
-            133 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
-            134 | LD X4.1 | 
-            135 | AND X3.1 | 
-            136 | AND X3.5 | 
-            137 | AND X3.6 | 
-            138 | AND X3.7 | 
-            139 | AND X4.0 | 
-            140 | ANI R10.5 | 
-            141 | ANI R11.2 | 
-            142 | OUT G8.5 | hold key, fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-            143 | LDI X3.5 | 
-            144 | LD A0.3 | 
-            145 | ANI F0.5 | 
-            146 | ANI F1.1 | 
-            147 | ORB | 
-            148 | OUT A0.3 | text for the operator until the program runs again
-            149 | LDI X3.6 | 
-            150 | LD A0.4 | 
-            151 | ANI F0.5 | 
-            152 | ANI F1.1 | 
-            153 | ORB | 
-            154 | OUT A0.4 | text for the operator until the program runs again
-            155 | LDI X3.7 | 
-            156 | LD A0.5 | 
-            157 | ANI F0.5 | 
-            158 | ANI F1.1 | 
-            159 | ORB | 
-            160 | OUT A0.5 | text for the operator until the program runs again
-            161 | LDI X4.0 | 
-            162 | LD A0.6 | 
-            163 | ANI F0.5 | 
-            164 | ANI F1.1 | 
-            165 | ORB | 
-            166 | OUT A0.6 | text for the operator until the program runs again
-            167 | LDI R10.4 | 
-            168 | OUT G29.6 | spindle stops with the axes; S and M3 stay
-            169 | LD F7.0 | 
-            170 | OR F7.2 | 
-            171 | OR F7.3 | 
-            172 | OUT G4.3 | one answer for M, S and T
-            173 | LD R10.4 | 
-            174 | AND Y5.0 | 
-            175 | ANI F1.1 | 
-            176 | LD R10.4 | 
-            177 | AND Y5.1 | 
-            178 | ANI F1.1 | 
-            179 | ORB | 
-            180 | LD R10.7 | 
-            181 | ANI T0 | 
-            182 | ANI F1.1 | 
-            183 | ORB | 
-            184 | OUT R10.7 | axes wait at the restart
-            185 | LD R10.7 | 
-            186 | ANI R10.4 | 
-            187 | TMRB T0 2050 | as long as behind M3
-            188 | LDI R10.7 | 
-            189 | OR R10.4 | 
-            190 | OUT G8.0 | axes may move
+            123 | AND R11.3 | 
+            124 | ANI X3.3 | 
+            125 | ORB | 
+            126 | OUT R11.3 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+            127 | LD R11.3 | 
+            128 | OUT A0.2 | text for the operator: spindle stopped by its key
+            129 | LD R10.1 | 
+            130 | ANI R11.3 | 
+            131 | OUT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            132 | LD R10.2 | 
+            133 | ANI R11.3 | 
+            134 | OUT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            135 | LD X4.1 | 
+            136 | AND X3.1 | 
+            137 | AND X3.5 | 
+            138 | AND X3.6 | 
+            139 | AND X3.7 | 
+            140 | AND X4.0 | 
+            141 | ANI R10.6 | 
+            142 | ANI R11.3 | 
+            143 | OUT G8.5 | hold key, fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            144 | LDI X3.5 | 
+            145 | LD A0.3 | 
+            146 | ANI F0.5 | 
+            147 | ANI F1.1 | 
+            148 | ORB | 
+            149 | OUT A0.3 | text for the operator until the program runs again
+            150 | LDI X3.6 | 
+            151 | LD A0.4 | 
+            152 | ANI F0.5 | 
+            153 | ANI F1.1 | 
+            154 | ORB | 
+            155 | OUT A0.4 | text for the operator until the program runs again
+            156 | LDI X3.7 | 
+            157 | LD A0.5 | 
+            158 | ANI F0.5 | 
+            159 | ANI F1.1 | 
+            160 | ORB | 
+            161 | OUT A0.5 | text for the operator until the program runs again
+            162 | LDI X4.0 | 
+            163 | LD A0.6 | 
+            164 | ANI F0.5 | 
+            165 | ANI F1.1 | 
+            166 | ORB | 
+            167 | OUT A0.6 | text for the operator until the program runs again
+            168 | LDI R10.5 | 
+            169 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            170 | LD F7.0 | 
+            171 | OR F7.2 | 
+            172 | OR F7.3 | 
+            173 | OUT G4.3 | one answer for M, S and T
+            174 | LD R10.5 | 
+            175 | AND Y5.0 | 
+            176 | ANI F1.1 | 
+            177 | LD R10.5 | 
+            178 | AND Y5.1 | 
+            179 | ANI F1.1 | 
+            180 | ORB | 
+            181 | LD R10.7 | 
+            182 | ANI T0 | 
+            183 | ANI F1.1 | 
+            184 | ORB | 
+            185 | OUT R10.7 | axes wait at the restart
+            186 | LD R10.7 | 
+            187 | ANI R10.5 | 
+            188 | TMRB T0 2050 | as long as behind M3
+            189 | LDI R10.7 | 
+            190 | OR R10.5 | 
+            191 | OUT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );
@@ -309,171 +310,172 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             12 | RD F0.5 | 
             13 | AND.NOT R10.3 | 
             14 | AND.NOT F1.1 | 
-            15 | RD.STK R11.1 | 
+            15 | RD.STK R11.2 | 
             16 | AND.NOT R10.3 | 
             17 | AND.NOT F1.1 | 
             18 | OR.STK | 
-            19 | WRT R11.1 | program is begun, until its end or reset
-            20 | RD R11.1 | 
+            19 | WRT R11.2 | program is begun, until its end or reset
+            20 | RD R11.2 | 
             21 | AND.NOT F0.5 | 
-            22 | WRT R10.4 | stopped in the middle: hold, M00, alarm
+            22 | WRT R10.5 | stopped in the middle: hold, M00, alarm
             23 | RD R10.0 | 
             24 | SUB 45 MOVN 1 D100 G30 | spindle override to the control
             25 | RD R10.0 | 
             26 | SUB 45 MOVN 2 D100 G54 | the same to the program
             27 | RD.NOT X3.1 | 
             28 | RD.NOT.STK X3.5 | 
-            29 | AND R11.1 | 
+            29 | AND R11.2 | 
             30 | OR.STK | 
-            31 | RD.STK R10.5 | 
+            31 | RD.STK R10.6 | 
             32 | AND.NOT F1.1 | 
             33 | OR.STK | 
-            34 | WRT R10.5 | fault of the inverter, until reset
-            35 | RD R10.5 | 
+            34 | WRT R10.6 | fault of the inverter, until reset
+            35 | RD R10.6 | 
             36 | WRT A0.0 | alarm: fault of the inverter
             37 | RD X8.4 | 
             38 | AND X3.1 | 
             39 | AND X3.5 | 
             40 | AND.NOT F1.1 | 
-            41 | WRT R11.0 | spindle may turn: no emergency stop, fault, reset or lock
+            41 | WRT R11.1 | spindle may turn: no emergency stop, fault, reset or lock
             42 | RD X3.6 | 
-            43 | AND X3.7 | 
-            44 | AND X4.0 | 
-            45 | WRT R10.6 | loop, web and reel allow a run by key
-            46 | RD R40.0 | 
-            47 | AND R11.0 | 
-            48 | RD.STK X3.2 | 
-            49 | AND R11.0 | 
-            50 | AND.NOT X3.3 | 
-            51 | AND X3.4 | 
-            52 | AND.NOT R10.2 | 
-            53 | AND.NOT R11.1 | 
-            54 | AND R10.6 | 
-            55 | OR.STK | 
-            56 | RD.STK R10.1 | 
-            57 | AND R11.0 | 
-            58 | AND.NOT R40.2 | 
-            59 | AND.NOT R40.1 | 
-            60 | AND X3.4 | 
-            61 | AND.NOT R11.2 | 
-            62 | AND R10.6 | 
-            63 | OR.STK | 
-            64 | RD.STK R10.1 | 
-            65 | AND R11.0 | 
-            66 | AND.NOT R40.2 | 
-            67 | AND.NOT R40.1 | 
-            68 | AND R11.1 | 
-            69 | OR.STK | 
-            70 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
-            71 | RD R40.1 | 
-            72 | AND R11.0 | 
-            73 | RD.STK X3.3 | 
-            74 | AND R11.0 | 
-            75 | AND.NOT X3.2 | 
-            76 | AND X3.4 | 
-            77 | AND.NOT R10.1 | 
-            78 | AND.NOT R11.1 | 
-            79 | AND R10.6 | 
-            80 | OR.STK | 
-            81 | RD.STK R10.2 | 
-            82 | AND R11.0 | 
-            83 | AND.NOT R40.2 | 
-            84 | AND.NOT R40.0 | 
-            85 | AND X3.4 | 
-            86 | AND.NOT R11.2 | 
-            87 | AND R10.6 | 
-            88 | OR.STK | 
-            89 | RD.STK R10.2 | 
-            90 | AND R11.0 | 
-            91 | AND.NOT R40.2 | 
-            92 | AND.NOT R40.0 | 
-            93 | AND R11.1 | 
-            94 | OR.STK | 
-            95 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
-            96 | RD R10.1 | 
-            97 | AND R10.4 | 
-            98 | AND.NOT X3.4 | 
-            99 | RD.STK R10.1 | 
-            100 | AND R11.1 | 
+            43 | AND X4.0 | 
+            44 | WRT R10.4 | loop and reel allow unwinding by key
+            45 | RD X3.7 | 
+            46 | WRT R11.0 | the web allows winding back by key
+            47 | RD R40.0 | 
+            48 | AND R11.1 | 
+            49 | RD.STK X3.2 | 
+            50 | AND R11.1 | 
+            51 | AND.NOT X3.3 | 
+            52 | AND X3.4 | 
+            53 | AND.NOT R10.2 | 
+            54 | AND.NOT R11.2 | 
+            55 | AND R10.4 | 
+            56 | OR.STK | 
+            57 | RD.STK R10.1 | 
+            58 | AND R11.1 | 
+            59 | AND.NOT R40.2 | 
+            60 | AND.NOT R40.1 | 
+            61 | AND X3.4 | 
+            62 | AND.NOT R11.3 | 
+            63 | AND R10.4 | 
+            64 | OR.STK | 
+            65 | RD.STK R10.1 | 
+            66 | AND R11.1 | 
+            67 | AND.NOT R40.2 | 
+            68 | AND.NOT R40.1 | 
+            69 | AND R11.2 | 
+            70 | OR.STK | 
+            71 | WRT R10.1 | clockwise: M3, or key with no program and nothing running; until M5, M4, fault; without a program: stop key
+            72 | RD R40.1 | 
+            73 | AND R11.1 | 
+            74 | RD.STK X3.3 | 
+            75 | AND R11.1 | 
+            76 | AND.NOT X3.2 | 
+            77 | AND X3.4 | 
+            78 | AND.NOT R10.1 | 
+            79 | AND.NOT R11.2 | 
+            80 | AND R11.0 | 
+            81 | OR.STK | 
+            82 | RD.STK R10.2 | 
+            83 | AND R11.1 | 
+            84 | AND.NOT R40.2 | 
+            85 | AND.NOT R40.0 | 
+            86 | AND X3.4 | 
+            87 | AND.NOT R11.3 | 
+            88 | AND R11.0 | 
+            89 | OR.STK | 
+            90 | RD.STK R10.2 | 
+            91 | AND R11.1 | 
+            92 | AND.NOT R40.2 | 
+            93 | AND.NOT R40.0 | 
+            94 | AND R11.2 | 
+            95 | OR.STK | 
+            96 | WRT R10.2 | counter-clockwise: M4, or key with no program and nothing running; until M5, M3, fault; without a program: stop key
+            97 | RD R10.1 | 
+            98 | AND R10.5 | 
+            99 | AND.NOT X3.4 | 
+            100 | RD.STK R10.1 | 
             101 | AND R11.2 | 
-            102 | AND.NOT X3.2 | 
-            103 | OR.STK | 
-            104 | RD.STK R10.2 | 
-            105 | AND R10.4 | 
-            106 | AND.NOT X3.4 | 
-            107 | OR.STK | 
-            108 | RD.STK R10.2 | 
-            109 | AND R11.1 | 
+            102 | AND R11.3 | 
+            103 | AND.NOT X3.2 | 
+            104 | OR.STK | 
+            105 | RD.STK R10.2 | 
+            106 | AND R10.5 | 
+            107 | AND.NOT X3.4 | 
+            108 | OR.STK | 
+            109 | RD.STK R10.2 | 
             110 | AND R11.2 | 
-            111 | AND.NOT X3.3 | 
-            112 | OR.STK | 
-            113 | WRT R11.2 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
-            114 | RD R11.2 | 
-            115 | WRT A0.1 | text for the operator: spindle stopped by its key
-            116 | RD R10.1 | 
-            117 | AND.NOT R11.2 | 
-            118 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
-            119 | RD R10.2 | 
-            120 | AND.NOT R11.2 | 
-            121 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
-            122 | RD X4.1 | 
-            123 | AND X3.1 | 
-            124 | AND X3.5 | 
-            125 | AND X3.6 | 
-            126 | AND X3.7 | 
-            127 | AND X4.0 | 
-            128 | AND.NOT R10.5 | 
-            129 | AND.NOT R11.2 | 
-            130 | WRT G8.5 | hold key, fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
-            131 | RD.NOT X3.5 | 
-            132 | RD.STK A0.2 | 
-            133 | AND.NOT F0.5 | 
-            134 | AND.NOT F1.1 | 
-            135 | OR.STK | 
-            136 | WRT A0.2 | text for the operator until the program runs again
-            137 | RD.NOT X3.6 | 
-            138 | RD.STK A0.3 | 
-            139 | AND.NOT F0.5 | 
-            140 | AND.NOT F1.1 | 
-            141 | OR.STK | 
-            142 | WRT A0.3 | text for the operator until the program runs again
-            143 | RD.NOT X3.7 | 
-            144 | RD.STK A0.4 | 
-            145 | AND.NOT F0.5 | 
-            146 | AND.NOT F1.1 | 
-            147 | OR.STK | 
-            148 | WRT A0.4 | text for the operator until the program runs again
-            149 | RD.NOT X4.0 | 
-            150 | RD.STK A0.5 | 
-            151 | AND.NOT F0.5 | 
-            152 | AND.NOT F1.1 | 
-            153 | OR.STK | 
-            154 | WRT A0.5 | text for the operator until the program runs again
-            155 | RD.NOT R10.4 | 
-            156 | WRT G29.6 | spindle stops with the axes; S and M3 stay
-            157 | RD F7.0 | 
-            158 | OR F7.2 | 
-            159 | OR F7.3 | 
-            160 | WRT G4.3 | one answer for M, S and T
-            161 | RD R10.4 | 
-            162 | AND Y5.0 | 
-            163 | AND.NOT F1.1 | 
-            164 | RD.STK R10.4 | 
-            165 | AND Y5.1 | 
-            166 | AND.NOT F1.1 | 
-            167 | OR.STK | 
-            168 | RD.STK R10.7 | 
-            169 | AND.NOT R30.0 | 
-            170 | AND.NOT F1.1 | 
-            171 | OR.STK | 
-            172 | WRT R10.7 | axes wait at the restart
-            173 | RD R10.7 | 
-            174 | AND.NOT R10.4 | 
-            175 | SUB 24 TMRB 1 2050 | 
-            176 | WRT R30.0 | as long as behind M3
-            177 | RD.NOT R10.7 | 
-            178 | OR R10.4 | 
-            179 | WRT G8.0 | axes may move
+            111 | AND R11.3 | 
+            112 | AND.NOT X3.3 | 
+            113 | OR.STK | 
+            114 | WRT R11.3 | stop key in an interrupted program: spindle off, no cycle start, until the key of its direction
+            115 | RD R11.3 | 
+            116 | WRT A0.1 | text for the operator: spindle stopped by its key
+            117 | RD R10.1 | 
+            118 | AND.NOT R11.3 | 
+            119 | WRT Y5.0 | run clockwise, unless the stop key has stopped the spindle
+            120 | RD R10.2 | 
+            121 | AND.NOT R11.3 | 
+            122 | WRT Y5.1 | run counter-clockwise, unless the stop key has stopped the spindle
+            123 | RD X4.1 | 
+            124 | AND X3.1 | 
+            125 | AND X3.5 | 
+            126 | AND X3.6 | 
+            127 | AND X3.7 | 
+            128 | AND X4.0 | 
+            129 | AND.NOT R10.6 | 
+            130 | AND.NOT R11.3 | 
+            131 | WRT G8.5 | hold key, fault, inverter not ready, spindle stopped by its key, loop or reel at its limit: program held
+            132 | RD.NOT X3.5 | 
+            133 | RD.STK A0.2 | 
+            134 | AND.NOT F0.5 | 
+            135 | AND.NOT F1.1 | 
+            136 | OR.STK | 
+            137 | WRT A0.2 | text for the operator until the program runs again
+            138 | RD.NOT X3.6 | 
+            139 | RD.STK A0.3 | 
+            140 | AND.NOT F0.5 | 
+            141 | AND.NOT F1.1 | 
+            142 | OR.STK | 
+            143 | WRT A0.3 | text for the operator until the program runs again
+            144 | RD.NOT X3.7 | 
+            145 | RD.STK A0.4 | 
+            146 | AND.NOT F0.5 | 
+            147 | AND.NOT F1.1 | 
+            148 | OR.STK | 
+            149 | WRT A0.4 | text for the operator until the program runs again
+            150 | RD.NOT X4.0 | 
+            151 | RD.STK A0.5 | 
+            152 | AND.NOT F0.5 | 
+            153 | AND.NOT F1.1 | 
+            154 | OR.STK | 
+            155 | WRT A0.5 | text for the operator until the program runs again
+            156 | RD.NOT R10.5 | 
+            157 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            158 | RD F7.0 | 
+            159 | OR F7.2 | 
+            160 | OR F7.3 | 
+            161 | WRT G4.3 | one answer for M, S and T
+            162 | RD R10.5 | 
+            163 | AND Y5.0 | 
+            164 | AND.NOT F1.1 | 
+            165 | RD.STK R10.5 | 
+            166 | AND Y5.1 | 
+            167 | AND.NOT F1.1 | 
+            168 | OR.STK | 
+            169 | RD.STK R10.7 | 
+            170 | AND.NOT R30.0 | 
+            171 | AND.NOT F1.1 | 
+            172 | OR.STK | 
+            173 | WRT R10.7 | axes wait at the restart
+            174 | RD R10.7 | 
+            175 | AND.NOT R10.5 | 
+            176 | SUB 24 TMRB 1 2050 | 
+            177 | WRT R30.0 | as long as behind M3
+            178 | RD.NOT R10.7 | 
+            179 | OR R10.5 | 
+            180 | WRT G8.0 | axes may move
              |  | No substitute for the safety circuit: guards, chuck grip and emergency stop are not judged here.
         "#]],
     );

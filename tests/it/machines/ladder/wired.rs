@@ -202,30 +202,32 @@ fn each_contact_has_its_kind_in_the_ladder() {
 }
 
 #[test]
-fn contacts_of_the_ribbon_stop_a_run_by_key() {
-    use MachineContact::{LoopNotFull, ReelNotEmpty, WebNotTight};
+fn contacts_of_the_ribbon_stop_the_key_that_leads_to_them() {
+    use MachineContact::{ForwardKey, LoopNotFull, ReelNotEmpty, ReverseKey, WebNotTight};
+    let ways = [(LoopNotFull, 0), (ReelNotEmpty, 0), (WebNotTight, 1)];
     for (name, project) in projects().filter(|(name, _)| name.starts_with("ribbon")) {
         let ladder = ladder(&project);
-        for contact in [LoopNotFull, WebNotTight, ReelNotEmpty].map(Bit::Input) {
+        for (contact, to) in ways.map(|(contact, to)| (Bit::Input(contact), to)) {
             if !ladder.bits.iter().any(|row| row.0 == contact) {
                 continue;
             }
             let mut image = at_rest(&ladder);
-            let press = |image: &mut Image| {
+            let press = |image: &mut Image, way: usize| {
                 for on in [true, false] {
-                    image.set(Bit::Input(MachineContact::ForwardKey), on);
+                    image.set(Bit::Input([ForwardKey, ReverseKey][way]), on);
                     settle(&ladder, image, 0.0);
                 }
-                image.is_on(RUNS[0])
+                image.is_on(RUNS[way])
             };
-            assert!(press(&mut image), "{name}");
+            assert!(press(&mut image, to), "{name}");
             image.set(contact, false);
             settle(&ladder, &mut image, 0.0);
-            assert!(!image.is_on(RUNS[0]), "{name}: {contact:?} opens");
-            assert!(!press(&mut image), "{name}: {contact:?} is open");
+            assert!(!image.is_on(RUNS[to]), "{name}: {contact:?} opens");
+            assert!(!press(&mut image, to), "{name}: {contact:?} is open");
+            assert!(press(&mut image, 1 - to), "{name}: the other direction leads out of {contact:?}");
             image.set(contact, true);
             settle(&ladder, &mut image, 0.0);
-            assert!(!image.is_on(RUNS[0]), "{name}: nothing restarts by itself");
+            assert!(!image.is_on(RUNS[to]), "{name}: nothing restarts by itself");
         }
     }
 }
@@ -265,7 +267,9 @@ fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
     use macroline::project::size::{SizingRuns, answers};
     let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
     let bill = answers(&project, &SizingRuns::new(&project, &project.written())).bill;
-    for (item, words) in [(BillItem::GearValve, "without power"), (BillItem::ClampValve, "when the power fails")] {
+    for (item, words) in
+        [(BillItem::GearValve, "without power"), (BillItem::ClampValve, "without power it keeps its position")]
+    {
         let row = bill.iter().find(|row| row.item == item).unwrap_or_else(|| panic!("no {item:?}"));
         assert!(row.asked.contains(words), "{row:?}");
     }
