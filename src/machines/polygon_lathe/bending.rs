@@ -35,18 +35,18 @@ impl PolygonLathe {
         cantilever(force, self.p.material.elasticity(), steps)
     }
 
-    /// Greatest deflection (mm) of the work, at the end of each polygon towards the face, with its forces times `share`.
-    fn bending_of(&self, free: f64, share: f64) -> f64 {
+    /// Greatest deflection (mm) of the work under its forces, at the end of each polygon towards the face, with this free length (mm).
+    fn bending_of(&self, free: f64) -> f64 {
         let cuts = self.polygons().map(|lathe| {
             let force = lathe.d.load.cuts.iter().map(|cut| cut.force).fold(0.0, f64::max);
-            self.deflection(share * force, lathe.p.from_face, free)
+            self.deflection(force, lathe.p.from_face, free)
         });
         cuts.fold(0.0, f64::max)
     }
 
     /// Greatest deflection (mm) of the work under the force of an insert.
     pub(super) fn bending(&self) -> f64 {
-        self.bending_of(self.free_length(), 1.0)
+        self.bending_of(self.free_length())
     }
 
     /// Depth of a pass (mm) with which no force is above a share of the greatest one; none that the passes allow.
@@ -87,7 +87,7 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
         length = (free, 1),
         needed = (needed.value, 1)
     ));
-    let is_short_enough = needed.value < free && lathe.bending_of(needed.value, 1.0) <= p.flatness;
+    let is_short_enough = needed.value < free && lathe.bending_of(needed.value) <= p.flatness;
     let advice = if is_short_enough {
         told.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
     } else if let Some(depth) = lathe.shallower(p.flatness / bending) {
