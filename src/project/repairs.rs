@@ -26,7 +26,7 @@ pub struct RepairWay {
 /// is that of [`repairs`].
 pub fn ways(project: &Project) -> Vec<RepairWay> {
     let before = Trial::of(project.clone());
-    let first = found(before.clone());
+    let first = found_after(before.clone(), Vec::new());
     let others = before.offered().into_iter().filter_map(|remedy| {
         let after = Trial::of(project.with_entries(&remedy.sets)?);
         let is_sound = after.faults.failing < before.faults.failing && after.faults.errors <= before.faults.errors;
@@ -60,12 +60,8 @@ fn fields(changes: &[Repair]) -> BTreeSet<&'static str> {
 /// Entries that the customer orders (essential, not facts of the machine) are changed only if no other remedy lowers the number of failing
 /// results.
 pub fn repairs(project: &Project) -> Repairs {
-    let (changes, after) = found(Trial::of(project.clone()));
+    let (changes, after) = found_after(Trial::of(project.clone()), Vec::new());
     after.repairs(changes)
-}
-
-fn found(before: Trial) -> (Vec<Repair>, Trial) {
-    found_after(before, Vec::new())
 }
 
 /// The search after some changes, with the project to which it leads.

@@ -130,7 +130,7 @@ pub enum MachineOutput {
     Reverse,
     /// Inverter: run in the direction of the voltage's sign.
     Run,
-    /// Valve of a gear stage above the first.
+    /// Coil of the valve of a gear stage.
     Gear(u8),
     /// Coil that closes the clamp, which holds the spindle at an angle.
     SpindleClamp,

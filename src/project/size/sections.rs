@@ -116,8 +116,7 @@ impl Sizing {
             (None, true) => Verdict::Warn,
             (None, false) => Verdict::Ok,
         };
-        let heat = self.envelope.iter().find(|row| row.is_heat() && row.axis == Some(axis.name));
-        let verdict = order.max(heat.map_or(Verdict::None, |heat| heat.verdict));
+        let verdict = order.max(self.heat(axis).map_or(Verdict::None, |heat| heat.verdict));
         let is_listed = |part: &Part| part.maker == row.maker && part.model == row.model;
         let candidate = axis.candidates.iter().find(|candidate| is_listed(&candidate.part));
         let motor = row.part();

@@ -198,6 +198,11 @@ impl Sizing {
         [self.asked(axis), Some(motors(axis)), gears(axis)].into_iter().flatten().collect()
     }
 
+    /// The heat of the form's motor of an axis in a whole run.
+    pub(super) fn heat(&self, axis: &SizedAxis) -> Option<&EnvelopeRow> {
+        self.envelope.iter().find(|row| row.is_heat() && row.axis == Some(axis.name))
+    }
+
     /// Demand of the run on the form's motor, with its chart.
     fn asked(&self, axis: &SizedAxis) -> Option<Sheet> {
         let (work, chart) = (axis.work?, axis.chart.as_ref()?);
@@ -210,7 +215,7 @@ impl Sizing {
             true => msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str()),
             false => msg!("size.peak-at", torque = torque.as_str(), time),
         };
-        let heat = self.envelope.iter().find(|row| row.is_heat() && row.axis == Some(axis.name));
+        let heat = self.heat(axis);
         let beyond = if heat.is_some_and(|heat| heat.verdict >= Verdict::Warn) { "✕ " } else { "" };
         let limit = heat.and_then(limit).map(|limit| format!(" / {limit}")).unwrap_or_default();
         let effective_torque = format!("{beyond}{}{limit}", units::text(work.effective, 3, "Nm"));
