@@ -12,6 +12,8 @@ pub mod number;
 
 pub mod units;
 
+pub mod quantity;
+
 pub mod message;
 
 pub mod catalog;

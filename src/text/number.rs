@@ -49,6 +49,11 @@ fn without_thousands(text: &str) -> Option<String> {
     Some(joined)
 }
 
+/// The nearest number with this many decimals, as [`Plain`] writes it.
+pub fn rounded(number: f64, decimals: u8) -> f64 {
+    Plain(number, decimals).to_string().parse().unwrap_or(number)
+}
+
 /// A number for people, with a maximum number of decimals, without trailing zeros, never `-0`: `8`, `15.279`, `-0.5`; from 10¹⁵ on with an
 /// exponent. A half is rounded away from zero.
 ///

@@ -191,7 +191,7 @@ pub fn exact(number: f64, places: u8, metric: &str) -> String {
 /// The metric number of an entry in the shown unit, rounded to a number of decimals. A metric entry is unchanged.
 pub fn entered(number: f64, places: u8, metric: &str) -> f64 {
     match counterpart(metric) {
-        Some(unit) => Plain(number * unit.size, places).to_string().parse().unwrap_or(number * unit.size),
+        Some(unit) => number::rounded(number * unit.size, places),
         None => number,
     }
 }

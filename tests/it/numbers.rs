@@ -1,8 +1,10 @@
 //! Numbers as people read them.
 
+use macroline::machines::form::Value;
 use macroline::math;
 use macroline::text::catalog::{self, Language, number_text};
 use macroline::text::number;
+use macroline::text::quantity::{self, Typed};
 use proptest::prelude::*;
 
 #[test]
@@ -169,6 +171,74 @@ fn typed_number_may_be_written_as_it_is_shown() {
     for (text, wanted) in cases {
         assert_eq!(number::read(text), wanted, "{text:?}");
     }
+}
+
+#[test]
+fn typed_number_in_another_unit_is_converted() {
+    for (typed, unit, wanted) in [
+        ("4.5 in", "mm", 114.3),
+        ("4,5\"", "mm", 114.3),
+        ("2 ft", "mm", 609.6),
+        ("1 200 cm", "mm", 12_000.0),
+        ("0.5 m", "mm", 500.0),
+        ("15 m/min", "mm/min", 15_000.0),
+        ("200 SFM", "m/min", 60.96),
+        ("0.01 ipr", "mm/rev", 0.254),
+        ("20 rps", "r/min", 1200.0),
+        ("250 ms", "s", 0.25),
+        ("1.5 min", "ms", 90_000.0),
+        ("100 lbf·in", "Nm", 11.298_482_9),
+        ("1 lb-ft", "Nm", 1.355_817_9),
+        ("2 kN", "N", 2000.0),
+        ("10 lb", "kg", 4.535_923_7),
+        ("12 kg cm²", "kg·m²", 0.0012),
+        ("0.0012 kgm2", "kg cm²", 12.0),
+        ("10 hp", "kW", 7.456_998_7),
+        ("10 PS", "kW", 7.354_987_5),
+        ("0.7 MPa", "N/mm²", 0.7),
+        ("100 psi", "N/mm²", 0.689_475_7),
+        ("5 V", "mV", 5000.0),
+        ("30′", "°", 0.5),
+    ] {
+        let Some(Typed::Converted(read)) = quantity::read(typed, unit) else { panic!("{typed} in {unit}") };
+        assert!((read - wanted).abs() < 1e-7 * wanted, "{typed} in {unit}: {read}");
+    }
+}
+
+#[test]
+fn unit_of_another_quantity_is_refused() {
+    for (typed, unit) in [
+        ("5 kg", "mm"),
+        ("5 s", "°"),
+        ("5 mm/min", "mm"),
+        ("in", "mm"),
+        ("4.5 in in", "mm"),
+        ("5 1/s", "r/min"),
+        ("1 K", "°C"),
+    ] {
+        assert_eq!(quantity::read(typed, unit), None, "{typed} in {unit}");
+    }
+}
+
+#[test]
+fn unit_of_every_field_is_understood_behind_its_number() {
+    for field in macroline::machines::ALL.iter().flat_map(|machine| machine.fields()) {
+        let unit = field.unit();
+        for typed in [format!("1 {unit}"), format!("1{unit}")] {
+            assert!(
+                matches!(quantity::read(&typed, &unit), Some(Typed::Shown(1.0) | Typed::Converted(1.0))),
+                "{typed}"
+            );
+        }
+    }
+}
+
+#[test]
+fn converted_entry_has_the_decimals_of_its_field() {
+    let fields = macroline::machines::find("ribbon-line").unwrap().fields();
+    let pitch = fields.iter().find(|field| field.id == "pitch").unwrap();
+    assert_eq!(pitch.typed("0.333 in").ok(), Some(Value::Number(8.458)));
+    assert!(pitch.typed("400 in").is_err());
 }
 
 #[test]

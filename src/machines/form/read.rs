@@ -4,10 +4,12 @@ use super::{FieldInfo, FieldKindInfo, Value};
 use crate::msg;
 use crate::text::escape::shortened;
 use crate::text::listed;
+use crate::text::quantity::{self, Typed};
 use crate::text::{Diagnostic, catalog::number_text, number, units};
 
 impl FieldInfo {
-    /// Reads typed text: spaces around it, a decimal comma and a minus sign (U+2212) are accepted where they are clear.
+    /// Reads typed text: spaces around it, a decimal comma, a minus sign (U+2212) and another unit of the same quantity behind the number
+    /// (`4.5 in`) are accepted where they are clear.
     /// An invalid text is an error diagnostic about this field that names the allowed range.
     pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
         read(self, typed, |number, _, _| number)
@@ -29,9 +31,7 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
     let text = typed.trim();
     match &field.kind {
         FieldKindInfo::Number { unit, decimals, .. } => {
-            // With the field's unit behind it, as it is shown.
-            let plain = text.strip_suffix(units::unit(unit)).unwrap_or(text);
-            let number = number::read(plain).ok_or_else(|| {
+            let typed = quantity::read(text, unit).ok_or_else(|| {
                 let wrong = if text.is_empty() {
                     msg!("form.empty")
                 } else {
@@ -39,7 +39,10 @@ fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Re
                 };
                 Box::new(with_range(field, Diagnostic::error(wrong).about(field.id)))
             })?;
-            let value = Value::Number(in_unit(number, *decimals, unit));
+            let value = Value::Number(match typed {
+                Typed::Shown(number) => in_unit(number, *decimals, unit),
+                Typed::Converted(number) => number::rounded(number, *decimals),
+            });
             check(field, &value).map(|()| value)
         }
         FieldKindInfo::Flag(_) => match text {

@@ -11,7 +11,7 @@ use super::slider::Slider;
 use super::value::{origin_of, value_of};
 use crate::machines::form::{FieldInfo, FieldKindInfo, Provenance, Value};
 use crate::math;
-use crate::text::{headed, units};
+use crate::text::{headed, number, units};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
 use crate::ui::state::{Page, of_field};
@@ -161,7 +161,17 @@ fn TypedInput(
     let before: StoredValue<Option<Value>> = StoredValue::new(None);
     let valued = Arc::clone(&info);
     let enter = move || before.set_value(Some(untrack(|| value_of(page, &valued))));
-    let entered = enter.clone();
+    let (entered, whole) = (enter.clone(), Arc::clone(&info));
+    // A finished entry with a unit of its own is shown in the field's: `4.5 in` as 114.3.
+    let finish = move || {
+        entered();
+        let Some(input) = input.get() else { return };
+        if let Ok(value) = whole.typed(&input.value())
+            && number::read(&input.value()).is_none()
+        {
+            input.set_value(&whole.text(&value));
+        }
+    };
     let reader = Arc::clone(&info);
     let take = move |typed: &str| {
         dom::mark("input");
@@ -215,7 +225,7 @@ fn TypedInput(
             aria-describedby=format!("{id}-note")
             aria-invalid=move || wrong.get().to_string()
             on:focus=move |_| enter()
-            on:change=move |_| entered()
+            on:change=move |_| finish()
             on:input=move |event| taken(&event_target_value(&event))
             on:keydown=step
         />
@@ -265,6 +275,15 @@ mod tests {
             bench.type_into("#pitch", typed).await;
             assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), (typed, Some(Value::Number(value))));
         }
+    }
+
+    #[wasm_bindgen_test]
+    async fn finished_entry_in_another_unit_is_shown_in_the_field_s() {
+        let bench = mounted("pitch").await;
+        bench.type_into("#pitch", "0.5 in").await;
+        assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), ("0.5 in", Some(Value::Number(12.7))));
+        bench.find("#pitch").dispatch_event(&event("Event", "change", &[])).unwrap();
+        assert_eq!(bench.value("#pitch"), "12.7");
     }
 
     #[wasm_bindgen_test]
