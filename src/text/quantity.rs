@@ -24,8 +24,8 @@ pub fn read(text: &str, metric: &str) -> Option<Typed> {
     }
     let sizes = SIZES.iter().find(|quantity| size_of(quantity, &spelled(metric)).is_some());
     text.char_indices().find_map(|(at, _)| {
-        let number = number::read(&text[..at])?;
-        let unit = spelled(&text[at..]);
+        let (number, unit) = text.split_at_checked(at)?;
+        let (number, unit) = (number::read(number)?, spelled(unit));
         if unit == spelled(units::unit(metric)) {
             return Some(Typed::Shown(number));
         }

@@ -23,7 +23,7 @@ pub(super) struct GearTimes {
 /// An eighth of the gear change before, half of it meshing, the rest after.
 pub(super) fn gear_times(lathe: &TurningSpindle) -> GearTimes {
     let p = &lathe.p;
-    let patience = (p.gear_patience > 0.0 && p.has_gear_alarm(lathe.control)).then_some(p.gear_patience);
+    let patience = (p.gear_patience > 0.0).then_some(p.gear_patience);
     let seconds = p.gear_time;
     GearTimes { before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
 }

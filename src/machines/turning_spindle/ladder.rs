@@ -1,6 +1,6 @@
 //! The ladder of the turning spindle: override, M3 to M5, gear change, and the answer to M, S and T.
 
-use super::gears::{GearTimes, gear_times};
+use super::gears::{GearTimes, gear_times, slowing};
 use super::params::Output;
 use super::resolved::TurningSpindle;
 use super::stops::spindle;
@@ -40,7 +40,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let stages = lathe.p.stages().count().min(WANTED.len());
     // Before the run command: the answer to M3 reads the gears in the same scan.
     if stages > 1 {
-        Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();
+        Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe), slowing: slowing(lathe) }.write();
     }
     book.spindle(
         &rules,
@@ -101,6 +101,8 @@ struct Gears<'a, 'b> {
     book: &'a mut Book<'b>,
     stages: u8,
     times: GearTimes,
+    /// Seconds in which the spindle slows down before a change.
+    slowing: f64,
 }
 
 impl Gears<'_, '_> {
@@ -180,7 +182,7 @@ impl Gears<'_, '_> {
 
     /// The alarm of a gear that is not in position, the voltage of the change, and the release of the run command.
     fn supervise(&mut self) {
-        let late = Bit::Timer("gear-late");
+        let (slow_late, late) = (Bit::Timer("slow-late"), Bit::Timer("gear-late"));
         let lost = TURNS.map(|turns| vec![on(turns), off(BUSY), off(MESHED)]);
         let stays = vec![on(GEAR_LOST), off(self.book.reset())];
         // Unlocking the button turns nothing; a fault of the inverter has its own latch.
@@ -190,11 +192,13 @@ impl Gears<'_, '_> {
         self.book.coil(GEAR_LOST, lost.into_iter().chain([stays]).collect(), "turning.ladder.lost");
         let (mut alarm, mut shifts) = (vec![vec![on(GEAR_LOST)]], vec![on(BUSY)]);
         if let Some(patience) = self.times.patience {
-            // Reset begins the time anew.
-            let waits = vec![vec![on(BUSY), on(SLOWED), off(MESHED), off(self.book.reset())]];
+            // Reset begins the times anew.
+            let slows = vec![vec![on(BUSY), off(SLOWED), off(reset)]];
+            self.book.timer("slow-late", self.slowing + patience, slows, "turning.ladder.slow-patience");
+            let waits = vec![vec![on(BUSY), on(SLOWED), off(MESHED), off(reset)]];
             self.book.timer("gear-late", patience, waits, "turning.ladder.patience");
-            alarm.push(vec![on(late)]);
-            shifts.push(off(late));
+            alarm.extend([vec![on(slow_late)], vec![on(late)]]);
+            shifts.extend([off(slow_late), off(late)]);
         }
         self.book.coil(Bit::Output(MachineOutput::GearAlarm), alarm, "turning.ladder.late");
         self.book.coil(Bit::Signal(SignalRole::ShiftSpeed), vec![shifts.clone()], "turning.ladder.volts");

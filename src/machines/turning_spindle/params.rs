@@ -1,7 +1,7 @@
 //! The form of the turning spindle: every input with unit, range and default, and the parameters that it fills.
 
 use crate::controls::Address;
-use crate::controls::{Alarm, Code, Control};
+use crate::controls::{Code, Control};
 use crate::drives::inertia::STEEL;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, text};
@@ -171,11 +171,6 @@ impl Params {
         control.spindle.signed_output
     }
 
-    /// Whether a gear change that lasts too long is an alarm.
-    pub(super) fn has_gear_alarm(&self, control: &Control) -> bool {
-        control.raises(Alarm::GearTimeout)
-    }
-
     /// A word of the control positions the spindle.
     pub(super) fn can_position(&self, control: &Control) -> bool {
         has_address(control, Address::Spos)
@@ -342,7 +337,7 @@ const ROWS: &[&[Field<Params>]] = &[
     number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
         .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
     number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")
-        .unit("s").range(0.0..=60.0).default(5.0).decimals(2).step(0.5).fact().when(Params::has_gear_alarm),
+        .unit("s").range(0.0..=60.0).default(5.0).decimals(2).step(0.5).fact().when(Params::has_gears),
     choice("output", member!(Params.output: Output)).group("turning.group.output").label("turning.output").help("turning.output.help")
         .fact().when(Params::has_signed_output),
     number("offset-zero", member!(Params.offset_zero)).group("turning.group.output").label("turning.offset-zero").help("turning.offset-zero.help")

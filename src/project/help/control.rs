@@ -57,7 +57,6 @@ const ONLY_BY_ROW: &[Alarm] = &[
     Alarm::ShortestWay,
     Alarm::PositiveWay,
     Alarm::NegativeWay,
-    Alarm::GearTimeout,
     Alarm::SpindleReversal,
     Alarm::MainReturn,
 ];
@@ -69,6 +68,7 @@ fn stops(control: &Control, kind: Alarm) -> bool {
         || match kind {
             Alarm::NoContour => control.codes.iter().any(|row| row.code == Code::Roughing),
             Alarm::CallFunction | Alarm::CallOperands => !control.macros.functions.is_empty(),
+            Alarm::GearTimeout => control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..))),
             Alarm::UnknownName | Alarm::SyntaxTwice | Alarm::Auxiliaries | Alarm::NotAlone => named,
             kind => !ONLY_BY_ROW.contains(&kind),
         }

@@ -6,7 +6,7 @@ use macroline::machines::ladder::{Bit, ContactKind, Ladder, MachineContact, Mach
 use macroline::motion::Action;
 use macroline::project::Project;
 
-use super::{RUNS, at_rest, is_held, ladder, projects, put_out, settle, sheet};
+use super::{RUNS, at_rest, is_held, ladder, projects, put_out, reset, settle, sheet};
 use crate::machines::restart::within;
 
 /// Codes of 50 to 120 % in steps of 10, by the setting of the switch. Source: reference/gsk-980tdc.md, section 6.
@@ -68,6 +68,12 @@ fn ask_for_stage_2(ladder: &Ladder, image: &mut Image) {
     }
 }
 
+/// Takes the request for stage 2 back, as every control does at a reset.
+fn forget_stage_2(ladder: &Ladder, image: &mut Image) {
+    image.set(Bit::Signal(SignalRole::GearChange), false);
+    put_out(ladder, image, 42, false);
+}
+
 #[test]
 fn gears_mesh_from_standstill_with_a_run_command() {
     let (shift, emergency) = (Bit::Signal(SignalRole::ShiftSpeed), Bit::Input(MachineContact::Emergency));
@@ -105,7 +111,7 @@ fn gears_mesh_from_standstill_with_a_run_command() {
                 assert_eq!(runs(&stopped), [false; 3], "{name}: {contact:?}");
             }
             stopped.set(Bit::Signal(SignalRole::Running), false);
-            put_out(&ladder, &mut stopped, 42, false);
+            forget_stage_2(&ladder, &mut stopped);
             for pressed in [true, false] {
                 stopped.set(Bit::Signal(SignalRole::Reset), pressed);
                 stopped.set(Bit::Input(MachineContact::ResetKey), pressed);
@@ -148,12 +154,12 @@ fn shift_never_turns_against_m4() {
         // Fast and on its way down: no other run command, and none while it coasts either.
         image.set(Bit::Input(MachineContact::AtShiftSpeed), false);
         ask_for_stage_2(&ladder, &mut image);
-        for t in [0.1, 5.0] {
+        for t in [0.1, 4.0] {
             settle(&ladder, &mut image, t);
             assert_eq!(RUNS.map(|run| image.is_on(run)), [false, true], "{name}");
         }
         image.set(Bit::Input(MachineContact::AtShiftSpeed), true);
-        settle(&ladder, &mut image, 5.1);
+        settle(&ladder, &mut image, 4.1);
         assert_eq!(RUNS.map(|run| image.is_on(run)), [false, true], "{name}: slow");
     }
 }
@@ -292,4 +298,41 @@ fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
         settle(&ladder, &mut image, t);
     }
     assert!(image.is_on(first) && !image.is_on(second), "one coil for each stage");
+}
+
+#[test]
+fn gear_change_that_never_ends_is_an_alarm() {
+    let (shift, alarm) = (Bit::Signal(SignalRole::ShiftSpeed), Bit::Output(MachineOutput::GearAlarm));
+    let (slow, gear) = (Bit::Input(MachineContact::AtShiftSpeed), Bit::Input(MachineContact::InGear(2)));
+    let mut found = 0;
+    for (name, project) in projects().filter(|(_, project)| ladder(project).drives(shift)) {
+        found += 1;
+        let ladder = ladder(&project);
+        // The contact of a slow spindle is broken, or that of the new stage.
+        for missing in [slow, gear] {
+            let mut image = at_rest(&ladder);
+            image.set(Bit::Input(MachineContact::SpindleClamped), false);
+            image.set(Bit::Signal(SignalRole::Running), true);
+            image.set(slow, missing != slow);
+            image.set(gear, false);
+            settle(&ladder, &mut image, 0.0);
+            ask_for_stage_2(&ladder, &mut image);
+            for t in [0.1, 1.0, 1.4] {
+                settle(&ladder, &mut image, t);
+                assert!(image.is_on(shift) && !image.is_on(alarm), "{name}: {missing:?} at {t} s");
+            }
+            for t in [60.0, 120.0] {
+                settle(&ladder, &mut image, t);
+            }
+            let runs = [RUNS[0], RUNS[1], Bit::Output(MachineOutput::Run)].map(|run| image.is_on(run));
+            assert!(image.is_on(alarm) && !image.is_on(shift), "{name}: {missing:?} long after");
+            assert_eq!(runs, [false; 3], "{name}: {missing:?}");
+            image.set(Bit::Signal(SignalRole::Running), false);
+            forget_stage_2(&ladder, &mut image);
+            reset(&ladder, &mut image);
+            settle(&ladder, &mut image, 121.0);
+            assert!(!image.is_on(alarm), "{name}: {missing:?} after reset");
+        }
+    }
+    assert!(found > 10);
 }
