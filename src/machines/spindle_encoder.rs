@@ -8,7 +8,7 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 /// Lines of an encoder that the makers of controls take as usual.
-pub(super) const LINES: f64 = 1024.0;
+const LINES: f64 = 1024.0;
 
 /// An encoder beside the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -202,6 +202,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }
+    found.extend(p.encoder.finding(lathe.control).filter(|_| lathe.has_main_spindle()));
     let mut cutters = Vec::new();
     for PolygonLathe { p, d, .. } in lathe.polygons() {
         if !cutters.contains(&p.tool) {

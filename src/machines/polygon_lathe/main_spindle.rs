@@ -12,7 +12,6 @@ use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
 use crate::machines::machine::Samples;
 use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
-use crate::machines::spindle_encoder::LINES;
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
 use crate::math::RPM;
 use crate::motion::Stretch;
@@ -225,8 +224,9 @@ pub(super) fn greatest(lathe: &PolygonLathe) -> f64 {
 
 /// The encoder by which the control feeds per revolution and cuts a thread.
 pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
-    let speed = greatest(lathe);
-    lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed, lines: LINES })
+    let of = &lathe.p.encoder;
+    let speed = greatest(lathe) * of.ratio();
+    lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed, lines: of.lines })
 }
 
 /// The fan of its motor with forced cooling.

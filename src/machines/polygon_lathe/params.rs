@@ -7,6 +7,7 @@ use crate::machines::main_spindle::{self, SpindleDrive};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
 use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
+use crate::machines::spindle_encoder::{self, EncoderParams};
 use crate::machines::{shift, site};
 use crate::{member, options};
 
@@ -137,6 +138,7 @@ pub(crate) struct Params {
     pub turned_ends: [TurnedEnd; 2],
     /// The main spindle, which turns the bar before and after the polygons.
     pub main: SpindleDrive,
+    pub encoder: EncoderParams,
     pub main_speed: f64,
     pub work_limit: f64,
     pub tool_limit: f64,
@@ -449,6 +451,9 @@ const ROWS: &[&[Field<Params>]] = &[
     number("main-speed", member!(Params.main_speed)).group("polygon.group.main").label("polygon.main.speed").help("polygon.main.speed.help").symbol("n10")
         .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact().when(Params::turns),
     main_spindle::forced_cooling("main-forced-cooling", "polygon.main.forced-cooling", member!(Params.main.forced_cooling)).group("polygon.group.main").when(Params::turns),
+    spindle_encoder::lines("polygon.group.main", member!(Params.encoder.lines)).when(Params::turns),
+    spindle_encoder::turns("polygon.group.main", member!(Params.encoder.turns)).when(Params::turns),
+    spindle_encoder::spindle_turns("polygon.group.main", member!(Params.encoder.spindle_turns)).when(Params::turns),
     main_spindle::peak("main-peak", "polygon.main.peak", member!(Params.main.peak)).group("polygon.group.main").when(Params::turns),
     main_spindle::braking("main-braking", "polygon.main.braking", member!(Params.main.braking)).group("polygon.group.main").when(Params::turns),
     main_spindle::rotor("main-rotor", "polygon.main.rotor", "polygon.main.rotor.help", member!(Params.main.rotor)).group("polygon.group.main").when(Params::turns),

@@ -3,7 +3,6 @@
 use super::citations::{OURS, PAPER};
 use super::derive;
 use super::geometry::own_shape;
-use super::main_spindle;
 use super::program::{self, MACROS};
 use super::resolved::PolygonLathe;
 use super::stops::reactions;
@@ -61,7 +60,8 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
             (ParamRole::SpindleUnipolar, yes()),
             (ParamRole::SpindleRatedVolts, number(100.0)),
         ]);
-        values.extend(main_spindle::encoder(lathe).map(|_| (ParamRole::SpindleEncoder, yes())));
+        values.push((ParamRole::SpindleEncoder, yes()));
+        values.extend(p.encoder.parameters(lathe.control));
     }
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     values.extend(scaling::parameters(lathe.control, &lathe.turning_drives()));

@@ -12,7 +12,6 @@ use crate::machines::driven::{
     DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
     MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
 };
-use crate::machines::spindle_encoder::LINES;
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
 use crate::view::Limit;
@@ -155,8 +154,9 @@ pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
 
 /// The encoder of the unwinder's motor, where the form has one.
 pub(super) fn encoder(line: &RibbonLine) -> Option<SpindleEncoder> {
-    let speed = line.fast.actual_speed;
-    line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed, lines: LINES })
+    let of = &line.p.encoder;
+    let speed = line.fast.actual_speed * of.ratio();
+    line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed, lines: of.lines })
 }
 
 /// The pitch, which the program reads before each block.

@@ -6,6 +6,7 @@ use crate::controls::{Code, Control, ParamRole, VarKind};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::spindle_encoder::{self, EncoderParams};
 use crate::machines::{shift, site};
 use crate::{member, options};
 
@@ -220,6 +221,7 @@ pub(crate) struct Params {
     pub unwinder_load: f64,
     pub dancer: bool,
     pub spindle_encoder: bool,
+    pub encoder: EncoderParams,
     pub loop_capacity: f64,
     pub ribbon_thickness: f64,
     pub effective_diameter: bool,
@@ -390,6 +392,11 @@ impl Params {
         }
     }
 
+    /// The control counts the turns of the unwinder's motor.
+    fn counts_turns(&self, _: &Control) -> bool {
+        self.spindle_encoder
+    }
+
     /// The control gives the PLC the final spindle speed.
     pub(super) fn has_final_speed_signal(&self, control: &Control) -> bool {
         control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
@@ -458,6 +465,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("%").range(0.0..=200.0).default(2.286).decimals(3).step(1.0).fact(),
     flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")
         .fact(),
+    spindle_encoder::lines("ribbon.group.unwinder", member!(Params.encoder.lines)).when(Params::counts_turns),
+    spindle_encoder::turns("ribbon.group.unwinder", member!(Params.encoder.turns)).when(Params::counts_turns),
+    spindle_encoder::spindle_turns("ribbon.group.unwinder", member!(Params.encoder.spindle_turns)).when(Params::counts_turns),
     number("reel-brake", member!(Params.unwinding.brake)).group("ribbon.group.reel").label("ribbon.reel-brake").help("ribbon.reel-brake.help")
         .unit("N").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
     number("reel-diameter", member!(Params.unwinding.reel_diameter)).group("ribbon.group.reel").label("ribbon.reel-diameter").help("ribbon.reel-diameter.help").symbol("D")

@@ -130,6 +130,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     if line.in_step() && !p.spindle_encoder {
         found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
     }
+    found.extend(p.encoder.finding(line.control).filter(|_| p.spindle_encoder));
     if line.form.path_mode != p.path_mode {
         found.push(Diagnostic::info(msg!("ribbon.no-exact-stop", control = line.control.name)).about("path-mode"));
     }

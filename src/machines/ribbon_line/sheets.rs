@@ -77,6 +77,9 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::EditLock, yes(false)),
         (ParamRole::MacroSingle, yes(false)),
     ];
+    if p.spindle_encoder {
+        values.extend(p.encoder.parameters(line.control));
+    }
     values.extend(scaling::parameters(line.control, &line.drives(print)));
     let axes = AxisUnits { in_diameters: if line.pull_words() == 2 { &["X"] } else { &[] }, rotary: &rolling };
     sheets::parameters(line.control, &axes, values)

@@ -276,11 +276,23 @@ fn fields_without_a_choice_are_hidden() {
     let hidden = |id: &str, changes: &[(&str, &str)]| {
         machine().prepare(&values(changes), at_defaults(macroline::controls::find(id).unwrap())).hidden().join(" ")
     };
-    assert_eq!(hidden("mitsubishi-e60", &[]), "knob-use print-axis rest");
-    assert_eq!(hidden("mitsubishi-e60", &[("print-axis", "c")]), "knob-use print-axis rest");
-    assert_eq!(hidden("gsk-980tdc", &[]), "override-form knob-use rest path-mode");
-    assert_eq!(hidden("gsk-980tdc", &[("print-axis", "c")]), "override-form knob-use y-unit rest path-mode");
-    assert_eq!(hidden("knd-k2000t", &[("print-axis", "z")]), "override-form knob-use y-unit rest");
+    assert_eq!(hidden("mitsubishi-e60", &[]), "knob-use encoder-lines encoder-turns spindle-turns print-axis rest");
+    assert_eq!(
+        hidden("mitsubishi-e60", &[("print-axis", "c")]),
+        "knob-use encoder-lines encoder-turns spindle-turns print-axis rest"
+    );
+    assert_eq!(
+        hidden("gsk-980tdc", &[]),
+        "override-form knob-use encoder-lines encoder-turns spindle-turns rest path-mode"
+    );
+    assert_eq!(
+        hidden("gsk-980tdc", &[("print-axis", "c")]),
+        "override-form knob-use encoder-lines encoder-turns spindle-turns y-unit rest path-mode"
+    );
+    assert_eq!(
+        hidden("knd-k2000t", &[("print-axis", "z")]),
+        "override-form knob-use encoder-lines encoder-turns spindle-turns y-unit rest"
+    );
 }
 
 #[test]
@@ -391,6 +403,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
             No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
             No.069 |  |  | 1 |  | 1: spindle encoder fitted
+            No.070 |  |  | 1024 |  | lines of the spindle encoder, 100 to 10000
             No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
             No.187#0 |  | C | 01 |  | kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none
             No.196#4 |  |  | 0 |  | 1: several spindles

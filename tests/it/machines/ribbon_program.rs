@@ -637,6 +637,9 @@ fn any_settings() -> impl Strategy<Value = (ControlContext<'static>, Values)> {
             values.insert(id.to_owned(), Value::Number(1e7));
         }
         values.insert("spindle-encoder".to_owned(), Value::Flag(true));
+        for id in ["encoder-turns", "spindle-turns"] {
+            values.insert(id.to_owned(), Value::Number(1.0));
+        }
         values.insert("job".to_owned(), Value::Text("pitch-count".to_owned()));
         values.insert("pitch-count".to_owned(), number(f64::from(count)));
         // A reduction ratio that keeps F within the range of the control.

@@ -127,6 +127,12 @@ fn unsound(row: &Readout) -> Option<String> {
     (!sound).then(|| format!("{} is {}, limit {:?}", row.id, row.value, row.limit))
 }
 
+/// Whether blocks take longer than on any control: single results do not count the blocks in front of a motion.
+fn is_slower_than_any_control(project: &Project) -> bool {
+    let above = |id: &str, most: f64| matches!(project.values.get(id), Some(Value::Number(value)) if *value > most);
+    above("block-time", 500.0) || above("macro-time", 100.0)
+}
+
 /// Faults of a form: in its design, its program or its run.
 fn faults(project: &Project) -> Vec<String> {
     let design = project.design();
@@ -137,6 +143,9 @@ fn faults(project: &Project) -> Vec<String> {
     let mut faults: Vec<String> = said.filter(|text| is_absurd(text)).collect();
     faults.extend(design.readouts.iter().filter_map(unsound));
     if design.diagnostics.iter().any(|found| found.severity == Severity::Error) {
+        return faults;
+    }
+    if is_slower_than_any_control(project) {
         return faults;
     }
     let written = project.written();
@@ -163,7 +172,13 @@ fn faults(project: &Project) -> Vec<String> {
         design.readouts.iter().any(|row| row.id == *id && row.verdict >= Verdict::Warn)
             || design.diagnostics.iter().any(|found| found.severity == Severity::Warning && found.field == Some(id))
     };
-    let told = |event: &String| TOLD.iter().any(|(part, results)| event.contains(part) && results.iter().any(judged));
+    // A reel that lasts less than the run does ends in it.
+    let lasts = |row: &Readout| row.id == "reel-time" && row.value < BUDGET.seconds;
+    let spent = design.readouts.iter().any(lasts);
+    let told = |event: &String| {
+        spent && event.contains("The reel is at its end")
+            || TOLD.iter().any(|(part, results)| event.contains(part) && results.iter().any(judged))
+    };
     faults.extend(events.into_iter().filter(|event| !told(event)).map(|event| format!("run: {event}")));
     faults
 }
