@@ -149,8 +149,8 @@ impl<P: RunningProgram> Samples for Planner<P> {
 pub struct Frame {
     /// Machine time (s) between two frames: parts that turn far in it blur.
     pub step: f64,
-    /// Whether the drawing's own option is on; see [`Scene::option`].
-    pub option: bool,
+    /// Whether the drawing's own option is on; see [`Scene::drawing_option`].
+    pub drawing_option: bool,
 }
 
 impl Frame {

@@ -31,7 +31,7 @@ fn drawn(project: &Project, until: f64, moment: impl FnOnce(f64) -> f64) -> (Sce
     run.advance(until, usize::MAX);
     let now = run.timeline().at(moment(run.timeline().end()));
     let machine = project.prepared();
-    let pose = machine.pose(&run, &now, Frame { step: 0.0, option: false });
+    let pose = machine.pose(&run, &now, Frame { step: 0.0, drawing_option: false });
     (machine.scene(), pose)
 }
 

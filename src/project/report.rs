@@ -81,7 +81,7 @@ impl Project {
         let end = run.timeline().end();
         let drawn_at = at_work(&prepared.working(&run, end).unwrap_or_default(), SHOWN * end);
         let now = run.timeline().at(drawn_at);
-        let pose = prepared.pose(&run, &now, Frame { step: 0.0, option: false });
+        let pose = prepared.pose(&run, &now, Frame { step: 0.0, drawing_option: false });
         let scene = prepared.scene();
         let cycle = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
         let figures = cycle.map(|time| {

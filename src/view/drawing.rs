@@ -269,7 +269,7 @@ impl Drawing {
         if groups.len() <= most {
             groups.resize(most + 1, SceneGroup::default());
         }
-        Scene { view, unit, nodes, groups, gradients, alt, stations, option: None }
+        Scene { view, unit, nodes, groups, gradients, alt, stations, drawing_option: None }
     }
 }
 

@@ -132,7 +132,7 @@ pub struct Scene {
     /// Named places for a drawing wider than its space: catalog id of the name, and distance from the left.
     pub stations: Vec<(&'static str, f64)>,
     /// Catalog id of the drawing's own option, a check box below it; `None` for most.
-    pub option: Option<&'static str>,
+    pub drawing_option: Option<&'static str>,
 }
 
 /// Placement of a group: scaled, rotated by `turn` degrees around (`cx`, `cy`), then shifted from its place at rest.

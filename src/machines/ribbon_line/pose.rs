@@ -178,8 +178,8 @@ fn reels(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
 fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut Pose) {
     let head = 360.0 / line.p.heads;
     let angle = state.print_angle + 1e-6;
-    let flash = if frame.option { (angle / head).floor() * head } else { angle };
-    let heads_seen = if frame.option { 1.0 } else { seen(state.speeds[2] * frame.step) };
+    let flash = if frame.drawing_option { (angle / head).floor() * head } else { angle };
+    let heads_seen = if frame.drawing_option { 1.0 } else { seen(state.speeds[2] * frame.step) };
     for layer in 0..group::LAYERS {
         pose.placements.push(turned(group::PRINT_LAYERS + 2 * layer + 1, -flash, heads_seen));
     }
@@ -194,10 +194,10 @@ fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut P
 fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose: &mut Pose) {
     let (p, layout) = (&line.p, line.layout());
     let (part, _) = state.passed(p);
-    let part = if frame.option { 0.0 } else { part };
+    let part = if frame.drawing_option { 0.0 } else { part };
     let step = (now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch).abs();
     // Beyond a third of a pitch a frame the eye joins wrong dots.
-    let clear = if frame.option { 1.0 } else { math::clamp((0.45 - step) / 0.15, 0.0, 1.0) };
+    let clear = if frame.drawing_option { 1.0 } else { math::clamp((0.45 - step) / 0.15, 0.0, 1.0) };
     let any = if state.pulled > 0.0 { 1.0 } else { 0.0 };
     let [_, middle, _] = scene::lanes(layout);
     let radius = layout.take_up.radius(p.ribbon_thickness, state.pulled.max(0.0));

@@ -85,7 +85,7 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
         ("ribbon.station.print", layout.print.x),
         ("ribbon.station.take-up", layout.take_up.x),
     ];
-    Scene { option: Some("ribbon.scene.strobe"), ..drawing.scene(layout.view, "ribbon.scene.alt") }
+    Scene { drawing_option: Some("ribbon.scene.strobe"), ..drawing.scene(layout.view, "ribbon.scene.alt") }
 }
 
 /// Floor and shadows.

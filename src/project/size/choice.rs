@@ -125,7 +125,7 @@ pub struct Candidate {
     pub shortage: Option<Message>,
     /// Its limits, with their source.
     pub limits: &'static SeriesLimits,
-    /// Demand as shares of its ratings; none if a rating is not known, and for an induction motor.
+    /// Demand as shares of its ratings; none if a rating is not known.
     pub shares: Option<Shares>,
     /// Mean regenerated power as a share of the rating of its amplifier's brake resistor; none if that is not known.
     pub regenerative: Option<f64>,

@@ -62,7 +62,7 @@ impl Side {
     /// Shows the machine at a time (s), or at the end of a run that is shorter.
     fn show(&mut self, t: f64) {
         let now = self.run.timeline().at(t.min(self.run.timeline().end()));
-        self.drawn.pose(&self.machine.pose(&self.run, &now, Frame { step: 0.0, option: false }));
+        self.drawn.pose(&self.machine.pose(&self.run, &now, Frame { step: 0.0, drawing_option: false }));
     }
 }
 

@@ -44,9 +44,9 @@ pub(crate) fn Stage() -> impl IntoView {
     player.paint(move |moment| fitted.show(moment));
     // A wide drawing is focusable, so that keys scroll it.
     let stop = move || pans.get().then_some("0");
-    let option = move || page.results.scene.with(|scene| scene.option);
+    let option = move || page.results.scene.with(|scene| scene.drawing_option);
     let strobe = move || {
-        player.option.update(|on| *on = !*on);
+        player.drawing_option.update(|on| *on = !*on);
         player.ask();
     };
     let state = Memo::new(move |_| shown_state(page));
@@ -77,7 +77,7 @@ pub(crate) fn Stage() -> impl IntoView {
                             type="button" class="icon strobe"
                             aria-label=move || option().map(t).unwrap_or_default()
                             title=move || option().map(t).unwrap_or_default()
-                            aria-pressed=move || player.option.get().to_string()
+                            aria-pressed=move || player.drawing_option.get().to_string()
                             on:click=move |_| strobe()
                         >
                             <crate::ui::parts::Icon glyph=Glyph::Strobe />
@@ -344,7 +344,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn strobe_button_is_there_where_the_scene_has_the_option() {
         let bench = stage().await;
-        let option = bench.page.results.scene.with_untracked(|scene| scene.option);
+        let option = bench.page.results.scene.with_untracked(|scene| scene.drawing_option);
         assert_eq!(bench.has(".strobe"), option.is_some());
         if let Some(words) = option {
             bench.press_button(t(words)).await;

@@ -64,8 +64,8 @@ pub(crate) struct Player {
     pub speed: RwSignal<f64>,
     /// Whether the run restarts at its end.
     pub repeat: RwSignal<bool>,
-    /// Whether rollers are shown once per head.
-    pub option: RwSignal<bool>,
+    /// Whether the drawing's own option is on; see [`Scene::drawing_option`](crate::view::Scene::drawing_option).
+    pub drawing_option: RwSignal<bool>,
     /// The machine at the play head, some times a second.
     pub now: RwSignal<Snapshot>,
     /// Operation on the work at the play head; updated some times a second.
@@ -151,7 +151,7 @@ impl Player {
             playing: RwSignal::new(false),
             speed: RwSignal::new(0.0),
             repeat: RwSignal::new(false),
-            option: RwSignal::new(false),
+            drawing_option: RwSignal::new(false),
             now: RwSignal::new(Snapshot::default()),
             activity: RwSignal::new(None),
             message: RwSignal::new(None),
@@ -310,7 +310,7 @@ impl Player {
 
     /// The drawing at the play head, as a picture of its own.
     pub(crate) fn picture(self, theme: Theme) -> Option<String> {
-        let frame = Frame { step: 0.0, option: self.option.get_untracked() };
+        let frame = Frame { step: 0.0, drawing_option: self.drawing_option.get_untracked() };
         self.state.with_value(|state| {
             let (run, machine) = (state.planner.as_ref()?, state.machine.as_deref()?);
             let timeline = run.timeline();
@@ -435,7 +435,7 @@ impl Player {
         let time = dom::now();
         let (planned, _) = self.planned.get_untracked();
         let playing = self.playing.get_untracked();
-        let frame = Frame { step: self.speed_now() / 60.0, option: self.option.get_untracked() };
+        let frame = Frame { step: self.speed_now() / 60.0, drawing_option: self.drawing_option.get_untracked() };
         let plans = self.plans.get_untracked();
         let shown = self.state.try_update_value(|state| {
             let slow = !state.pace.is_due && (!playing || time - state.slow_at >= SLOW);

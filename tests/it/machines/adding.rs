@@ -45,7 +45,7 @@ fn a_change_of_a_value_prepares_the_machine_once() {
         let end = run.timeline().end();
         for at in 0..20 {
             let now = Samples::at(&run, end * f64::from(at) / 20.0);
-            machine.pose(&run, &now, Frame { step: 0.01, option: false });
+            machine.pose(&run, &now, Frame { step: 0.01, drawing_option: false });
         }
         assert!(!machine.charts(&run, 0.0, end, 50).is_empty() && !design.readouts.is_empty());
         assert!(!project.export().files.is_empty());

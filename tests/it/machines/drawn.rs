@@ -28,7 +28,7 @@ impl Samples for Still {
     }
 }
 
-pub(super) const FRAME: Frame = Frame { step: 0.001, option: false };
+pub(super) const FRAME: Frame = Frame { step: 0.001, drawing_option: false };
 
 /// At rest, and with the longest figures.
 fn moments() -> [Snapshot; 2] {

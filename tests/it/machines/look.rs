@@ -25,7 +25,7 @@ fn running(t: f64) -> Snapshot {
 }
 
 fn pose(t: f64, step: f64, strobe: bool) -> Pose {
-    machine().prepare(&values(&[]), on()).pose(&Running, &running(t), Frame { step, option: strobe })
+    machine().prepare(&values(&[]), on()).pose(&Running, &running(t), Frame { step, drawing_option: strobe })
 }
 
 #[test]
@@ -188,7 +188,7 @@ fn loop_is_as_long_as_distance_and_slack() {
         let at_slack = |slack: f64| {
             let mut now = Snapshot::default();
             now.spindle.turns = slack * 25.0 / (std::f64::consts::PI * press.parse::<f64>().unwrap());
-            let pose = machine.pose(&Running, &now, Frame { step: 0.0, option: false });
+            let pose = machine.pose(&Running, &now, Frame { step: 0.0, drawing_option: false });
             let edge = pose.paths.iter().find(|(id, _)| *id == LOOP_EDGE).unwrap().1.clone();
             let pointer = pose.placements.iter().find(|place| place.group == POINTER).unwrap().dy;
             (measured(&edge), pointer)

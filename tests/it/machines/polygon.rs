@@ -597,7 +597,7 @@ fn cut_section_never_grows_and_ends_exact() {
         let project = project(&[changes, &[("depth", "3"), ("preread", "3")]].concat());
         let planner = whole(&project);
         let end = planner.timeline().end();
-        let frame = Frame { step: 0.001, option: false };
+        let frame = Frame { step: 0.001, drawing_option: false };
         let scene = project.prepared().scene();
         let mut left = f64::INFINITY;
         for at in 0..=400 {
@@ -625,7 +625,7 @@ fn cut_section_never_grows_and_ends_exact() {
 fn paper_program_cuts_and_coasting_behind_the_face_does_not() {
     let look = |project: &Project, t: f64| {
         let planner = planned(project);
-        let frame = Frame { step: 0.001, option: false };
+        let frame = Frame { step: 0.001, drawing_option: false };
         let now = Samples::at(&planner, t);
         let pose = project.prepared().pose(&planner, &now, frame);
         (area(&pose.paths[1].1) * (12.5 / 74.0) * (12.5 / 74.0), pose.texts[3].1.clone())

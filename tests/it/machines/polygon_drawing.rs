@@ -165,7 +165,7 @@ fn fast_cutter_blurs_and_a_slow_one_is_seen() {
     let seen = |degrees: f64| {
         let mut now = now(&project, (20.0, 0.0), (0.0, 0.0));
         now.pmc[1].feed = degrees * 60.0;
-        let pose = posed(&project, &now, Frame { step: 1.0, option: false });
+        let pose = posed(&project, &now, Frame { step: 1.0, drawing_option: false });
         (placement(&pose, INSERTS).opacity, placement(&pose, BLUR).opacity)
     };
     // Two inserts: up to 30 degrees per frame.

@@ -141,7 +141,7 @@ fn finished_section_stays_whatever_the_moments_of_the_blocks() {
         let end = planner.timeline().end();
         for at in 0..20 {
             let now = Samples::at(&planner, end - 4.0 + 0.2 * f64::from(at));
-            let pose = longer.prepared().pose(&planner, &now, Frame { step: 0.001, option: false });
+            let pose = longer.prepared().pose(&planner, &now, Frame { step: 0.001, drawing_option: false });
             let left = area(&pose.paths[1].1) * (12.0 / 74.0) * (12.0 / 74.0);
             assert!((left / exact - 1.0).abs() < 2e-3 || now.axes[1].actual < 0.0, "{more} {at}: {left} for {exact}");
         }

@@ -34,7 +34,7 @@ fn faults(project: &Project) -> Vec<String> {
     let end = run.timeline().end();
     let (mut found, mut first) = (Vec::new(), None);
     for (share, option) in [(0.0, false), (0.4, true), (0.9, false)] {
-        let pose = machine.pose(&run, &Samples::at(&run, end * share), Frame { step: 0.004, option });
+        let pose = machine.pose(&run, &Samples::at(&run, end * share), Frame { step: 0.004, drawing_option: option });
         found.extend(lost(&scene, &pose));
         let moved = moved(&pose);
         found.extend(

@@ -103,7 +103,7 @@ fn ribbon_line_ends_with_every_dot_printed() {
     let project = Project::of("ribbon-line", None).unwrap();
     let planner = planned(&project, &[]);
     let now = Samples::at(&planner, planner.timeline().end());
-    let pose = project.prepared().pose(&planner, &now, Frame { step: 0.01, option: false });
+    let pose = project.prepared().pose(&planner, &now, Frame { step: 0.01, drawing_option: false });
     let texts: Vec<&str> = pose.texts.iter().map(|(_, text)| text.as_str()).collect();
     for text in ["500 dots", "5\u{202f}000.0 mm", "0 mm/min", "0.0 r/min"] {
         assert!(texts.contains(&text), "{text}: {texts:?}");

@@ -201,7 +201,7 @@ fn cut_part_never_grows() {
             );
             let planner = over_time(&project);
             let end = planner.timeline().end();
-            let frame = Frame { step: 0.01, option: false };
+            let frame = Frame { step: 0.01, drawing_option: false };
             let outline = |t: f64| {
                 let now = Samples::at(&planner, t);
                 area(&project.prepared().pose(&planner, &now, frame).paths[0].1)

@@ -203,7 +203,7 @@ fn keyway_grows_in_the_drawing_while_it_is_cut() {
     let project = shaft(&[]);
     let planner = over_time(&project);
     let prepared = project.prepared();
-    let frame = macroline::machines::Frame { step: 0.02, option: false };
+    let frame = macroline::machines::Frame { step: 0.02, drawing_option: false };
     // Node 21: the corners of the groove.
     let groove = |t: f64| {
         let pose = prepared.pose(&planner, &planner.timeline().at(t), frame);
