@@ -22,7 +22,7 @@ use crate::controls::{Control, Dialect, Switches};
 use crate::math;
 use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Stretch, Visit};
 use crate::msg;
-use crate::nc::{Deck, File};
+use crate::nc::{Deck, File, Newline};
 use crate::text::catalog::words;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity, listed};
 use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
@@ -57,12 +57,12 @@ pub struct Design {
 pub struct MachineProgram {
     /// Programs, one per file.
     pub deck: Deck,
-    /// Program number that sets the project's values, run once before the first start; 0 where there is none.
-    pub setup: u32,
+    /// Program number that sets the project's values, run once before the first start; none where the run program has them.
+    pub setup: Option<u32>,
     /// Program number that runs the machine.
     pub main: u32,
-    /// Lines end in CR LF instead of LF.
-    pub crlf: bool,
+    /// Line end of the files.
+    pub newline: Newline,
 }
 
 /// Values and settings of a new project that differ from the defaults of form and control.

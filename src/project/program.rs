@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::Project;
 use crate::controls::options::CommentCharacters;
 use crate::machines::comments;
-use crate::nc::{self, Files, Newline, Parsed};
+use crate::nc::{self, Files, Parsed};
 use crate::text::Diagnostic;
 use crate::text::catalog::Language;
 
@@ -20,8 +20,8 @@ pub struct Written {
     pub diagnostics: Vec<Diagnostic>,
     /// Whether the text is the user's own and no longer follows the form.
     pub edited: bool,
-    /// Number of the program that sets the project's values; 0 where there is none.
-    pub setup: u32,
+    /// Number of the program that sets the project's values, if the text has one.
+    pub setup: Option<u32>,
     /// Number of the program that runs the machine.
     pub main: u32,
 }
@@ -39,15 +39,14 @@ impl Project {
 
     /// The program: the machine's own, or the edited text.
     pub fn written(&self) -> Written {
-        let mut plan = self.prepared().program();
+        let mut own = self.prepared().program();
         if self.speaks() == Language::Chinese {
-            comments::put_in_chinese(&mut plan.deck, self.control);
+            comments::put_in_chinese(&mut own.deck, self.control);
         }
         let (files, mut diagnostics) = match &self.edited {
             Some(files) => (files.clone(), Vec::new()),
             None => {
-                let newline = if plan.crlf { Newline::CrLf } else { Newline::Lf };
-                let emitted = nc::emit_with(&plan.deck, self.control, newline, self.characters());
+                let emitted = nc::emit_with(&own.deck, self.control, own.newline, self.characters());
                 (emitted.files, emitted.diagnostics)
             }
         };
@@ -57,7 +56,7 @@ impl Project {
         // Edited text may hold other programs: then the first one runs, and nothing is set up.
         let first = parsed.deck().programs.first().map_or(0, |program| program.number);
         let (setup, main) =
-            if has(plan.main) { (if has(plan.setup) { plan.setup } else { 0 }, plan.main) } else { (0, first) };
+            if has(own.main) { (own.setup.filter(|setup| has(*setup)), own.main) } else { (None, first) };
         Written { files, parsed, diagnostics, edited: self.edited.is_some(), setup, main }
     }
 }

@@ -140,10 +140,8 @@ fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Pane
 
 /// Sets the variables to the values of the project's setup program, run on a machine at rest.
 fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
-    if written.setup == 0 {
-        return;
-    }
-    let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(written.setup));
+    let Some(number) = written.setup else { return };
+    let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(number));
     let mut world = MachineAtRest::default();
     for _ in 0..SETUP_STEPS {
         if let Step::Ended(_) = setup.step(&mut world) {

@@ -6,6 +6,7 @@ use core::ops::RangeInclusive;
 
 use super::{Field, FieldKind, FieldRole};
 use crate::controls::Control;
+use crate::nc::Newline;
 
 /// Getter and setter of a member of the parameters `P`.
 pub type Member<P, T> = (fn(&P) -> T, fn(&mut P, T));
@@ -66,6 +67,15 @@ options! {
         Lf = "lf" "form.newline.lf",
         /// CR LF.
         CrLf = "crlf" "form.newline.crlf",
+    }
+}
+
+impl From<LineEnds> for Newline {
+    fn from(ends: LineEnds) -> Newline {
+        match ends {
+            LineEnds::Lf => Newline::Lf,
+            LineEnds::CrLf => Newline::CrLf,
+        }
     }
 }
 

@@ -86,7 +86,6 @@ use crate::machines::driven::{
     CoastedAxes, DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read,
 };
 use crate::machines::form::Field;
-use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
     ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples,
@@ -138,8 +137,7 @@ impl Prepared for PolygonLathe {
     }
 
     fn program(&self) -> MachineProgram {
-        let crlf = self.p.newline == LineEnds::CrLf;
-        MachineProgram { deck: program::deck(self), setup: 0, main: program::PART, crlf }
+        MachineProgram { deck: program::deck(self), setup: None, main: program::PART, newline: self.p.newline.into() }
     }
 
     fn plant(&self) -> Plant {

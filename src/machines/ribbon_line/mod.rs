@@ -82,7 +82,6 @@ use crate::machines::chart_rows;
 use crate::machines::devices::AskedDevice;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, read};
 use crate::machines::form::Field;
-use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
 use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
@@ -169,8 +168,12 @@ impl Prepared for RibbonLine {
     }
 
     fn program(&self) -> MachineProgram {
-        let crlf = self.p.newline == LineEnds::CrLf;
-        MachineProgram { deck: program::deck(self), setup: program::SETUP, main: program::RUN, crlf }
+        MachineProgram {
+            deck: program::deck(self),
+            setup: Some(program::SETUP),
+            main: program::RUN,
+            newline: self.p.newline.into(),
+        }
     }
 
     fn plant(&self) -> Plant {

@@ -54,7 +54,6 @@ use crate::machines::chart_rows;
 use crate::machines::devices::AskedDevice;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
 use crate::machines::form::Field;
-use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
@@ -112,8 +111,12 @@ impl Prepared for TurningSpindle {
     }
 
     fn program(&self) -> MachineProgram {
-        let crlf = self.p.newline == LineEnds::CrLf;
-        MachineProgram { deck: program::deck(self), setup: program::SETUP, main: program::RUN, crlf }
+        MachineProgram {
+            deck: program::deck(self),
+            setup: Some(program::SETUP),
+            main: program::RUN,
+            newline: self.p.newline.into(),
+        }
     }
 
     fn plant(&self) -> Plant {

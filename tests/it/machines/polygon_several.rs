@@ -53,7 +53,8 @@ fn drawing_follows_the_polygon_that_is_cut() {
         }
         let cut = usize::from(now.axes[z].actual < -20.0);
         seen[cut] += 1;
-        let pose = project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, drawing_option: false });
+        let pose =
+            project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, drawing_option: false });
         let place = |group: u16| *pose.placements.iter().find(|place| place.group == group).unwrap();
         for groups in [LENS, DISC, PASSES, RING] {
             assert_eq!(groups.map(|group| place(group).opacity), [[1.0, 0.0], [0.0, 1.0]][cut], "{groups:?} at {t}");

@@ -284,7 +284,8 @@ fn two_polygons_have_their_sides_and_their_angle_in_the_run() {
     let tools = log.iter().filter(|canon| matches!(canon, Canon::Tool { .. })).count();
     assert_eq!(tools, 2);
     // At the end the drawing has the hexagon, its wanted shape over it.
-    let pose = project.prepared().pose(&planner, &Samples::at(&planner, 1e6), Frame { step: 0.001, drawing_option: false });
+    let pose =
+        project.prepared().pose(&planner, &Samples::at(&planner, 1e6), Frame { step: 0.001, drawing_option: false });
     let section = area(&pose.paths[CLOSE].1) * (12.5 / 74.0) * (12.5 / 74.0);
     let hexagon = 2.0 * 3.0_f64.sqrt() * 10.5 * 10.5;
     assert!((section / hexagon - 1.0).abs() < 0.01, "{section} for {hexagon}");
@@ -350,8 +351,9 @@ fn end_is_turned_and_threaded_before_the_square() {
     }
     assert!(cuts[0] > 100 && cuts[1] > 100, "{cuts:?}");
     // The drawing shows the turned end and the square next to it, and neither shows stock again.
-    let pose =
-        |t: f64| project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, drawing_option: false });
+    let pose = |t: f64| {
+        project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, drawing_option: false })
+    };
     let mut left = f64::INFINITY;
     for at in 0..=600 {
         let now = area(&pose(end * f64::from(at) / 600.0).paths[BAR].1);

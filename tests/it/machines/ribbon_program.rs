@@ -23,21 +23,21 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 use proptest::prelude::*;
 
-fn plan(on: ControlContext, values: &Values) -> (MachineProgram, Emitted) {
-    let plan = machine().prepare(values, on).program();
-    let emitted = nc::emit(&plan.deck, on.control);
-    (plan, emitted)
+fn emitted(on: ControlContext, values: &Values) -> (MachineProgram, Emitted) {
+    let program = machine().prepare(values, on).program();
+    let emitted = nc::emit(&program.deck, on.control);
+    (program, emitted)
 }
 
 #[track_caller]
 pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachineProgram, Rc<Parsed>) {
-    let (plan, emitted) = plan(on, values);
+    let (program, emitted) = emitted(on, values);
     let parsed = Rc::new(nc::parse(&emitted.files, on.control));
-    let review = review(&parsed, Some(plan.main), &[]);
+    let review = review(&parsed, Some(program.main), &[]);
     let findings: Vec<_> = emitted.diagnostics.iter().chain(&review).collect();
     let said = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(&d.message));
     assert!(findings.is_empty(), "{:#?}", findings.iter().map(said).collect::<Vec<_>>());
-    (plan, parsed)
+    (program, parsed)
 }
 
 /// The PLC's word is #1033 or #1032.
@@ -53,10 +53,10 @@ fn world(percent: f64) -> MachineAtRest {
 /// The run program after the set-up program, as on the machine: variables stay.
 #[track_caller]
 fn ready_on(on: ControlContext<'static>, values: &Values) -> Interp {
-    let (plan, parsed) = parsed(on, values);
-    let mut setup = Interp::new(parsed.clone(), StartProgram::Program(plan.setup));
+    let (program, parsed) = parsed(on, values);
+    let mut setup = Interp::new(parsed.clone(), StartProgram::Program(program.setup.unwrap()));
     assert_eq!(interp::run(&mut setup, &mut world(100.0), 1000, |_, _| {}), Some(End::Program));
-    let mut run = Interp::new(parsed, StartProgram::Program(plan.main));
+    let mut run = Interp::new(parsed, StartProgram::Program(program.main));
     for (name, value) in setup.variables() {
         run.set_variable(name[1..].parse().unwrap(), Some(value));
     }
@@ -455,7 +455,7 @@ fn dropped_program_restores_the_form() {
         ("knob-step", "10"),
     ];
     let wanted = values(changes);
-    let (_, emitted) = plan(on(), &wanted);
+    let (_, emitted) = emitted(on(), &wanted);
     for file in &emitted.files.0 {
         let found = settings::read(&file.text).unwrap();
         assert_eq!((found.machine, found.control), ("ribbon-line", control().id));

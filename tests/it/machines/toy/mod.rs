@@ -9,7 +9,6 @@ mod rules;
 mod scene;
 
 use macroline::machines::form::Field;
-use macroline::machines::form::rows::LineEnds;
 use macroline::machines::verdict::results;
 use macroline::machines::{
     ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples, chart_rows, sheets,
@@ -46,8 +45,12 @@ impl Prepared for CutToLength {
     }
 
     fn program(&self) -> MachineProgram {
-        let crlf = self.p.newline == LineEnds::CrLf;
-        MachineProgram { deck: program::deck(self), setup: program::SETUP, main: program::RUN, crlf }
+        MachineProgram {
+            deck: program::deck(self),
+            setup: Some(program::SETUP),
+            main: program::RUN,
+            newline: self.p.newline.into(),
+        }
     }
 
     fn plant(&self) -> Plant {
