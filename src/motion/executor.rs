@@ -170,7 +170,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let missing = to.mask & !self.plant.fitted;
         for k in (0..AXES).filter(|k| missing & (1 << k) != 0) {
             let letter = self.plant.axes[k].name();
-            self.warn(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", axis = letter));
+            self.warn(Once::Missing(k), || msg!("motion.missing-axis", axis = letter));
         }
         let scale = &self.plant.scale;
         core::array::from_fn(|k| {

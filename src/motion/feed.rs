@@ -18,14 +18,14 @@ impl<P: RunningProgram> Sim<'_, P> {
         if turning.orienting.is_some() && motion.length > 0.0 {
             let (locked, driven) = (turning.locked, turning.driven || self.plant.spindle.driven_tool);
             if !locked {
-                self.warn(Once::NotLocked as u32, || msg!("motion.not-locked"));
+                self.warn(Once::NotLocked, || msg!("motion.not-locked"));
             }
             if !driven {
-                self.warn(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
+                self.warn(Once::NoDrivenTool, || msg!("motion.no-driven-tool"));
             }
         }
         if self.feeds_without_rotation(motion) {
-            self.warn(Once::FeedWithoutRotation as u32, || msg!("motion.feed-without-rotation"));
+            self.warn(Once::FeedWithoutRotation, || msg!("motion.feed-without-rotation"));
         }
         if self.plant.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
@@ -62,9 +62,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if self.s.path.flow_end.take().is_some_and(|end| t > end) {
             self.s.starved += 1;
             let (block_time, macro_time) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
-            self.warn_kind(Once::Starved as u32, DiagnosticKind::Starved, || {
-                msg!("motion.starved", block_time, macro_time)
-            });
+            self.warn_kind(Once::Starved, DiagnosticKind::Starved, || msg!("motion.starved", block_time, macro_time));
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
             self.warn_axis_clamp(motion.limit, motion.limiting, feed);
@@ -104,7 +102,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let slowed = limit * 60.0;
         if feed > slowed * (1.0 + 1e-9) {
             let axis = self.plant.axes[limiting];
-            self.warn(Once::Clamp as u32 + limiting as u32, || {
+            self.warn(Once::Clamp(limiting), || {
                 msg!("motion.axis-clamp", axis = axis.name(), clamp = axis.clamp, feed, slowed)
             });
         }
@@ -145,7 +143,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 true => (Once::SpindleAtRest, msg!("motion.spindle-at-rest")),
                 false => (Once::NoEncoder, msg!("motion.no-encoder")),
             };
-            self.warn(once as u32, || message);
+            self.warn(once, || message);
         }
     }
 

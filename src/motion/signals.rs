@@ -49,7 +49,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             } else {
                 self.s.plc.hold = None;
                 if let Some(notice) = notice {
-                    self.warn(Once::Notice as u32, || notice);
+                    self.warn(Once::Notice, || notice);
                 }
             }
             let io = &mut self.s.plc.io;

@@ -4,11 +4,11 @@ use super::checked_plant::CheckedPlant;
 use super::panel::Panel;
 use super::records::{REMARKS, Records};
 use super::state::SimState;
+use crate::interp::canon::AXES;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
 
-/// Diagnostics reported once per run, as bit numbers; for axes, the bit number of the first axis.
+/// Diagnostics reported once per run; those of an axis once for each, by its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
 pub(super) enum Once {
     Starved,
     SpindleClamp,
@@ -18,11 +18,35 @@ pub(super) enum Once {
     NoEncoder,
     NotLocked,
     NoDrivenTool,
-    Clamp = 8,
-    Missing = 16,
-    FeedWithoutRotation = 24,
-    Notice = 25,
-    SmallOffset = 26,
+    FeedWithoutRotation,
+    Notice,
+    SmallOffset,
+    Clamp(usize),
+    Missing(usize),
+}
+
+impl Once {
+    /// Its bit in [`SimState::reported`]; those of the axes follow the others.
+    fn bit(self) -> u32 {
+        const CLAMP: usize = 11;
+        const MISSING: usize = CLAMP + AXES;
+        let number = match self {
+            Once::Starved => 0,
+            Once::SpindleClamp => 1,
+            Once::SpindleAtRest => 2,
+            Once::OffCentre => 3,
+            Once::NoStage => 4,
+            Once::NoEncoder => 5,
+            Once::NotLocked => 6,
+            Once::NoDrivenTool => 7,
+            Once::FeedWithoutRotation => 8,
+            Once::Notice => 9,
+            Once::SmallOffset => 10,
+            Once::Clamp(axis) => CLAMP + axis,
+            Once::Missing(axis) => MISSING + axis,
+        };
+        1 << number
+    }
 }
 
 /// The state, and everything that its events read and write.
@@ -35,23 +59,23 @@ pub(super) struct Sim<'a, P> {
 
 impl<P> Sim<'_, P> {
     /// Adds a warning, once per run.
-    pub(super) fn warn(&mut self, bit: u32, message: impl FnOnce() -> Message) {
-        self.warn_kind(bit, DiagnosticKind::Plain, message);
+    pub(super) fn warn(&mut self, once: Once, message: impl FnOnce() -> Message) {
+        self.warn_kind(once, DiagnosticKind::Plain, message);
     }
 
     /// Adds a warning with a kind that code tests for, once per run.
-    pub(super) fn warn_kind(&mut self, bit: u32, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
-        self.once(bit, || Diagnostic::warning(message()).kind(kind));
+    pub(super) fn warn_kind(&mut self, once: Once, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
+        self.once(once, || Diagnostic::warning(message()).kind(kind));
     }
 
     /// Adds a remark, once per run.
-    pub(super) fn note(&mut self, bit: u32, message: impl FnOnce() -> Message) {
-        self.once(bit, || Diagnostic::info(message()));
+    pub(super) fn note(&mut self, once: Once, message: impl FnOnce() -> Message) {
+        self.once(once, || Diagnostic::info(message()));
     }
 
-    fn once(&mut self, bit: u32, finding: impl FnOnce() -> Diagnostic) {
-        if self.s.reported & (1 << bit) == 0 {
-            self.s.reported |= 1 << bit;
+    fn once(&mut self, once: Once, finding: impl FnOnce() -> Diagnostic) {
+        if self.s.reported & once.bit() == 0 {
+            self.s.reported |= once.bit();
             self.out.diagnostics.push(Diagnostic { place: self.s.place, ..finding() });
         }
     }

@@ -74,7 +74,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if limited && bound.is_upper() {
             let wanted = now * self.override_share();
             let stage = command.stage;
-            self.warn(Once::SpindleClamp as u32, || match bound {
+            self.warn(Once::SpindleClamp, || match bound {
                 Bound::Output => {
                     msg!("motion.output-full", commanded = wanted, stage = f64::from(stage), full = (to, 3))
                 }

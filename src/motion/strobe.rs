@@ -56,7 +56,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.s.plc.io.m_strobe = Some(40 + u32::from(stage));
                 let count = self.plant.spindle.stage_count;
                 if stage > count {
-                    self.warn(Once::NoStage as u32, || {
+                    self.warn(Once::NoStage, || {
                         msg!("motion.no-stage", stage = u32::from(stage), count = u32::from(count))
                     });
                 } else if stage > 0 {

@@ -77,11 +77,9 @@ impl<P: RunningProgram> Sim<'_, P> {
         if offset > 1e-9 {
             let letter = self.plant.axes[at].name();
             if offset <= self.plant.spindle.rules.small_offset + 1e-9 {
-                self.note(Once::SmallOffset as u32, || {
-                    msg!("motion.small-offset", axis = letter, offset = (offset, 4))
-                });
+                self.note(Once::SmallOffset, || msg!("motion.small-offset", axis = letter, offset = (offset, 4)));
             } else {
-                self.warn(Once::OffCentre as u32, || msg!("motion.off-centre", axis = letter, offset = (offset, 4)));
+                self.warn(Once::OffCentre, || msg!("motion.off-centre", axis = letter, offset = (offset, 4)));
             }
         }
         if self.plant.spindle.rules.surface_at_once || before.is_some_and(|before| before.until.is_finite()) {
