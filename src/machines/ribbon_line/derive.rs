@@ -25,8 +25,11 @@ const KNOB_RATE: f64 = 10.0;
 pub(super) struct Derived {
     /// Ribbon per revolution of the unwinder's motor.
     pub k: f64,
+    /// Speed of the unwinder's motor by S and the override, r/min.
     pub asked_speed: f64,
+    /// Highest speed of the unwinder's motor, r/min.
     pub top_speed: f64,
+    /// Speed of the unwinder's motor, r/min.
     pub actual_speed: f64,
     pub override_limit: f64,
     pub line_speed: f64,
@@ -35,8 +38,11 @@ pub(super) struct Derived {
     pub feed_per_revolution: f64,
     pub x_feed: f64,
     pub y_feed: f64,
+    /// In r/min.
     pub x_motor_speed: f64,
+    /// In r/min.
     pub y_motor_speed: f64,
+    /// In r/min.
     pub print_roller_speed: f64,
     pub pitch_time: f64,
     pub block_time: f64,
@@ -240,6 +246,16 @@ impl Params {
         self.speed_clamp.min(self.speed_at_10v)
     }
 
+    /// Speed (r/min) that an override of `percent` asks of the unwinder's motor: `S · percent / 100`.
+    fn asked_speed_at(&self, percent: f64) -> f64 {
+        self.spindle_speed * percent / 100.0
+    }
+
+    /// Speed (r/min) of the unwinder's motor at an override of `percent`: the asked one, at most the highest.
+    pub(super) fn speed_at(&self, percent: f64) -> f64 {
+        self.asked_speed_at(percent).min(self.top_speed())
+    }
+
     /// The unwinder's motor and inverter. With a dancer they follow the pull.
     pub(super) fn induction(&self) -> Induction {
         Induction {
@@ -275,8 +291,8 @@ impl Derived {
         let k = k(pi, p.press_roller_diameter, p.reduction_ratio);
         let top_speed = p.top_speed();
         // Equation (1), and the clamp of control and program.
-        let asked_speed = p.spindle_speed * p.override_stepped() / 100.0;
-        let actual_speed = asked_speed.min(top_speed);
+        let asked_speed = p.asked_speed_at(p.override_stepped());
+        let actual_speed = p.speed_at(p.override_stepped());
         let line_speed = k * actual_speed;
         let y_stroke = p.y_stroke();
         let vector_feed = vector_feed(line_speed, p.pitch, y_stroke);
@@ -390,6 +406,11 @@ impl Derived {
     pub(super) fn knob(&self, p: &Params) -> f64 {
         100.0 * self.actual_speed / p.spindle_speed
     }
+}
+
+/// The greatest value of a quantity, at least 0, over several positions of the knob.
+pub(super) fn greatest<'a>(over: impl IntoIterator<Item = &'a Derived>, of: impl Fn(&Derived) -> f64) -> f64 {
+    over.into_iter().map(of).fold(0.0, f64::max)
 }
 
 /// Length error (%) of a diameter entered without the ribbon's thickness: `t / D · 100`. Source: sizing facts D22.
@@ -507,8 +528,7 @@ fn still_to_ramp(p: &Params, wait: f64) -> f64 {
 
 /// Time of the inverter from standstill to the actual speed n, s: `t_ramp = t_10 · n / n10`, with its ramp t_10 for the speed n10 at 10 V.
 fn ramp(p: &Params) -> f64 {
-    let asked = (p.spindle_speed * p.override_stepped() / 100.0).min(p.top_speed());
-    p.inverter_ramp * asked / p.speed_at_10v
+    p.inverter_ramp * p.speed_at(p.override_stepped()) / p.speed_at_10v
 }
 
 /// Ribbon unwound at a start before X pulls at the same speed, mm. With F per revolution and a wait t_w shorter than the spindle ramp t_r:

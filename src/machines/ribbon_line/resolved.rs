@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::derive::Derived;
+use super::derive::{Derived, greatest};
 use super::mechanics::Mechanics;
 use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
 use super::scene::captions::{distance, names};
@@ -17,7 +17,7 @@ use crate::math::PI;
 use crate::text::columns;
 
 /// Override (%) to which the line's ladder limits the knob.
-pub(super) const GREATEST: f64 = 200.0;
+pub(super) const KNOB_LIMIT: f64 = 200.0;
 
 /// Variable for the typed override, on controls whose PLC has no macro input.
 const TYPED: u32 = 103;
@@ -68,27 +68,31 @@ impl RibbonLine {
             // A code has positions of its own, and no others reach spindle or program.
             (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
         }
-        let [d, fast, slow] = over_knob(&p, knob, &control.analog_output);
-        let tautest = [&d, &fast, &slow].map(|at| at.taut(&p)).into_iter().fold(0.0, f64::max);
+        let [d, fast, slow] = derive_over_knob(&p, knob, &control.analog_output);
+        let tautest = greatest([&d, &fast, &slow], |at| at.taut(&p));
         let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d, tautest), Mechanics::new(&p, &fast, tautest));
         RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
     }
 
     /// Results of the formulas for another form, with the knob as it is, at its highest and at its lowest position.
     pub(super) fn with(&self, p: &Params) -> [Derived; 3] {
-        over_knob(p, self.dialect.spindle().knob, &self.control.analog_output)
+        derive_over_knob(p, self.dialect.spindle().knob, &self.control.analog_output)
+    }
+
+    /// The results with the knob as it is, at its highest and at its lowest position.
+    pub(super) fn over_knob(&self) -> [&Derived; 3] {
+        [&self.d, &self.fast, &self.slow]
     }
 
     /// The results at the position of the knob at which the quantity `of` is greatest.
     pub(super) fn worst(&self, of: fn(&Derived) -> f64) -> &Derived {
-        [&self.fast, &self.slow]
-            .into_iter()
-            .fold(&self.d, |worst, next| if of(next) > of(worst) { next } else { worst })
+        let [now, others @ ..] = self.over_knob();
+        others.into_iter().fold(now, |worst, next| if of(next) > of(worst) { next } else { worst })
     }
 
     /// Highest position (%) of the knob that the line takes.
     pub(super) fn highest_position(&self) -> f64 {
-        self.dialect.spindle().knob.high.min(GREATEST)
+        highest(self.dialect.spindle().knob)
     }
 
     /// Frequency (Hz) of the unwinder's motor at the lowest position of the knob at which it turns, at most the present one.
@@ -215,15 +219,20 @@ impl RibbonLine {
     }
 }
 
+/// Highest position (%) of a knob that the line takes.
+fn highest(knob: Steps) -> f64 {
+    knob.high.min(KNOB_LIMIT)
+}
+
 /// Results of the formulas with the knob as it is, at its highest and at its lowest position. A locked knob has no other position, a line
 /// at standstill neither; at a lowest position of 0 % the line is at rest, and the present results are used.
-fn over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
+fn derive_over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
     let now = Derived::new(p, output);
     if now.actual_speed <= 0.0 || p.knob_is_locked() {
         return [now.clone(), now.clone(), now];
     }
-    let fast = at(knob.high.min(GREATEST).max(p.override_percent));
+    let fast = at(highest(knob).max(p.override_percent));
     let slow = if knob.low > 0.0 { at(knob.low.min(p.override_percent)) } else { now.clone() };
     [now, fast, slow]
 }

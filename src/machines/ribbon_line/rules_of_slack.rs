@@ -1,8 +1,8 @@
 //! Rules about ribbon between unwinder and pull roller: the loop, the slack rate, the knob, the tension of the web.
 
-use super::derive::Derived;
+use super::derive::{Derived, greatest};
 use super::params::{FIELDS, Params, PathMode, Variant, Wait};
-use super::resolved::{GREATEST, RibbonLine};
+use super::resolved::RibbonLine;
 use super::tension_switch::{TensionSwitch, with_pinch};
 use super::unwinder_motor::shortest_ramp;
 use crate::controls::Code;
@@ -77,26 +77,31 @@ pub(super) fn worst_loop(line: &RibbonLine) -> &Derived {
 /// Longest loop (mm) that an advice offers: hanging free it is half as deep. Engineering choice.
 pub(super) const LONGEST_LOOP: f64 = 5000.0;
 
-/// A change of the form: words of its button, and its entries.
-type Change = (Message, Vec<(&'static str, String)>);
+/// A change of the form that an advice offers.
+pub(super) struct FormChange {
+    /// Words of the button that makes it.
+    button: Message,
+    /// Entries of the form: ids of fields and typed texts.
+    sets: Vec<(&'static str, String)>,
+}
 
 /// An advice whose button takes several changes and names each.
-fn taking(advice: Advice, changes: Vec<Change>) -> Advice {
+fn taking(advice: Advice, changes: Vec<FormChange>) -> Advice {
     let button = match &changes[..] {
-        [(only, _)] => only.clone(),
-        all => msg!("advice.several", changes = clauses(all.iter().map(|(button, _)| sentence(button)))),
+        [only] => only.button.clone(),
+        all => msg!("advice.several", changes = clauses(all.iter().map(|change| sentence(&change.button)))),
     };
-    advice.setting(button, changes.into_iter().flat_map(|(_, sets)| sets).collect::<Vec<_>>())
+    advice.setting(button, changes.into_iter().flat_map(|change| change.sets).collect::<Vec<_>>())
 }
 
 /// The loop that holds `needed` mm.
-fn longer_loop(needed: f64) -> Change {
+fn longer_loop(needed: f64) -> FormChange {
     let set = up(FIELDS, "loop-capacity", needed);
-    (msg!("advice.set-loop", capacity = set.text.as_str()), vec![set.into()])
+    FormChange { button: msg!("advice.set-loop", capacity = set.text.as_str()), sets: vec![set.into()] }
 }
 
 /// An advice with further changes after which a product lays `needed` mm, and the loop for it; without a button where no such loop is built.
-pub(super) fn with_loop(advice: Advice, needed: f64, changes: Vec<Change>) -> Advice {
+pub(super) fn with_loop(advice: Advice, needed: f64, changes: Vec<FormChange>) -> Advice {
     if needed > LONGEST_LOOP {
         return advice;
     }
@@ -121,28 +126,29 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         hold = (d.slack_interruption, 0)
     );
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
-    let after = |form: &Params| line.with(form).into_iter().map(|d| d.loop_needed).fold(0.0, f64::max);
+    let after = |form: &Params| greatest(&line.with(form), |d| d.loop_needed);
     // An advice with changes of the waiting and the ramp, and the loop that they still ask; none where no such loop is built.
-    let mut offer = |said: Message, left: f64, changes: Vec<Change>| {
+    let mut offer = |said: Message, left: f64, changes: Vec<FormChange>| {
         if left <= p.loop_capacity {
             advice.push(taking(said.into(), changes));
         } else if left <= LONGEST_LOOP {
             advice.push(with_loop(said.into(), left, changes));
         }
     };
-    let (dwelt, dwell) = with_matching_dwell(line, p.clone());
-    let left = after(&dwelt);
+    let dwelt = with_matching_dwell(line, p.clone());
+    let left = after(&dwelt.form);
     if left < d.loop_needed {
-        let said = msg!("ribbon.matching-dwell", time = dwell.1[1].1.as_str(), capacity = (left.ceil(), 0));
-        offer(said, left, vec![dwell]);
+        let said = msg!("ribbon.matching-dwell", time = dwelt.typed.as_str(), capacity = (left.ceil(), 0));
+        offer(said, left, vec![dwelt.change]);
     }
     let ramp = up(FIELDS, "inverter-ramp", shortest_ramp(line));
     if ramp.value < p.inverter_ramp {
-        let (steep, dwell) = with_matching_dwell(line, Params { inverter_ramp: ramp.value, ..p.clone() });
-        let shortest = after(&steep);
+        let steep = with_matching_dwell(line, Params { inverter_ramp: ramp.value, ..p.clone() });
+        let shortest = after(&steep.form);
         if shortest < left.min(d.loop_needed) {
             let said = msg!("ribbon.shorter-ramp", time = ramp.text.as_str(), capacity = (shortest.ceil(), 0));
-            offer(said, shortest, vec![(msg!("advice.set-ramp", time = ramp.text.as_str()), vec![ramp.into()]), dwell]);
+            let button = msg!("advice.set-ramp", time = ramp.text.as_str());
+            offer(said, shortest, vec![FormChange { button, sets: vec![ramp.into()] }, steep.change]);
         }
     }
     if d.slack_run != 0.0 && !p.dancer {
@@ -161,8 +167,7 @@ fn queued(p: &Params) -> f64 {
 
 /// Ribbon (mm) that start and run lay into the loop, at the worst position of the knob.
 fn laid_so_far(line: &RibbonLine) -> f64 {
-    let laid = |d: &Derived| d.slack_start.abs() + d.slack_run.abs();
-    [&line.d, &line.fast, &line.slow].map(laid).into_iter().fold(0.0, f64::max)
+    greatest(line.over_knob(), |d| d.slack_start.abs() + d.slack_run.abs())
 }
 
 /// Ribbon (mm) that may go missing in the run: what a start has laid at the worst position of the knob, and what is missing when the
@@ -173,16 +178,24 @@ fn may_go_missing(line: &RibbonLine) -> f64 {
 
 /// Ribbon (mm) in the loop at the least while the line runs, over the positions of the knob.
 fn least_laid(line: &RibbonLine) -> f64 {
-    let laid = [&line.d, &line.fast, &line.slow].map(|d| d.slack_start.min(d.slack_start + d.slack_run));
+    let laid = line.over_knob().map(|d| d.slack_start.min(d.slack_start + d.slack_run));
     laid.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// Lowest positions (%) of the knob from which one turn to its highest does not overfill the loop, and to which one turn from its highest
-/// does not open the tension switch; `None` where the axes follow the unwinder at once, the knob does not turn it, or there is no loop.
+/// Lowest positions (%) of the knob for one turn between them and its highest.
+#[derive(Default)]
+struct LowestTurns {
+    /// From here one turn up does not overfill the loop.
+    up: f64,
+    /// One turn down to here does not open the tension switch.
+    down: f64,
+}
+
+/// The lowest positions for a turn of the knob; `None` where the axes follow the unwinder at once, the knob does not turn it, or there is no loop.
 ///
 /// The unwinder follows the knob, the queued blocks keep their feed: `queued · (highest / k - 1)` is laid more than pulled, or
 /// `queued · (1 - k / highest)` pulled more than laid. Source: ribbon line facts, 5.
-fn lowest_turns(line: &RibbonLine) -> Option<(f64, f64)> {
+fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
     let p = &line.p;
     if line.in_step() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
         return None;
@@ -191,12 +204,12 @@ fn lowest_turns(line: &RibbonLine) -> Option<(f64, f64)> {
     let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
     let up = highest / (1.0 + room / queued);
     let down = highest * (1.0 - may_go_missing(line) / queued).max(0.0);
-    Some((up, down))
+    Some(LowestTurns { up, down })
 }
 
 /// Lowest position (%) of the knob between which and its highest it may be turned at once, in both directions.
 pub(super) fn lowest_turn(line: &RibbonLine) -> f64 {
-    lowest_turns(line).map_or(0.0, |(up, down)| up.max(down))
+    lowest_turns(line).map_or(0.0, |turns| turns.up.max(turns.down))
 }
 
 /// Judges a turn of the knob between the lowest position in common use and its highest.
@@ -205,7 +218,7 @@ pub(super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     // A knob that ends below is no wider.
     let low = LOW_KNOB.min(highest);
     let limit = AtMost(low);
-    let (up, down) = lowest_turns(line).unwrap_or_default();
+    let LowestTurns { up, down } = lowest_turns(line).unwrap_or_default();
     let mut advice = Vec::new();
     let (queued, ends) = (queued(p), ((low, 0), (highest, 0)));
     if up > low {
@@ -235,12 +248,22 @@ pub(super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
 }
 
-/// A form with the dwell that matches it, and the change to it.
-fn with_matching_dwell(line: &RibbonLine, form: Params) -> (Params, Change) {
+/// A form with the dwell that matches it.
+struct DweltForm {
+    form: Params,
+    /// The dwell (s) as typed.
+    typed: String,
+    /// The change of the form to it.
+    change: FormChange,
+}
+
+/// A form with the dwell that matches it, in the place of its own wait.
+fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
     let set = matching_dwell(line, &form);
-    let dwell = set.value;
-    let button = msg!("advice.set-dwell", time = set.text.as_str());
-    (Params { wait: Wait::Dwell, dwell, ..form }, (button, vec![("wait", "dwell".to_owned()), set.into()]))
+    let (dwell, typed) = (set.value, set.text.clone());
+    let button = msg!("advice.set-dwell", time = typed.as_str());
+    let change = FormChange { button, sets: vec![("wait", "dwell".to_owned()), set.into()] };
+    DweltForm { form: Params { wait: Wait::Dwell, dwell, ..form }, typed, change }
 }
 
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.
@@ -308,31 +331,41 @@ pub(super) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
 /// Slack rate (mm/min) with the knob at its worse extreme position, where the knob turns the unwinder and the axes stay; else 0:
 /// `K · (n_knob - n)`.
 pub(super) fn knob_slack(line: &RibbonLine) -> f64 {
-    worst_knob(line).map_or(0.0, |(_, _, rate)| rate)
+    worst_knob(line).map_or(0.0, |knob| knob.slack_rate)
 }
 
-/// The worse extreme position of such a knob (%), the speed there (r/min), and the slack rate (mm/min).
-pub(super) fn worst_knob(line: &RibbonLine) -> Option<(f64, f64, f64)> {
+/// A position of a knob that turns the unwinder while the axes stay.
+pub(super) struct KnobPosition {
+    /// The position, %.
+    percent: f64,
+    /// Speed of the unwinder there, r/min.
+    speed: f64,
+    /// Slack rate there, mm/min.
+    slack_rate: f64,
+}
+
+/// The worse extreme position of such a knob; none if the axes follow it, or if nothing turns.
+pub(super) fn worst_knob(line: &RibbonLine) -> Option<KnobPosition> {
     let RibbonLine { p, d, .. } = line;
     if !p.knob_turns_alone() || d.actual_speed <= 0.0 {
         return None;
     }
-    let knob = line.dialect.spindle().knob;
     let at = |percent: f64| {
-        let rpm = (p.spindle_speed * percent / 100.0).min(d.top_speed);
-        (percent, rpm, d.k * (rpm - d.actual_speed))
+        let speed = p.speed_at(percent);
+        KnobPosition { percent, speed, slack_rate: d.k * (speed - d.actual_speed) }
     };
-    let (high, low) = (at(knob.high.min(GREATEST)), at(knob.low));
-    Some(if low.2.abs() > high.2.abs() { low } else { high })
+    let (high, low) = (at(line.highest_position()), at(line.dialect.spindle().knob.low));
+    Some(if low.slack_rate.abs() > high.slack_rate.abs() { low } else { high })
 }
 
 /// A knob that the axes do not follow fails: lock it, or let the axes follow the measured speed.
 pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     let limit = Within(DRIFT);
-    let Some((percent, rpm, rate)) = worst_knob(line).filter(|(_, _, rate)| rate.abs() > DRIFT) else {
+    let Some(knob) = worst_knob(line).filter(|knob| knob.slack_rate.abs() > DRIFT) else {
         return ok(limit);
     };
-    let turns = msg!("ribbon.knob-alone", percent = (percent, 0), speed = (rpm, 1), rate = (rate, 0));
+    let turns =
+        msg!("ribbon.knob-alone", percent = (knob.percent, 0), speed = (knob.speed, 1), rate = (knob.slack_rate, 0));
     let lock = [("knob-use", "locked".to_owned())];
     let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
     if line.control.can(Code::FeedPerRevolution) {
@@ -347,8 +380,8 @@ pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-/// Judges the tension of a tight ribbon over the range of the knob against that at which the switch holds the program: by the draw while the line runs, and by the ribbon that is missing
-/// after a start.
+/// Judges the tension of a tight ribbon over the range of the knob against that at which the switch holds the program: by the draw while the
+/// line runs, and by the ribbon that is missing after a start.
 pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.p;
     let most = TensionSwitch::new(line).tension;
