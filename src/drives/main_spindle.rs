@@ -4,6 +4,22 @@ use super::load::{self, Load};
 use super::spindle_motor::MotorCurve;
 use crate::math::RPM;
 
+/// Short-time torque of a motor as a share of the rated one at the same speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShortTime {
+    /// In run-up and cut.
+    pub driving: f64,
+    /// In braking.
+    pub braking: f64,
+}
+
+impl ShortTime {
+    /// The share where the motor brakes, or drives.
+    pub fn at(self, brakes: bool) -> f64 {
+        if brakes { self.braking } else { self.driving }
+    }
+}
+
 /// Everything that turns in a gear stage, and the motor that turns it. Torques and inertia at the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MainSpindle {
@@ -15,14 +31,19 @@ pub struct MainSpindle {
     pub load_at_spindle: Load,
     /// The motor by its data sheet.
     pub motor: MotorCurve,
-    /// Short-time torque as a share of the rated one at the same speed, in run-up and in braking.
-    pub peak: [f64; 2],
+    /// Its short-time torque.
+    pub short_time: ShortTime,
 }
 
 impl MainSpindle {
-    /// Short-time torque of the motor, in run-up and in braking.
-    pub fn short_time(&self) -> [MotorCurve; 2] {
-        self.peak.map(|share| self.motor.share(share))
+    /// Short-time torque of the motor in run-up and cut.
+    pub fn driving_motor(&self) -> MotorCurve {
+        self.motor.share(self.short_time.driving)
+    }
+
+    /// Short-time torque of the motor in braking.
+    fn braking_motor(&self) -> MotorCurve {
+        self.motor.share(self.short_time.braking)
     }
 
     /// Load of braking: friction helps the motor.
@@ -38,21 +59,20 @@ impl MainSpindle {
     /// The shortest ramp (s to the speed at 10 V) whose run-up and braking the motor has the torque for at a highest speed in
     /// r/min, where it has the least. Source: turning spindle facts, 5.
     pub fn shortest_ramp(&self, highest: f64) -> f64 {
-        let [up, down] = self.short_time().map(|motor| motor.torque(highest));
+        let [up, down] = [self.driving_motor(), self.braking_motor()].map(|motor| motor.torque(highest));
         let ramp = |load: Load, torque: f64| load.shortest_ramp(0.0, self.speed_at_10v * RPM, torque);
         ramp(self.load_at_spindle, up).max(ramp(self.braked(), down))
     }
 
     /// Seconds to a speed in r/min with the short-time torque of the motor.
     pub fn run_up(&self, rpm: f64) -> f64 {
-        let [motor, _] = self.short_time();
-        motor.seconds_to(rpm, self.load_at_spindle.inertia, self.load_at_spindle.torque)
+        self.driving_motor().seconds_to(rpm, self.load_at_spindle.inertia, self.load_at_spindle.torque)
     }
 
     /// Braking time (s) from a speed in r/min to rest.
     pub fn braking(&self, rpm: f64) -> f64 {
-        let ([_, motor], braked) = (self.short_time(), self.braked());
-        motor.seconds_to(rpm, braked.inertia, braked.torque)
+        let braked = self.braked();
+        self.braking_motor().seconds_to(rpm, braked.inertia, braked.torque)
     }
 
     /// Coasting time (s) without current from a speed in r/min to rest: friction alone slows the spindle. Source: sizing facts 2.2.

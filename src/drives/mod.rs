@@ -49,6 +49,6 @@ pub mod polygon;
 pub mod scaling;
 
 pub use analog::Analog;
-pub use main_spindle::MainSpindle;
+pub use main_spindle::{MainSpindle, ShortTime};
 pub use orient::{Approach, Positioning};
 pub use speed::{Bound, SpeedLimits, Stage};

@@ -1,5 +1,6 @@
 //! Drives that a machine is sized by: the servo motors of its axes, the motor on its inverter, and quantities checked during operation.
 
+use crate::drives::ShortTime;
 use crate::drives::duty::{CutSpan, Motion, OperatingPoint, Strikes, Turn};
 use crate::drives::holding_brake;
 use crate::drives::load::{Load, Move, Phase};
@@ -293,8 +294,8 @@ pub struct InverterCycle {
     pub rotor: Option<f64>,
     /// Its ramps, and the time of the work between them.
     pub of: Move,
-    /// Short-time torque as a share of the rated one, in the run-up and in the stop.
-    pub peak: [f64; 2],
+    /// Short-time torque of the motor in the run-up and in the stop.
+    pub short_time: ShortTime,
 }
 
 impl InverterCycle {
@@ -318,8 +319,8 @@ pub struct SpindleRun {
     pub rotor: f64,
     /// The form's motor by its data sheet.
     pub motor: MotorCurve,
-    /// Short-time torque as a share of the rated one at the same speed, driving and braking.
-    pub peak: [f64; 2],
+    /// Short-time torque of the motor.
+    pub short_time: ShortTime,
 }
 
 impl SpindleRun {
@@ -336,7 +337,7 @@ impl SpindleRun {
     }
 
     fn under(&self, motion: &Motion, motor: &MotorCurve, rotor: f64) -> OperatingPoint {
-        motion.worst_point_under(rotor, |brakes, speed| self.peak[usize::from(brakes)] * motor.torque(speed))
+        motion.worst_point_under(rotor, |brakes, speed| self.short_time.at(brakes) * motor.torque(speed))
     }
 
     /// The greatest share of the torque that the rated current of a motor with this curve and rotor (kg m²) gives at the same speed, with

@@ -5,11 +5,11 @@ use super::driven::SpindleRun;
 use super::form::Field;
 use super::form::rows::{Member, flag, number};
 use super::verdict::{Judgement, fail, maximum, ok, up, warn};
-use crate::drives::MainSpindle;
 use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::spindle_motor::{self, MotorCurve};
+use crate::drives::{MainSpindle, ShortTime};
 use crate::msg;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart, Series};
@@ -69,13 +69,13 @@ impl SpindleDrive {
                 efficiency: 1.0,
             },
             motor: self.motor(stage),
-            peak: self.short_time(),
+            short_time: self.short_time(),
         }
     }
 
-    /// Short-time torque as a share of the rated one, in run-up and in braking.
-    fn short_time(&self) -> [f64; 2] {
-        [self.peak, self.braking].map(|percent| percent / 100.0)
+    /// Short-time torque of the motor.
+    fn short_time(&self) -> ShortTime {
+        ShortTime { driving: self.peak / 100.0, braking: self.braking / 100.0 }
     }
 
     /// An inertia (kg m²) at the spindle as the motor has it at its shaft, against the friction of the spindle.
@@ -96,7 +96,7 @@ impl SpindleDrive {
             idle,
             rotor: self.rotor,
             motor: MotorCurve::at_shaft(self.power, self.base),
-            peak: self.short_time(),
+            short_time: self.short_time(),
         }
     }
 }
@@ -196,8 +196,7 @@ pub(super) fn judge_ramp<P>(
         return warn(limit, [if shortest <= maximum(fields, id) { said.setting(button, [set]) } else { said }]);
     }
     if shortest == f64::INFINITY {
-        let [motor, _] = spindle.short_time();
-        let gives = motor.torque(highest);
+        let gives = spindle.driving_motor().torque(highest);
         let friction = (spindle.load_at_spindle.torque, 1);
         return fail(limit, [msg!("lathe.friction-stalls", friction, torque = (gives, 1)).into()]);
     }

@@ -241,12 +241,11 @@ pub(super) fn charts(lathe: &PolygonLathe, points: usize) -> Vec<Chart> {
     }
     let (p, spindle) = (&lathe.p, lathe.p.main_spindle());
     let continuous = p.main_continuous();
-    let [short, _] = spindle.short_time();
     let cut = lathe.turned_ends().map(|(end, _)| (end.speed, lathe.end_torque(end)));
     main_spindle::charts_by_speed(
         SpeedCurves {
             stages: vec![("polygon.chart.main-continuous", 0, continuous, spindle.speed_at_10v)],
-            short_time: Some((short, spindle.speed_at_10v)),
+            short_time: Some((spindle.driving_motor(), spindle.speed_at_10v)),
             cut: if lathe.greatest_end_force() > 0.0 { cut.collect() } else { Vec::new() },
         },
         points,

@@ -6,6 +6,7 @@ use super::resolved::RibbonLine;
 use super::tension_switch::{self, TensionSwitch};
 use super::unwinder_motor::SHORT_TIME;
 use super::variables::PITCH;
+use crate::drives::ShortTime;
 use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, Move};
 use crate::machines::driven::{
@@ -111,7 +112,7 @@ fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
         // The inertia of the form includes the rotor.
         rotor: None,
         of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: p.pause, hold: 0.0 },
-        peak: [SHORT_TIME, p.unwinding.motor_braking / 100.0],
+        short_time: ShortTime { driving: SHORT_TIME, braking: p.unwinding.motor_braking / 100.0 },
     }
 }
 

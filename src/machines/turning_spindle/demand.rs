@@ -67,7 +67,7 @@ impl Derived {
 
     /// The point of the cut that asks most of the short-time torque: cut, friction and acceleration together.
     pub(super) fn worst_cut_point(&self, p: &Params) -> CutPoint {
-        let [motor, _] = p.main_spindle(self.stage_speed).short_time();
+        let motor = p.main_spindle(self.stage_speed).driving_motor();
         self.worst_point(p, motor, |diameter| self.torque_at(p, diameter))
     }
 }

@@ -45,8 +45,8 @@ pub(super) fn positioning_torque(lathe: &TurningSpindle) -> f64 {
 /// The acceleration of the positioning against the short-time torque of the motor.
 pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let spindle = engaged(lathe);
-    let [motor, _] = spindle.short_time();
-    let (torque, most) = (positioning_torque(lathe), motor.torque(lathe.p.positioning_speed));
+    let most = spindle.driving_motor().torque(lathe.p.positioning_speed);
+    let torque = positioning_torque(lathe);
     let sign = keyway::sign_for_angle(lathe);
     if torque <= most {
         return sign.map_or_else(|| ok(AtMost(most)), |advice| fail(None, [advice]));

@@ -440,7 +440,8 @@ impl Envelope<'_> {
         let spindle = if is_driven { self.prepared.spindle_run(run, &stretches) } else { None };
         let spindle = spindle.map(|spindle| {
             let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
-            let most = if share > 0.0 { torque / share } else { spindle.peak[0] * spindle.motor.torque(speed) };
+            let most =
+                if share > 0.0 { torque / share } else { spindle.short_time.driving * spindle.motor.torque(speed) };
             torque_row(event, ("spindle", spindle.name), torque, most)
         });
         gauges.chain(motors).chain(spindle).collect()

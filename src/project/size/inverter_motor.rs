@@ -174,7 +174,7 @@ fn over_cycle(
     let mut refusal = None;
     let ramps = cycle.ramps(inertia);
     // A load that brakes harder than the ramp leaves the motor to drive in the stop too.
-    let share = |torque: f64| cycle.peak[usize::from(torque < 0.0)];
+    let share = |torque: f64| cycle.short_time.at(torque < 0.0);
     for (asked, most) in ramps.map(|ramp| (ramp.torque.abs(), share(ramp.torque) * gives)) {
         shares.peak = shares.peak.max(asked / most);
         if asked > most {
