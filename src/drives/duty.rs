@@ -73,11 +73,20 @@ impl Strikes {
     }
 }
 
+/// The greatest torque of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PeakTorque {
+    /// Torque, Nm.
+    pub torque: f64,
+    /// Its time, s.
+    pub t: f64,
+}
+
 /// Load of a motion on a motor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
-    /// Greatest torque, Nm, and its time, s.
-    pub peak: (f64, f64),
+    /// Greatest torque.
+    pub peak: PeakTorque,
     /// Effective torque, Nm.
     pub effective: f64,
     /// Greatest speed, rad/s.
@@ -247,8 +256,8 @@ impl Motion {
             let torque = self.torque(turn, rotor);
             let energy = 0.5 * torque * (turn.from + turn.to) * turn.seconds;
             let (greatest, spread) = self.greatest(turn, torque);
-            if greatest > work.peak.0 {
-                work.peak = (greatest, turn.t);
+            if greatest > work.peak.torque {
+                work.peak = PeakTorque { torque: greatest, t: turn.t };
             }
             square += (torque * torque + spread) * turn.seconds;
             work.speed = work.speed.max(turn.from.abs()).max(turn.to.abs());

@@ -22,7 +22,7 @@ impl GearDuty {
     pub fn new(output: &Motion, ratio: f64) -> GearDuty {
         let work = output.work(0.0);
         GearDuty {
-            peak: work.peak.0,
+            peak: work.peak.torque,
             mean: lasting(output),
             speed: work.speed / RPM * ratio,
             mean_speed: output.mean_speed() * ratio,

@@ -200,7 +200,7 @@ impl Asked {
 
     /// Whether the second run has the greatest torque.
     fn peak_is_at_knob(&self, rotor: f64) -> bool {
-        let peak = |motion: &Motion| motion.work(rotor).peak.0;
+        let peak = |motion: &Motion| motion.work(rotor).peak.torque;
         matches!(self.motions.as_slice(), [first, second] if peak(second) > peak(first))
     }
 
@@ -208,7 +208,7 @@ impl Asked {
     fn work(&self, rotor: f64) -> Work {
         let works = self.motions.iter().map(|motion| motion.work(rotor));
         works.fold(Work::default(), |worst, next| Work {
-            peak: if next.peak.0 > worst.peak.0 { next.peak } else { worst.peak },
+            peak: if next.peak.torque > worst.peak.torque { next.peak } else { worst.peak },
             effective: worst.effective.max(next.effective),
             speed: worst.speed.max(next.speed),
             given: worst.given.max(next.given),
@@ -296,7 +296,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: holding_brake::torque(axis.weight),
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
-            asked: MotorDemand { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM },
+            asked: MotorDemand { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM },
             work: Some(work),
             returned: asked.returned(axis.fitted.motor.rotor),
             knob: asked.knob,
@@ -382,10 +382,10 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
         return Candidate { amplifier: amplifier.cloned(), ..unknown(part) };
     };
     let work = asked.work(motor.rotor);
-    let torques = (work.effective, work.peak.0);
+    let torques = (work.effective, work.peak.torque);
     let amplifier = amplifier(part, torques, catalogue, control);
     let shortage = if amplifier.is_none() { shortage(part, torques, catalogue, control) } else { None };
-    let duty = Duty { peak: work.peak.0, effective: work.effective, speed: work.speed / RPM };
+    let duty = Duty { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM };
     let worst_point = asked.worst_point(&motor);
     let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &duty) };
     let limits =

@@ -210,7 +210,7 @@ impl Sizing {
             (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
         let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
         let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
-        let (torque, time) = (units::text(work.peak.0, 3, "Nm"), (work.peak.1, 2));
+        let (torque, time) = (units::text(work.peak.torque, 3, "Nm"), (work.peak.t, 2));
         let peak_at = match axis.peak_is_at_knob {
             true => msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str()),
             false => msg!("size.peak-at", torque = torque.as_str(), time),
@@ -227,7 +227,8 @@ impl Sizing {
             ("size.given", units::text(work.given, 1, "J")),
             ("size.returned", units::text(work.returned, 1, "J")),
         ];
-        let currents = [("size.current", amperes(work.peak.0)), ("size.effective-current", amperes(work.effective))];
+        let currents =
+            [("size.current", amperes(work.peak.torque)), ("size.effective-current", amperes(work.effective))];
         let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));
         Some(Sheet {
             id: "asked",

@@ -56,7 +56,7 @@ impl Sizing {
 fn axis(axis: &SizedAxis) -> Json {
     let work = axis.work.map(|work| {
         json!({
-            "peak_torque_nm": work.peak.0, "peak_at_s": work.peak.1,
+            "peak_torque_nm": work.peak.torque, "peak_at_s": work.peak.t,
             "peak_at_knob_percent": axis.knob.filter(|_| axis.peak_is_at_knob), "effective_torque_nm": work.effective,
             "current_per_torque_a_nm": axis.ampere_per_torque,
             "speed_rad_s": work.speed, "energy_given_j": work.given, "energy_returned_j": work.returned,

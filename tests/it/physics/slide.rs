@@ -68,7 +68,7 @@ proptest! {
         let both = energy(&turns);
         prop_assert!((both - 2.0 * slide.friction * way).abs() < 1e-9 * (1.0 + up), "{both}");
         // The motor holds the weight at rest.
-        prop_assert!((motion(&turns[2..3]).work(0.0).peak.0 - slide.weight()).abs() < 1e-12);
+        prop_assert!((motion(&turns[2..3]).work(0.0).peak.torque - slide.weight()).abs() < 1e-12);
     }
 }
 

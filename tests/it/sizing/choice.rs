@@ -577,7 +577,7 @@ fn strikes_of_the_cut_count_for_the_motors_of_a_polygon_lathe() {
     for axis in ["work", "tool"] {
         let found = sizing.axes.iter().find(|row| row.id == axis).unwrap();
         // The gear of the default is 1 : 1; its losses are in the torque at the motor.
-        let peak = found.work.unwrap().peak.0;
+        let peak = found.work.unwrap().peak.torque;
         assert!(peak >= p(&format!("{axis}-torque")), "{axis}: {peak} of {}", p(&format!("{axis}-torque")));
         let ordered = found.ordered().and_then(|motor| motor.part.servo()).unwrap();
         assert!(0.8 * ordered.peak >= peak, "{axis}: {} of {peak}", ordered.peak);

@@ -179,7 +179,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
             assert!(paused.turning < axis.turning && paused.loaded <= axis.loaded, "{machine} {}", axis.id);
             let Some((work, rests)) = axis.work.zip(paused.work) else { continue };
             assert!(rests.effective < work.effective, "{machine} {}: {} {}", axis.id, work.effective, rests.effective);
-            super::same("peak", rests.peak.0, work.peak.0, 1e-6);
+            super::same("peak", rests.peak.torque, work.peak.torque, 1e-6);
             super::same("speed", rests.speed, work.speed, 1e-9);
         }
     }

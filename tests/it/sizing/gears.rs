@@ -155,10 +155,10 @@ fn torque_at_the_output_agrees_with_that_at_the_motor() {
     let rise = |speed: f64| [Turn { t: 0.0, seconds: 0.1, from: 0.0, to: speed }];
     let motor = Motion::new(rise(30.0), load, 0.0);
     let behind = Motion::new(rise(30.0 / ratio), output, 0.0);
-    let at_motor = motor.work(rotor).peak.0;
+    let at_motor = motor.work(rotor).peak.torque;
     // The form's load counts the gear's own inertia at the output, after its efficiency.
     let of_rotors = (rotor + input / efficiency) * 300.0;
-    same("torque", behind.work(0.0).peak.0, (at_motor - of_rotors) * ratio * efficiency, SAME);
+    same("torque", behind.work(0.0).peak.torque, (at_motor - of_rotors) * ratio * efficiency, SAME);
 }
 
 proptest! {

@@ -37,11 +37,14 @@ fn run_asks_of_a_slide_what_the_formulas_say() {
                         (axis(&sizing, id).work.unwrap(), readout(&project, &format!("{id}-peak-torque")));
                     let about = format!("{name} on {control}, {angle}°, {id}: {work:?}, {}", formula.value);
                     // A short way ends before the rapid is reached.
-                    assert!(work.peak.0 <= 1.001 * formula.value && work.peak.0 > 0.25 * formula.value, "{about}");
+                    assert!(
+                        work.peak.torque <= 1.001 * formula.value && work.peak.torque > 0.25 * formula.value,
+                        "{about}"
+                    );
                 }
                 let (z, formula) = (axis(&sizing, "z").work.unwrap(), readout(&project, "z-peak-torque"));
                 let reaches = z.speed / math::RPM > 0.999 * readout(&project, "z-motor-speed").value;
-                assert!(!reaches || (z.peak.0 / formula.value - 1.0).abs() < 1e-3, "{name} on {control}: {z:?}");
+                assert!(!reaches || (z.peak.torque / formula.value - 1.0).abs() < 1e-3, "{name} on {control}: {z:?}");
             }
         }
     }

@@ -51,7 +51,7 @@ fn torque_over_the_run_is_that_of_the_results() {
         // Before and after the product the axis holds the web.
         let (product, hold) = (result("product-time"), axis.hold);
         let square = work.effective * work.effective * work.seconds - hold * hold * (work.seconds - product);
-        super::same(&format!("{control}, highest"), work.peak.0, result("x-peak-torque"), WITHIN);
+        super::same(&format!("{control}, highest"), work.peak.torque, result("x-peak-torque"), WITHIN);
         super::same(&format!("{control}, effective"), (square / product).sqrt(), result("x-effective-torque"), WITHIN);
     }
 }
@@ -183,7 +183,7 @@ proptest! {
         let work = motion.work(rotor);
         let phases = load.phases(rotor, of);
         let peak = phases.iter().map(|phase| phase.torque.abs()).fold(0.0, f64::max);
-        prop_assert!((work.peak.0 - peak).abs() <= 1e-9 * peak);
+        prop_assert!((work.peak.torque - peak).abs() <= 1e-9 * peak);
         let expected = effective(&phases);
         prop_assert!((work.effective - expected).abs() <= 1e-9 * expected);
         // Energy of the ramps, with the losses of the gear both ways.
