@@ -107,6 +107,24 @@ impl Defaults {
     }
 }
 
+/// A variable that the operator reads and sets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct MachineVariable {
+    /// Its number.
+    pub number: u32,
+    /// Catalog id of its meaning.
+    pub label: &'static str,
+    /// Its unit, or empty.
+    pub unit: &'static str,
+}
+
+impl MachineVariable {
+    /// A variable with the catalog id of its meaning and its unit.
+    pub const fn new(number: u32, label: &'static str, unit: &'static str) -> MachineVariable {
+        MachineVariable { number, label, unit }
+    }
+}
+
 /// Samples of a run, for charts and poses.
 pub trait Samples {
     /// The machine at time `t`.
@@ -201,8 +219,8 @@ pub trait Prepared: Send + Sync {
     fn panel(&self) -> PanelSetup {
         PanelSetup::default()
     }
-    /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
-    fn variables(&self) -> Vec<(u32, &'static str, &'static str)>;
+    /// Variables that the operator reads and sets.
+    fn variables(&self) -> Vec<MachineVariable>;
     /// Parameter sheet, interface, ladder list.
     fn sheets(&self) -> Vec<Sheet>;
     /// Drawings for an export.

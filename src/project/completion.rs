@@ -238,7 +238,7 @@ impl Proposals<'_> {
             return Vec::new();
         }
         let mut numbers = Symbols::new(self.parsed).variables();
-        numbers.extend(self.words.variables().into_iter().map(|row| row.0));
+        numbers.extend(self.words.variables().into_iter().map(|row| row.number));
         let small = self.control().vars.iter().filter(|row| row.last - row.first < FEW);
         numbers.extend(small.flat_map(|row| row.first..=row.last));
         // The prefix may itself be the whole number of a known variable, which is no proposal.

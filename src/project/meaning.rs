@@ -5,7 +5,7 @@ use super::run::{self, Run};
 use crate::controls::interface::SignalRole;
 use crate::controls::syntax::Function;
 use crate::controls::{Address, Code, CodeDef, CodeId, Control, Group, Signal, VarKind, VarRange};
-use crate::machines::ControlContext;
+use crate::machines::{ControlContext, MachineVariable};
 use crate::motion::Action;
 use crate::msg;
 use crate::nc::symbols::{OutlineItem, Symbol};
@@ -122,8 +122,8 @@ impl<'a> Words<'a> {
         self.on.control
     }
 
-    /// Variables that the machine names: number, catalog id of the meaning, unit.
-    pub fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+    /// Variables that the machine names.
+    pub fn variables(&self) -> Vec<MachineVariable> {
         self.project.map_or_else(Vec::new, |project| project.prepared().variables())
     }
 
@@ -260,10 +260,10 @@ pub(super) fn variable_says(row: &VarRange) -> Vec<Message> {
 fn of_variable(all: &Words, number: u32) -> Option<Meaning> {
     let control = all.control();
     let row = control.var(number)?;
-    let own = all.variables().into_iter().find(|own| own.0 == number);
-    let mut says: Vec<Message> = own.iter().map(|own| Message { id: own.1, values: Vec::new() }).collect();
+    let own = all.variables().into_iter().find(|own| own.number == number);
+    let mut says: Vec<Message> = own.iter().map(|own| Message { id: own.label, values: Vec::new() }).collect();
     says.extend(variable_says(row));
-    Some(meaning(control.variable(number), Subject::Variable(number), says, own.map_or("", |own| own.2), row.cite))
+    Some(meaning(control.variable(number), Subject::Variable(number), says, own.map_or("", |own| own.unit), row.cite))
 }
 
 fn of_address(control: &Control, text: &str) -> Option<Meaning> {

@@ -52,7 +52,7 @@ pub fn available(project: &Project) -> Vec<ActionGroup> {
         let kind = control.var(*number).map(|row| row.kind);
         matches!(kind, Some(VarKind::Local | VarKind::Common | VarKind::Retained))
     };
-    let variables = machine.variables().into_iter().map(|row| row.0).filter(is_set);
+    let variables = machine.variables().into_iter().map(|row| row.number).filter(is_set);
     let variables = variables.map(|number| Action::Variable(number, Some(0.0)));
     let groups = [
         ("operator.overrides", overrides.to_vec()),

@@ -1,7 +1,7 @@
 //! Completion proposals at a place of a program, by the tables of its control.
 
 use macroline::controls::{self, Switches};
-use macroline::machines::ControlContext;
+use macroline::machines::{ControlContext, MachineVariable};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
 use macroline::project::completion::{self, Completion, ProposalKind};
@@ -48,13 +48,13 @@ fn code_with_one_digit_goes_on_without_its_zero() {
 #[test]
 fn variables_are_those_that_machine_and_programs_name() {
     let project = Project::of("ribbon-line", Some("mitsubishi-e60")).unwrap();
-    let (number, id, _) = project.prepared().variables()[0];
+    let MachineVariable { number, label, .. } = project.prepared().variables()[0];
     let text = "O1\n#777=1\nG01 X#\n";
     let parsed = nc::parse(&Files::one("O1.nc", text), project.control);
     let found = completion::at(&Words::of(&project), &parsed, FileId(0), text.len() as u32 - 1);
     let own = found.proposals.iter().find(|row| row.text == format!("#{number}")).unwrap();
     let says = macroline::text::catalog::sentence(&own.meaning.as_ref().unwrap().says[0]);
-    assert_eq!(says, macroline::text::catalog::words(id));
+    assert_eq!(says, macroline::text::catalog::words(label));
     assert_eq!(found.replaces, Span::new(text.len() as u32 - 2, text.len() as u32 - 1));
     let bare = at("mitsubishi-e60", "O1\n#777=1\nG01 X#7|\n");
     assert_eq!(texts(&bare), ["#777"]);

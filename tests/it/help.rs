@@ -103,7 +103,7 @@ fn every_field_and_result_of_every_machine_has_an_entry() {
         let results = projects.iter().flat_map(|project| project.design().readouts);
         let results = results.map(|readout| format!("result.{}", readout.id));
         let variables = Project::new(machine, control).prepared().variables();
-        let variables = variables.into_iter().map(|(number, ..)| format!("var.{number}"));
+        let variables = variables.into_iter().map(|row| format!("var.{}", row.number));
         for id in fields.chain(results).chain(variables) {
             if help.find(&format!("{}/{id}", machine.id())).is_none() {
                 missing.insert(format!("{} on {}: {id}", machine.id(), control.id));

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use macroline::controls::{ALL, CodeId};
-use macroline::machines;
+use macroline::machines::{self, MachineVariable};
 use macroline::motion::{Action, Budget, Event, Retention};
 use macroline::nc::{self, Files};
 use macroline::project::dependence::fields_by_result;
@@ -60,10 +60,10 @@ fn code_has_the_text_and_source_of_its_row() {
 #[test]
 fn variable_has_the_meaning_that_the_machine_gives_it() {
     let project = ribbon();
-    let (number, id, unit) = project.prepared().variables()[0];
+    let MachineVariable { number, label, unit } = project.prepared().variables()[0];
     let found = program(&format!("#{number}"));
     assert_eq!((found.subject, found.unit), (Subject::Variable(number), unit));
-    let own = macroline::text::catalog::words(id);
+    let own = macroline::text::catalog::words(label);
     assert!(text(&found).starts_with(own), "{}", text(&found));
     assert_eq!(found.cite, Some(project.control.var(number).unwrap().cite));
 }
@@ -135,7 +135,7 @@ fn live_value_is_that_of_the_moment() {
     let at = 3.5;
     assert_eq!(value("X", at).value, Some(run.timeline().words_at(at)[0]));
     assert_eq!((value("S", at).value, value("S", at).unit), (Some(run.timeline().at(at).spindle.actual), "r/min"));
-    let (number, ..) = project.prepared().variables()[0];
+    let MachineVariable { number, .. } = project.prepared().variables()[0];
     let name = project.control.variable(number);
     assert_eq!(value(&name, at).value, run::shown(&run, project.control, number, at));
     assert!(live("G01", Table::Program, at).is_none() && live("#1", Table::Program, at).is_none());

@@ -88,7 +88,7 @@ use crate::machines::driven::{
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
-    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples,
+    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, Prepared, Samples,
 };
 use crate::machines::site::SevereSite;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
@@ -156,7 +156,7 @@ impl Prepared for PolygonLathe {
         Some(ladder::ladder(self))
     }
 
-    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(&self) -> Vec<MachineVariable> {
         program::VARIABLES.to_vec()
     }
 

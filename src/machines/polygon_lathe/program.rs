@@ -8,6 +8,7 @@ use super::resolved::PolygonLathe;
 use crate::controls::Address;
 use crate::controls::Code;
 use crate::controls::CodeId;
+use crate::machines::machine::MachineVariable;
 use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing;
 use crate::nc::Deck;
@@ -63,19 +64,19 @@ pub(super) fn change_over(polygon: u32) -> u32 {
     1000 * polygon - 199
 }
 
-/// Variables that show the state: number, meaning, unit.
-pub(super) const VARIABLES: [(u32, &str, &str); 11] = [
-    (SPEED, "polygon.speed", "r/min"),
-    (WORK_RATIO, "polygon.work-ratio", ""),
-    (TOOL_RATIO, "polygon.tool-ratio", ""),
-    (WORK_ANGLE, "polygon.work-start", "0.001°"),
-    (TOOL_ANGLE, "polygon.tool-start", "0.001°"),
-    (INDEX, "polygon.signal.index", ""),
-    (TURN, "polygon.signal.turn", ""),
-    (AT_ANGLE, "polygon.signal.at-angle", ""),
-    (AT_SPEED, "polygon.signal.at-speed", ""),
-    (ON, "polygon.signal.on", ""),
-    (IDLE, "polygon.signal.idle", ""),
+/// Variables that show the state.
+pub(super) const VARIABLES: [MachineVariable; 11] = [
+    MachineVariable::new(SPEED, "polygon.speed", "r/min"),
+    MachineVariable::new(WORK_RATIO, "polygon.work-ratio", ""),
+    MachineVariable::new(TOOL_RATIO, "polygon.tool-ratio", ""),
+    MachineVariable::new(WORK_ANGLE, "polygon.work-start", "0.001°"),
+    MachineVariable::new(TOOL_ANGLE, "polygon.tool-start", "0.001°"),
+    MachineVariable::new(INDEX, "polygon.signal.index", ""),
+    MachineVariable::new(TURN, "polygon.signal.turn", ""),
+    MachineVariable::new(AT_ANGLE, "polygon.signal.at-angle", ""),
+    MachineVariable::new(AT_SPEED, "polygon.signal.at-speed", ""),
+    MachineVariable::new(ON, "polygon.signal.on", ""),
+    MachineVariable::new(IDLE, "polygon.signal.idle", ""),
 ];
 
 /// The programs, one per file.

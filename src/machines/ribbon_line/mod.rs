@@ -85,7 +85,8 @@ use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
-    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
+    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup,
+    Prepared, Samples,
 };
 use crate::machines::site::SevereSite;
 use crate::machines::verdict::results;
@@ -193,7 +194,7 @@ impl Prepared for RibbonLine {
         PanelSetup { spindle_override: Some(percent), override_step: self.form.knob_step.percent() }
     }
 
-    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(&self) -> Vec<MachineVariable> {
         program::variables(self)
     }
 

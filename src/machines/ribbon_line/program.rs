@@ -16,6 +16,7 @@ use super::variables::{
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, VarKind};
+use crate::machines::machine::MachineVariable;
 use crate::machines::writing::{self, OperatorVariable};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
@@ -57,37 +58,42 @@ fn entries(line: &RibbonLine) -> Vec<OperatorVariable> {
     ENTRIES.into_iter().map(product).chain(typed).collect()
 }
 
-/// Variables that the operator reads and sets: number, meaning, unit.
-pub(super) fn variables(line: &RibbonLine) -> Vec<(u32, &'static str, &'static str)> {
+/// Variables that the operator reads and sets.
+pub(super) fn variables(line: &RibbonLine) -> Vec<MachineVariable> {
+    let variable = MachineVariable::new;
     let per_turn = line.in_step();
     let mut all = vec![
-        (SPEED, "ribbon.spindle-speed", "r/min"),
-        (REDUCTION, "ribbon.reduction-ratio", ": 1"),
-        (PRESS_ROLLER, "ribbon.press-roller-diameter", "mm"),
-        (PITCH, "ribbon.pitch", "mm"),
-        (HEADS, "ribbon.heads", ""),
-        (PRINT_ROLLER, "ribbon.print-roller-diameter", "mm"),
-        (SPEED_CLAMP, "ribbon.speed-clamp", "r/min"),
-        (FEED_LIMIT, "ribbon.feed-limit", if per_turn { "mm/rev" } else { "mm/min" }),
-        if is_length(line) { (LENGTH, "ribbon.product-length", "mm") } else { (COUNT, "ribbon.pitch-count", "") },
-        (BLOCK_SIZE, "ribbon.pitches-per-block", ""),
-        (line.input(), "ribbon.variable.input", ""),
-        (ACTUAL_SPEED, "ribbon.readout.actual-speed", "r/min"),
-        (LINE_SPEED, "ribbon.readout.line-speed", "mm/min"),
-        (STROKE, "ribbon.readout.y-stroke", ""),
-        (VECTOR_FEED, "ribbon.readout.vector-feed", "mm/min"),
+        variable(SPEED, "ribbon.spindle-speed", "r/min"),
+        variable(REDUCTION, "ribbon.reduction-ratio", ": 1"),
+        variable(PRESS_ROLLER, "ribbon.press-roller-diameter", "mm"),
+        variable(PITCH, "ribbon.pitch", "mm"),
+        variable(HEADS, "ribbon.heads", ""),
+        variable(PRINT_ROLLER, "ribbon.print-roller-diameter", "mm"),
+        variable(SPEED_CLAMP, "ribbon.speed-clamp", "r/min"),
+        variable(FEED_LIMIT, "ribbon.feed-limit", if per_turn { "mm/rev" } else { "mm/min" }),
+        if is_length(line) {
+            variable(LENGTH, "ribbon.product-length", "mm")
+        } else {
+            variable(COUNT, "ribbon.pitch-count", "")
+        },
+        variable(BLOCK_SIZE, "ribbon.pitches-per-block", ""),
+        variable(line.input(), "ribbon.variable.input", ""),
+        variable(ACTUAL_SPEED, "ribbon.readout.actual-speed", "r/min"),
+        variable(LINE_SPEED, "ribbon.readout.line-speed", "mm/min"),
+        variable(STROKE, "ribbon.readout.y-stroke", ""),
+        variable(VECTOR_FEED, "ribbon.readout.vector-feed", "mm/min"),
     ];
     let ready_made = line.p.variant == Variant::ReadyMade;
     if per_turn || ready_made {
-        all.push((FEED_PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
+        all.push(variable(FEED_PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
     }
     if ready_made {
-        all.push((RIBBON_PER_TURN, "ribbon.readout.k", "mm/rev"));
+        all.push(variable(RIBBON_PER_TURN, "ribbon.readout.k", "mm/rev"));
     }
     all.extend([
-        (REMAINDER, "ribbon.variable.remainder", ""),
-        (LEFT, "ribbon.variable.left", ""),
-        (BLOCK_PITCHES, "ribbon.variable.block", ""),
+        variable(REMAINDER, "ribbon.variable.remainder", ""),
+        variable(LEFT, "ribbon.variable.left", ""),
+        variable(BLOCK_PITCHES, "ribbon.variable.block", ""),
     ]);
     all
 }

@@ -56,7 +56,8 @@ use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ResistorDemand, 
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
-    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, PanelSetup, Prepared, Samples,
+    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup,
+    Prepared, Samples,
 };
 use crate::machines::site::SevereSite;
 use crate::machines::slides;
@@ -135,7 +136,7 @@ impl Prepared for TurningSpindle {
         PanelSetup { spindle_override: Some(self.form.override_percent), ..PanelSetup::default() }
     }
 
-    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(&self) -> Vec<MachineVariable> {
         program::variables(self)
     }
 

@@ -7,6 +7,7 @@ use super::params::{Direction, Path};
 use super::resolved::TurningSpindle;
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
+use crate::machines::machine::MachineVariable;
 use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing::{self, OperatorVariable};
 use crate::nc::Deck;
@@ -48,48 +49,49 @@ fn way(lathe: &TurningSpindle) -> u32 {
     if lathe.p.path == Path::Facing { 114 } else { 105 }
 }
 
-/// Variables that the operator reads and sets: number, meaning, unit.
-pub(super) fn variables(lathe: &TurningSpindle) -> Vec<(u32, &'static str, &'static str)> {
+/// Variables that the operator reads and sets.
+pub(super) fn variables(lathe: &TurningSpindle) -> Vec<MachineVariable> {
+    let variable = MachineVariable::new;
     let face = lathe.p.path == Path::Facing;
     let mut all = vec![
-        (100, "turning.cutting-speed", "m/min"),
-        (101, "turning.feed", "mm/rev"),
-        (102, "turning.stock-diameter", "mm"),
-        (103, "turning.finished-diameter", "mm"),
+        variable(100, "turning.cutting-speed", "m/min"),
+        variable(101, "turning.feed", "mm/rev"),
+        variable(102, "turning.stock-diameter", "mm"),
+        variable(103, "turning.finished-diameter", "mm"),
     ];
     if lathe.p.path == Path::Taper {
-        all.push((104, "turning.large-diameter", "mm"));
+        all.push(variable(104, "turning.large-diameter", "mm"));
     }
     all.extend([
-        (way(lathe), if face { "turning.allowance" } else { "turning.length" }, "mm"),
-        (106, "turning.depth", "mm"),
-        (107, "turning.upper-limit", "r/min"),
-        (108, "turning.clearance", "mm"),
-        (111, "turning.start-x", "mm"),
-        (112, "turning.start-z", "mm"),
-        (LEFT, "turning.variable.left", "mm"),
+        variable(way(lathe), if face { "turning.allowance" } else { "turning.length" }, "mm"),
+        variable(106, "turning.depth", "mm"),
+        variable(107, "turning.upper-limit", "r/min"),
+        variable(108, "turning.clearance", "mm"),
+        variable(111, "turning.start-x", "mm"),
+        variable(112, "turning.start-z", "mm"),
+        variable(LEFT, "turning.variable.left", "mm"),
     ]);
     if lathe.positions() {
-        all.push((113, "turning.keyway-angle", "°"));
+        all.push(variable(113, "turning.keyway-angle", "°"));
     }
     if lathe.keyway().is_some() {
         all.extend([
-            (117, "turning.keyway-depth", "mm"),
-            (118, "turning.keyway-length", "mm"),
-            (119, "turning.keyway-start", "mm"),
-            (120, "turning.keyway-width", "mm"),
-            (121, "turning.driven-speed", "r/min"),
-            (122, "turning.keyway-feed", "mm/min"),
-            (123, "turning.keyway-infeed", "mm/min"),
+            variable(117, "turning.keyway-depth", "mm"),
+            variable(118, "turning.keyway-length", "mm"),
+            variable(119, "turning.keyway-start", "mm"),
+            variable(120, "turning.keyway-width", "mm"),
+            variable(121, "turning.driven-speed", "r/min"),
+            variable(122, "turning.keyway-feed", "mm/min"),
+            variable(123, "turning.keyway-infeed", "mm/min"),
         ]);
     }
     let labels = ["turning.chuck-limit", "turning.lower-limit"];
     let limits = speed_limits(lathe).into_iter().zip(labels);
-    all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| (number, label, "r/min"))));
-    all.push((WORK, "turning.work-length", "mm"));
-    all.push((SPEED, "turning.variable.speed", "r/min"));
+    all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| variable(number, label, "r/min"))));
+    all.push(variable(WORK, "turning.work-length", "mm"));
+    all.push(variable(SPEED, "turning.variable.speed", "r/min"));
     if has_flag(lathe) {
-        all.push((BEGUN, "turning.variable.begun", ""));
+        all.push(variable(BEGUN, "turning.variable.begun", ""));
     }
     all
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::content::{Fact, HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, links, plain};
 use crate::controls::{self, Control};
-use crate::machines::AnyMachine;
 use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
+use crate::machines::{AnyMachine, MachineVariable};
 use crate::project::Project;
 use crate::project::dependence::fields_by_result;
 use crate::text::catalog::words;
@@ -42,7 +42,7 @@ pub(super) fn page(machine: &'static dyn AnyMachine, control: &'static Control, 
 fn variables(project: &Project, texts: &Texts) -> HelpSection {
     let mut section = HelpSection::new("variables", texts.words("title.variables"));
     let fields: Vec<u32> = project.machine.fields().iter().filter_map(variable).collect();
-    for (number, label, unit) in project.prepared().variables() {
+    for MachineVariable { number, label, unit } in project.prepared().variables() {
         if fields.contains(&number) {
             continue;
         }

@@ -25,10 +25,25 @@ pub(super) fn no_fastest(limits: &[Growth], fastest: Option<&Fastest>) -> Option
     };
     let (quantity, value) = (say(speed.label), units::text(speed.value, 3, speed.unit));
     Some(match speed.binding {
-        Some(binding) if !speed.holds => msg!("size.no-speed-holds", quantity, value, result = say(binding.1)),
+        Some(binding) if !speed.holds => msg!("size.no-speed-holds", quantity, value, result = say(binding.label)),
         Some(_) => msg!("size.no-speed"),
         None => msg!("size.no-speed-limit", quantity, value),
     })
+}
+
+/// The name of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ResultName {
+    /// Id.
+    pub id: &'static str,
+    /// Catalog id of its label.
+    pub label: &'static str,
+}
+
+impl From<&Readout> for ResultName {
+    fn from(readout: &Readout) -> ResultName {
+        ResultName { id: readout.id, label: readout.label }
+    }
 }
 
 /// How far a field grows until a verdict fails.
@@ -46,25 +61,27 @@ pub struct Growth {
     pub holds: bool,
     /// `value / present entry - 1`; below 0 if a verdict fails now.
     pub margin: f64,
-    /// Id and catalog id of the result that fails beyond it, or at it if none holds; none if the form's range ends first.
-    pub binding: Option<(&'static str, &'static str)>,
-    /// Ids and catalog ids of the results that fail now and with less: the field does not repair them.
-    pub failing_anyway: Vec<(&'static str, &'static str)>,
+    /// The result that fails beyond it, or at it if none holds; none if the form's range ends first.
+    pub binding: Option<ResultName>,
+    /// The results that fail now and with less: the field does not repair them.
+    pub failing_anyway: Vec<ResultName>,
 }
 
 /// The fastest operation of this hardware.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fastest {
-    /// Id and catalog id of the result that is the speed.
-    pub result: (&'static str, &'static str),
-    /// Its value, and its unit.
-    pub value: (f64, &'static str),
+    /// The result that is the speed.
+    pub result: ResultName,
+    /// Its value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: &'static str,
     /// Decimals shown.
     pub decimals: u8,
-    /// Id and catalog id of the result that fails beyond.
-    pub binding: (&'static str, &'static str),
-    /// Ids and catalog ids of the results that fail at this speed and at lower ones.
-    pub failing_anyway: Vec<(&'static str, &'static str)>,
+    /// The result that fails beyond.
+    pub binding: ResultName,
+    /// The results that fail at this speed and at lower ones.
+    pub failing_anyway: Vec<ResultName>,
     /// The entry of the form with that speed.
     pub entry: (&'static str, String),
 }
@@ -89,7 +106,7 @@ struct Trial<'a> {
     decimals: u8,
     now: f64,
     /// Results that also fail with less: they do not depend on this field.
-    ignored: Vec<(&'static str, &'static str)>,
+    ignored: Vec<ResultName>,
 }
 
 impl Trial<'_> {
@@ -106,17 +123,18 @@ impl Trial<'_> {
     }
 
     /// The first result that fails with an entry, without the ignored ones.
-    fn fails(&self, entry: f64) -> Option<(&'static str, &'static str)> {
+    fn fails(&self, entry: f64) -> Option<ResultName> {
         let readouts = self.results(entry);
-        let fails = |row: &&Readout| row.verdict == Verdict::Fail && !self.ignored.contains(&(row.id, row.label));
-        readouts.iter().find(fails).map(|row| (row.id, row.label))
+        let fails = |row: &&Readout| row.verdict == Verdict::Fail && !self.ignored.contains(&ResultName::from(*row));
+        readouts.iter().find(fails).map(ResultName::from)
     }
 
     /// The results that fail now and with the least tried entry.
-    fn persistent(&self) -> Vec<(&'static str, &'static str)> {
+    fn persistent(&self) -> Vec<ResultName> {
         let failing = |entry: f64| {
-            let readouts = self.results(entry).into_iter();
-            readouts.filter(|row| row.verdict == Verdict::Fail).map(|row| (row.id, row.label)).collect::<Vec<_>>()
+            let readouts = self.results(entry);
+            let fails = readouts.iter().filter(|row| row.verdict == Verdict::Fail);
+            fails.map(ResultName::from).collect::<Vec<_>>()
         };
         let now = failing(self.now);
         if now.is_empty() {
@@ -196,8 +214,9 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
     let told = results.iter().find(|row| row.id == project.machine.info().speed_result)?;
     Some(Fastest {
-        result: (told.id, told.label),
-        value: (told.value, told.unit),
+        result: ResultName::from(told),
+        value: told.value,
+        unit: told.unit,
         decimals: told.decimals,
         binding,
         failing_anyway: speed.failing_anyway.clone(),

@@ -31,7 +31,7 @@ pub use bill::BillRow;
 pub use choice::{Candidate, MotorDemand, Refusal, Resistor, SizedAxis};
 pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
-pub use growth::{Fastest, Growth};
+pub use growth::{Fastest, Growth, ResultName};
 pub use runs::{CutRun, SizingRuns};
 pub use terminals::{TerminalRow, WireEnd};
 pub use tornado::{Swing, Tornado};

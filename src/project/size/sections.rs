@@ -161,7 +161,7 @@ impl Sizing {
 
 /// A growth up to its limit: `Spindle speed S +23 %: Analog output`.
 fn next_limit(growth: &Growth) -> String {
-    let binding = growth.binding.map_or("", |binding| binding.1);
+    let binding = growth.binding.map_or("", |binding| binding.label);
     let message: Message = msg!(
         "size.answer.limit",
         quantity = say(growth.label),

@@ -3,7 +3,7 @@
 use super::choice::{Candidate, MotorDemand};
 use super::envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 use super::gears::{GearCandidate, SizedGear};
-use super::{BillRow, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
+use super::{BillRow, Growth, ResultName, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::{PartGrade, Status};
 use crate::machines::sheets::{row, say};
@@ -137,7 +137,7 @@ impl Sizing {
 
     pub(super) fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
-            let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.1));
+            let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.label));
             let binding = beside(binding, &of.failing_anyway);
             let (value, margin) = match of.holds {
                 true => (units::text(of.value, 3, of.unit), format!("{:+.0}\u{a0}%", 100.0 * of.margin)),
@@ -152,9 +152,9 @@ impl Sizing {
             Some(row([label, least.name(), String::new(), remark.unwrap_or_default()], RUNS))
         });
         let fastest = self.fastest.as_ref().map(|fastest| {
-            let speed = units::text(fastest.value.0, fastest.decimals, fastest.value.1);
-            let label = headed(say("size.fastest"), say(fastest.result.1));
-            let cells = [label, speed, String::new(), beside(say(fastest.binding.1), &fastest.failing_anyway)];
+            let speed = units::text(fastest.value, fastest.decimals, fastest.unit);
+            let label = headed(say("size.fastest"), say(fastest.result.label));
+            let cells = [label, speed, String::new(), beside(say(fastest.binding.label), &fastest.failing_anyway)];
             Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
         });
         Sheet {
@@ -316,8 +316,8 @@ impl Sizing {
 }
 
 /// A limit that binds, with the results that fail for any entry of the field.
-fn beside(binding: String, failing_anyway: &[(&'static str, &'static str)]) -> String {
-    let results = listed(failing_anyway.iter().map(|(_, label)| say(label)));
+fn beside(binding: String, failing_anyway: &[ResultName]) -> String {
+    let results = listed(failing_anyway.iter().map(|result| say(result.label)));
     if failing_anyway.is_empty() { binding } else { sentence(&msg!("size.failing-anyway", binding, results)) }
 }
 

@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, HoldingLimit};
 use super::gears::{GearCandidate, SizedGear};
-use super::growth::no_fastest;
+use super::growth::{ResultName, no_fastest};
 use super::{BillRow, Fastest, Growth, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::gear::GearDuty;
 use crate::drives::parts::{Part, PartGrade, Status};
@@ -135,20 +135,20 @@ fn holding_limit(of: &HoldingLimit) -> Json {
 
 fn limit(row: &Growth) -> Json {
     json!({
-        "quantity": row.field, "limit": row.binding.map(|binding| binding.0), "margin": row.holds.then_some(row.margin),
+        "quantity": row.field, "limit": row.binding.map(|binding| binding.id), "margin": row.holds.then_some(row.margin),
         "value": row.holds.then_some(row.value), "unit": row.unit, "fails_with_less_too": ids(&row.failing_anyway),
     })
 }
 
 fn fastest(fastest: &Fastest) -> Json {
     json!({
-        "line_speed": fastest.value.0, "unit": fastest.value.1, "result": fastest.result.0, "binding": fastest.binding.0,
+        "line_speed": fastest.value, "unit": fastest.unit, "result": fastest.result.id, "binding": fastest.binding.id,
         "field": fastest.entry.0, "entry": fastest.entry.1, "fails_with_less_too": ids(&fastest.failing_anyway),
     })
 }
 
-fn ids(results: &[(&'static str, &'static str)]) -> Vec<&'static str> {
-    results.iter().map(|(id, _)| *id).collect()
+fn ids(results: &[ResultName]) -> Vec<&'static str> {
+    results.iter().map(|result| result.id).collect()
 }
 
 fn flip(flip: &Flip) -> Json {

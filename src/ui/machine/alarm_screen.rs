@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use crate::machines::MachineVariable;
 use crate::motion::RunEnd;
 use crate::project::check::reported;
 use crate::project::run;
@@ -117,11 +118,11 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
     let control = page.project.with(|project| project.control);
     let end = page.player.planned.get().0;
     let names = |number| text.split_whitespace().any(|word| word == control.variable(number));
-    let row = |(number, label, unit): (u32, &'static str, &'static str)| {
+    let row = |MachineVariable { number, label, unit }: MachineVariable| {
         let value = page.player.ask_planner(|planner| run::shown(planner, control, number, end)).flatten();
         (control.variable(number), t(label), format!("{} {unit}", value_of(control, value, 3)))
     };
-    page.results.variables.get().into_iter().filter(|(number, ..)| names(*number)).map(row).collect()
+    page.results.variables.get().into_iter().filter(|row| names(row.number)).map(row).collect()
 }
 
 /// The screen; empty while there is no alarm and no message.

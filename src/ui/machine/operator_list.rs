@@ -139,6 +139,7 @@ mod tests {
 
     use super::super::operator_rows::tests::{events, list, place, three};
     use super::*;
+    use crate::machines::MachineVariable;
     use crate::motion::Event;
 
     #[wasm_bindgen_test]
@@ -162,9 +163,9 @@ mod tests {
         let bench = list([]).await;
         bench.run().await;
         bench.seek(2.0).await;
-        let (number, meaning, _) = bench.page.results.variables.get_untracked()[0];
+        let MachineVariable { number, label, .. } = bench.page.results.variables.get_untracked()[0];
         let control = bench.page.project.with_untracked(|project| project.control);
-        let words = format!("{} {}", control.variable(number), t(meaning));
+        let words = format!("{} {}", control.variable(number), t(label));
         let at = bench.all("option").iter().position(|option| option.text_content() == Some(words.clone())).unwrap();
         bench.choose(&format!("#{KIND}"), &at.to_string()).await;
         let present = untrack(|| bench.page.player.variable(control, number)).0;

@@ -62,8 +62,8 @@ struct Wrong {
 pub(super) fn title(action: &Action, project: &Project) -> String {
     let kind = kind_name(action, project.control);
     let Action::Variable(number, _) = action else { return kind };
-    let meaning = project.prepared().variables().into_iter().find(|row| row.0 == *number);
-    meaning.map_or(kind.clone(), |row| format!("{kind} {}", t(row.1)))
+    let meaning = project.prepared().variables().into_iter().find(|row| row.number == *number);
+    meaning.map_or(kind.clone(), |row| format!("{kind} {}", t(row.label)))
 }
 
 /// A row. It belongs to a place in the list, whichever action is there.

@@ -28,7 +28,7 @@ pub(crate) fn VariablesTab() -> impl IntoView {
                     key=move |row| (*row, page.control.get_untracked())
                     let:row
                 >
-                    <Row number=row.0 meaning=row.1 unit=row.2 />
+                    <Row number=row.number meaning=row.label unit=row.unit />
                 </For>
             </tbody>
         </table>
@@ -102,16 +102,16 @@ mod tests {
         let (rows, control) =
             (bench.page.results.variables.get_untracked(), bench.page.project.with_untracked(|p| p.control));
         let names: Vec<String> = bench.all("tbody th").iter().filter_map(|name| name.text_content()).collect();
-        assert_eq!(names, rows.iter().map(|row| control.variable(row.0)).collect::<Vec<_>>());
+        assert_eq!(names, rows.iter().map(|row| control.variable(row.number)).collect::<Vec<_>>());
         assert_eq!(bench.attribute("tbody input", "aria-label"), names[0]);
-        assert_eq!(bench.text("tbody tr td:last-child"), t(rows[0].1));
+        assert_eq!(bench.text("tbody tr td:last-child"), t(rows[0].label));
     }
 
     #[wasm_bindgen_test]
     async fn value_is_that_of_the_head() {
         let bench = variables().await;
         bench.seek(3.5).await;
-        let number = bench.page.results.variables.get_untracked()[0].0;
+        let number = bench.page.results.variables.get_untracked()[0].number;
         let control = bench.page.project.with_untracked(|project| project.control);
         let (value, _) = untrack(|| bench.page.player.variable(control, number));
         assert_eq!(bench.value("tbody input"), value_of(control, value, 6));
@@ -120,7 +120,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn typed_value_is_an_action_of_the_operator() {
         let bench = variables().await;
-        let number = bench.page.results.variables.get_untracked()[0].0;
+        let number = bench.page.results.variables.get_untracked()[0].number;
         bench.choose("tbody input", "12,5").await;
         assert_eq!(bench.actions(), [Action::Variable(number, Some(12.5))]);
     }

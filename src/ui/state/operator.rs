@@ -3,6 +3,7 @@
 use leptos::prelude::*;
 
 use super::Page;
+use crate::machines::MachineVariable;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
 use crate::nc;
@@ -137,7 +138,7 @@ fn watched(page: Page, t: f64, places: bool) -> Vec<(String, String)> {
         (page.results.variables.get_untracked(), page.project.with_untracked(|project| project.control));
     let mut out = Vec::with_capacity(rows.len() + 4);
     page.player.ask_planner(|planner| {
-        for (number, _, _) in &rows {
+        for MachineVariable { number, .. } in &rows {
             out.push((control.variable(*number), value_of(control, run::shown(planner, control, *number, t), 3)));
         }
         let now = planner.timeline().at(t);

@@ -15,8 +15,8 @@ use super::player::Player;
 use super::program::ProgramFiles;
 use super::put::put;
 use super::view::{ProgramView, Tab, View};
-use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
+use crate::machines::{Design, MachineVariable};
 use crate::motion::Event;
 use crate::nc;
 use crate::project::Project;
@@ -41,8 +41,8 @@ pub(crate) struct Results {
     pub errors: RwSignal<Vec<Diagnostic>, LocalStorage>,
     /// Fields that do not apply to this control with these values.
     pub hidden: RwSignal<Vec<&'static str>>,
-    /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
-    pub variables: RwSignal<Vec<(u32, &'static str, &'static str)>>,
+    /// Variables that the operator reads and sets.
+    pub variables: RwSignal<Vec<MachineVariable>>,
     /// The drawing.
     pub scene: RwSignal<Rc<Scene>, LocalStorage>,
 }

@@ -255,7 +255,7 @@ fn plc_passes_the_override_in_the_controls_word() {
         assert_eq!((planner.variable_at(word, 1.9), planner.variable_at(word, 2.1)), (Some(100.0), Some(80.0)), "{id}");
         assert_eq!(planner.timeline().at(3.0).spindle.command, 80.0);
         let rows = project.prepared().variables();
-        assert!(rows.iter().any(|(number, ..)| *number == word));
+        assert!(rows.iter().any(|row| row.number == word));
     }
 }
 

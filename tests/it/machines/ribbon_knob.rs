@@ -29,7 +29,7 @@ const JUDGED: [&str; 5] = ["block-time", "x-feed", "y-feed", "vector-feed", "vol
 
 /// Whether the program reads the knob: on controls without a macro input the override is typed, and no knob moves X.
 fn has_knob(project: &Project) -> bool {
-    project.prepared().variables().iter().any(|(number, ..)| [1032, 1033].contains(number))
+    project.prepared().variables().iter().any(|row| [1032, 1033].contains(&row.number))
 }
 
 #[test]

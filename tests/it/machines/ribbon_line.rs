@@ -327,7 +327,7 @@ fn blocks_too_long_for_the_control_are_errors() {
 fn labels_contain_no_placeholders() {
     let fields = machine().fields().into_iter().flat_map(|field| [field.label, field.help, field.group]);
     let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
-    let variables = machine().prepare(&Values::new(), on()).variables().into_iter().map(|(_, meaning, _)| meaning);
+    let variables = machine().prepare(&Values::new(), on()).variables().into_iter().map(|row| row.label);
     for label in fields.chain(readouts).chain(variables) {
         let said = words(label);
         assert!(!said.is_empty() && !said.contains('{'), "{label}: {said}");

@@ -27,7 +27,7 @@ fn event(t: f64, action: Action) -> Event {
 fn typed() -> impl Iterator<Item = &'static Control> {
     let typed = |control: &&Control| {
         let line = project(control.id, &[]);
-        !line.prepared().variables().iter().any(|(number, ..)| [1032, 1033].contains(number))
+        !line.prepared().variables().iter().any(|row| [1032, 1033].contains(&row.number))
     };
     controls().filter(typed)
 }

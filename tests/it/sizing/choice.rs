@@ -124,7 +124,7 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
     let sizing = sized(&project);
     assert_eq!(sizing.limits.iter().map(|row| row.field).collect::<Vec<_>>(), ["spindle-speed", "head-mass", "pitch"]);
     for row in sizing.limits.iter().filter(|row| row.binding.is_some()) {
-        let (result, _) = row.binding.unwrap();
+        let result = row.binding.unwrap().id;
         let verdict = |value: f64| {
             let set = [(row.field, format!("{value}"))];
             let readouts = project.with_entries(&set).unwrap().design().readouts;
@@ -137,10 +137,10 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
         assert!(row.margin > 0.0);
     }
     let fastest = sizing.fastest.unwrap();
-    assert_eq!(fastest.result.0, "line-speed");
+    assert_eq!(fastest.result.id, "line-speed");
     let set = project.with_entries(&[fastest.entry]).unwrap().design();
     let told = set.readouts.iter().find(|row| row.id == "line-speed").unwrap().value;
-    super::same("fastest line", fastest.value.0, told, 1e-9);
+    super::same("fastest line", fastest.value, told, 1e-9);
 }
 
 #[test]
@@ -673,7 +673,7 @@ fn fastest_operation_names_what_fails_at_any_speed() {
     assert!(failing(&line()).is_empty());
     let fastest = sized(&slipping).fastest.unwrap();
     let set = slipping.with_entries(std::slice::from_ref(&fastest.entry)).unwrap();
-    let named: Vec<&str> = fastest.failing_anyway.iter().map(|(id, _)| *id).collect();
+    let named: Vec<&str> = fastest.failing_anyway.iter().map(|result| result.id).collect();
     assert!(!named.is_empty());
     assert_eq!(failing(&set), named);
     assert!(sized(&line()).fastest.unwrap().failing_anyway.is_empty());

@@ -2,14 +2,14 @@
 
 use macroline::machines::ALL;
 use macroline::project::Project;
-use macroline::project::size::{Sizing, SizingRuns, answers};
+use macroline::project::size::{ResultName, Sizing, SizingRuns, answers};
 use macroline::view::Verdict;
 
 /// Results that fail with S in r/min, beside those that fail at any S.
-fn failing(project: &Project, speed: f64, failing_anyway: &[(&str, &str)]) -> Vec<&'static str> {
+fn failing(project: &Project, speed: f64, failing_anyway: &[ResultName]) -> Vec<&'static str> {
     let set = [("spindle-speed", speed.to_string())];
     let readouts = project.with_entries(&set).unwrap().design().readouts.into_iter();
-    let fails = readouts.filter(|row| row.verdict == Verdict::Fail && !failing_anyway.contains(&(row.id, row.label)));
+    let fails = readouts.filter(|row| row.verdict == Verdict::Fail && !failing_anyway.contains(&ResultName::from(row)));
     fails.map(|row| row.id).collect()
 }
 
@@ -30,7 +30,7 @@ fn no_fastest_speed_is_told_where_none_holds() {
     for rpm in (82..1200).step_by(13) {
         assert!(!failing(&project, f64::from(rpm), &speed.failing_anyway).is_empty(), "{rpm}");
     }
-    assert!(failing(&project, speed.value, &speed.failing_anyway).contains(&speed.binding.unwrap().0));
+    assert!(failing(&project, speed.value, &speed.failing_anyway).contains(&speed.binding.unwrap().id));
     let limits = sizing.sheets().into_iter().find(|sheet| sheet.id == "limits").unwrap();
     let row = limits.rows.iter().find(|row| row.cells[1] == "None of those tried").unwrap();
     assert!(row.cells[2].is_empty(), "{:?}", row.cells);

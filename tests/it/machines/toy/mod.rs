@@ -11,7 +11,8 @@ mod scene;
 use macroline::machines::form::Field;
 use macroline::machines::verdict::results;
 use macroline::machines::{
-    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, Prepared, Samples, chart_rows, sheets,
+    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, Prepared, Samples,
+    chart_rows, sheets,
 };
 use macroline::motion::{BenchPlc, Plant, Plc, Snapshot};
 use macroline::view::{Chart, DrawnPart, Pose, Scene, Sheet};
@@ -61,7 +62,7 @@ impl Prepared for CutToLength {
         Box::new(BenchPlc::new(0.05, None))
     }
 
-    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(&self) -> Vec<MachineVariable> {
         program::VARIABLES.to_vec()
     }
 

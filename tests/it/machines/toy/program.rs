@@ -1,6 +1,7 @@
 //! The program of the cut-to-length feeder: O9301 feeds and waits for the knife, O9302 sets the values of the form once.
 
 use macroline::controls::Code;
+use macroline::machines::MachineVariable;
 use macroline::machines::writing::{self, OperatorVariable};
 use macroline::nc::Deck;
 use macroline::nc::build::{Builder, f, g, m, real, v, z};
@@ -13,13 +14,13 @@ pub(super) const RUN: u32 = 9301;
 /// Number of the program that sets the values of the form.
 pub(super) const SETUP: u32 = 9302;
 
-/// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
-pub(super) const VARIABLES: [(u32, &str, &str); 5] = [
-    (100, "toy.length", "mm"),
-    (101, "toy.speed", "mm/min"),
-    (102, "toy.pieces", ""),
-    (103, "toy.variable.left", ""),
-    (104, "toy.variable.position", "mm"),
+/// Variables that the operator reads and sets.
+pub(super) const VARIABLES: [MachineVariable; 5] = [
+    MachineVariable::new(100, "toy.length", "mm"),
+    MachineVariable::new(101, "toy.speed", "mm/min"),
+    MachineVariable::new(102, "toy.pieces", ""),
+    MachineVariable::new(103, "toy.variable.left", ""),
+    MachineVariable::new(104, "toy.variable.position", "mm"),
 ];
 
 /// Variables of the operator, and whether only whole numbers are valid.
