@@ -38,15 +38,20 @@ fn no_fastest_speed_is_told_where_none_holds() {
 
 #[test]
 fn fastest_entry_fails_only_in_what_is_named() {
-    for control in ["gsk-980tdc", "sinumerik-802d"] {
+    let controls = ["gsk-980tdc", "sinumerik-802d"];
+    let mut found = Vec::new();
+    for control in controls {
         for example in ["matched", "encoder", "paper"] {
             let project = Project::named("ribbon-line", Some(control), Some(example)).unwrap();
             let sizing = sized(&project);
             let Some(fastest) = sizing.fastest else { continue };
             let speed: f64 = fastest.entry.1.parse().unwrap();
             assert_eq!(failing(&project, speed, &fastest.failing_anyway), [""; 0], "{example} on {control} at {speed}");
+            found.push((control, example));
         }
     }
+    // With the values of the paper no tried speed holds.
+    assert_eq!(found, controls.map(|control| ["matched", "encoder"].map(|example| (control, example))).concat());
 }
 
 #[test]

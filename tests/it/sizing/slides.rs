@@ -216,7 +216,9 @@ fn motor_that_the_list_passes_passes_in_the_form() {
                 let sizing = sized(&project);
                 for id in ["x", "z"] {
                     let passing = axis(&sizing, id).candidates.iter().filter(|of| of.refusal.is_none());
-                    for motor in passing.filter(|of| !of.entries.is_empty()).take(4) {
+                    let motors: Vec<_> = passing.filter(|of| !of.entries.is_empty()).take(4).collect();
+                    assert!(!motors.is_empty(), "{id} of {name} on {control}");
+                    for motor in motors {
                         let fitted = project.with_entries(&motor.entries).unwrap();
                         for row in ["motor-speed", "cut-torque", "peak-torque"] {
                             let row = readout(&fitted, &format!("{id}-{row}"));
