@@ -79,26 +79,59 @@ pub fn dwell_of(control: &Control, seconds: Formula) -> [NewWord; 2] {
     [g(4), word(address, seconds)]
 }
 
-/// A variable of the operator, and whether only whole numbers are valid.
-pub type OperatorVariable = (u32, bool);
+/// A variable of the operator that the program checks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OperatorVariable {
+    /// Its number.
+    pub number: u32,
+    /// Only whole numbers are valid.
+    pub is_whole: bool,
+}
 
-/// Checks that every entry is above zero, and whole where required; else jumps to [`alarms`].
-pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
-    for (at, (entry, _)) in (1..).zip(entries) {
-        b.n(at).if_goto(v(*entry).le(0), 900 + at);
+impl OperatorVariable {
+    /// A variable for which every number above zero is valid.
+    pub const fn any(number: u32) -> OperatorVariable {
+        OperatorVariable { number, is_whole: false }
     }
-    for (at, (entry, _)) in (entries.len() as u32 + 1..).zip(entries.iter().filter(|(_, whole)| *whole)) {
-        b.n(at).if_goto((v(*entry) - v(*entry).round()).abs().gt(real(0.0001, 4)), 900 + at);
+
+    /// A variable for which only whole numbers above zero are valid.
+    pub const fn whole(number: u32) -> OperatorVariable {
+        OperatorVariable { number, is_whole: true }
+    }
+}
+
+/// Sequence number of the block that raises the alarm with this number, in every program.
+pub const fn alarm_block(alarm: u32) -> u32 {
+    900 + alarm
+}
+
+/// Numbers of the alarms of entries with the variable of each: first those not above zero, then those not whole.
+fn entry_alarms(entries: &[OperatorVariable]) -> [Vec<(u32, u32)>; 2] {
+    let whole = entries.iter().filter(|entry| entry.is_whole);
+    let above_zero = (1..).zip(entries).map(|(alarm, entry)| (alarm, entry.number)).collect();
+    let whole = (entries.len() as u32 + 1..).zip(whole).map(|(alarm, entry)| (alarm, entry.number)).collect();
+    [above_zero, whole]
+}
+
+/// Checks that every entry is above zero, and whole where required; else jumps to [`alarms`]. Each check has the number of its alarm.
+pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
+    let [above_zero, whole] = entry_alarms(entries);
+    for (alarm, entry) in above_zero {
+        b.n(alarm).if_goto(v(entry).le(0), alarm_block(alarm));
+    }
+    for (alarm, entry) in whole {
+        b.n(alarm).if_goto((v(entry) - v(entry).round()).abs().gt(real(0.0001, 4)), alarm_block(alarm));
     }
 }
 
 /// The alarms of invalid entries, in the program of the [`guards`]: the first of these is block 1, to which a corrected entry leads back.
 pub fn alarms(b: &mut Builder, control: &Control, entries: &[OperatorVariable]) {
-    for (at, (entry, _)) in (1..).zip(entries) {
-        alarm_until_cleared(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)), 1);
+    let [above_zero, whole] = entry_alarms(entries);
+    for (alarm, entry) in above_zero {
+        alarm_until_cleared(b, control, alarm, &format!("{} MUST BE ABOVE ZERO", control.variable(entry)), 1);
     }
-    for (at, (entry, _)) in (entries.len() as u32 + 1..).zip(entries.iter().filter(|(_, whole)| *whole)) {
-        alarm_until_cleared(b, control, at, &format!("{} MUST BE A WHOLE NUMBER", control.variable(*entry)), 1);
+    for (alarm, entry) in whole {
+        alarm_until_cleared(b, control, alarm, &format!("{} MUST BE A WHOLE NUMBER", control.variable(entry)), 1);
     }
 }
 
@@ -109,7 +142,7 @@ pub fn has_alarms(control: &Control) -> bool {
 
 /// Stops the program with a text: as a user alarm, or, on controls without these, as a message and M0, and `then` after cycle start.
 fn stop_with_text(b: &mut Builder, control: &Control, number: u32, text: &str, then: impl FnOnce(&mut Builder)) {
-    b.n(900 + number);
+    b.n(alarm_block(number));
     if has_alarms(control) {
         b.alarm(number, text);
     } else {
@@ -135,6 +168,6 @@ pub fn alarm_until_cleared(b: &mut Builder, control: &Control, number: u32, text
 /// Stops the program with a text, after an M0 in a loop until reset.
 pub fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
     stop_with_text(b, control, number, text, |b| {
-        b.goto(900 + number);
+        b.goto(alarm_block(number));
     });
 }

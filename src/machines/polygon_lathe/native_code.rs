@@ -46,7 +46,7 @@ impl Blocks<'_> {
     fn check(&mut self) {
         let Some(place) = self.place() else { return };
         let clear = self.lathe.x_of(self.lathe.p.clear_diameter());
-        writing::stays_clear(&mut self.builder, place, || real(clear, 3), 900 + program::AWAY);
+        writing::stays_clear(&mut self.builder, place, || real(clear, 3), writing::alarm_block(program::AWAY));
         self.notes.extend(["polygon.other.clear"; 2]);
     }
 

@@ -10,7 +10,7 @@ use crate::controls::Code;
 use crate::controls::CodeId;
 use crate::machines::machine::MachineVariable;
 use crate::machines::slides::{ALONG, CROSS};
-use crate::machines::writing;
+use crate::machines::writing::{self, alarm_block};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x, z};
 use crate::text::catalog::number_text as show;
@@ -49,6 +49,19 @@ const UNKNOWN: [u32; 4] = [4, 5, 6, 18];
 /// Variable that receives a position: reading one makes the control wait for standstill.
 const STANDSTILL: u32 = 32;
 
+/// Numbers of the alarms of a call of G512: speed, ratios, a word of another command in its block.
+const NO_SPEED: u32 = 1;
+const NO_WORK_RATIO: u32 = 2;
+const NO_TOOL_RATIO: u32 = 3;
+const WORK_RATIO_NOT_WHOLE: u32 = 4;
+const TOOL_RATIO_NOT_WHOLE: u32 = 5;
+const ZERO_RATIO: u32 = 6;
+const NOT_ALONE: u32 = 7;
+/// Number of the alarm of polygon turning that is on already.
+const ON_ALREADY: u32 = 8;
+/// Numbers of the alarms of an axis above its highest speed.
+const WORK_TOO_FAST: u32 = 9;
+const TOOL_TOO_FAST: u32 = 10;
 /// Number of the alarm of a cutter that is not clear of the work.
 pub(super) const AWAY: u32 = 11;
 /// Number of the alarm of a letter that G512 does not have.
@@ -219,7 +232,7 @@ fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, p
         }
         if let Some(place) = place.filter(|_| block.changes_tool) {
             let clear = lathe.p.clear_diameter();
-            writing::stays_clear(b, place, || real(lathe.x_of(clear), 3), 900 + AWAY);
+            writing::stays_clear(b, place, || real(lathe.x_of(clear), 3), alarm_block(AWAY));
         }
     }
 }
@@ -248,14 +261,14 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let away = || real(lathe.x_of(clear), 3);
     b.n(10).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     if let Some(place) = place {
-        writing::stays_clear(b.n(11), place, away, 900 + AWAY);
+        writing::stays_clear(b.n(11), place, away, alarm_block(AWAY));
     }
     b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
     write_turned_end(b, lathe, TurnedEndPlace::Before, place);
     b.n(13).words(writing::tool(lathe.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
     if let Some(place) = place {
         // The offset shifts the coordinates.
-        writing::stays_clear(b, place, away, 900 + AWAY);
+        writing::stays_clear(b, place, away, alarm_block(AWAY));
     }
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(14).words(rapid([cross(lathe, clear)]));
@@ -318,7 +331,7 @@ fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe)
         b.n(base + 10).words(rapid([cross(to, p.start_x), z(real(p.start_z, 3))]));
         b.n(base + 13).words(writing::tool(to.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
         if let Some(place) = place {
-            writing::stays_clear(b, place, || real(to.x_of(clear), 3), 900 + AWAY);
+            writing::stays_clear(b, place, || real(to.x_of(clear), 3), alarm_block(AWAY));
         }
         b.n(base + 14).words(rapid([cross(to, clear)]));
     }
@@ -352,23 +365,24 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
     b.comment("B SPEED, D WORK RATIO, Q TOOL RATIO");
     b.comment("A AND E START ANGLES OF WORK AND TOOL");
-    for (at, argument) in (1..).zip([B, D, Q]) {
-        b.n(at).if_goto(v(argument).eq(v(0)), 900 + at);
+    for (at, (argument, alarm)) in (1..).zip([(B, NO_SPEED), (D, NO_WORK_RATIO), (Q, NO_TOOL_RATIO)]) {
+        b.n(at).if_goto(v(argument).eq(v(0)), alarm_block(alarm));
     }
-    b.n(4).if_goto(v(B).le(0), 901);
-    for (at, term) in [(5, D), (6, Q)] {
-        b.n(at).if_goto(v(term).ne(v(term).fix()), 899 + at);
+    b.n(4).if_goto(v(B).le(0), alarm_block(NO_SPEED));
+    for (at, (term, alarm)) in (5..).zip([(D, WORK_RATIO_NOT_WHOLE), (Q, TOOL_RATIO_NOT_WHOLE)]) {
+        b.n(at).if_goto(v(term).ne(v(term).fix()), alarm_block(alarm));
     }
-    for (at, term) in [(7, D), (8, Q)] {
-        b.n(at).if_goto(v(term).eq(0), 906);
+    for (at, term) in (7..).zip([D, Q]) {
+        b.n(at).if_goto(v(term).eq(0), alarm_block(ZERO_RATIO));
     }
     b.n(9);
-    refuse(b, &OTHERS, 907);
-    refuse(b, &UNKNOWN, 900 + LETTER);
+    refuse(b, &OTHERS, alarm_block(NOT_ALONE));
+    refuse(b, &UNKNOWN, alarm_block(LETTER));
     wait_for_slide(b);
-    b.n(10).if_goto(v(ON).eq(1), 908);
-    for (at, term, limit) in [(11, D, p.work_limit), (12, Q, p.tool_limit)] {
-        b.n(at).if_goto((v(B) * v(term)).abs().gt(real(limit, 0)), 898 + at);
+    b.n(10).if_goto(v(ON).eq(1), alarm_block(ON_ALREADY));
+    let limits = [(D, p.work_limit, WORK_TOO_FAST), (Q, p.tool_limit, TOOL_TOO_FAST)];
+    for (at, (term, limit, alarm)) in (11..).zip(limits) {
+        b.n(at).if_goto((v(B) * v(term)).abs().gt(real(limit, 0)), alarm_block(alarm));
     }
     for argument in [A, E] {
         b.if_then(v(argument).eq(v(0)), argument, 0);
@@ -387,21 +401,21 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
     wait_for(b, AT_SPEED);
     b.n(24).words([m(99)]);
     let alarms = [
-        "B MUST BE ABOVE ZERO",
-        "D IS MISSING",
-        "Q IS MISSING",
-        "D MUST BE A WHOLE NUMBER",
-        "Q MUST BE A WHOLE NUMBER",
-        "D AND Q MUST NOT BE ZERO",
-        "ALONE IN ITS BLOCK PLEASE",
-        "POLYGON TURNING IS ON ALREADY",
-        "THE WORK WOULD TURN TOO FAST",
-        "THE TOOL WOULD TURN TOO FAST",
+        (NO_SPEED, "B MUST BE ABOVE ZERO"),
+        (NO_WORK_RATIO, "D IS MISSING"),
+        (NO_TOOL_RATIO, "Q IS MISSING"),
+        (WORK_RATIO_NOT_WHOLE, "D MUST BE A WHOLE NUMBER"),
+        (TOOL_RATIO_NOT_WHOLE, "Q MUST BE A WHOLE NUMBER"),
+        (ZERO_RATIO, "D AND Q MUST NOT BE ZERO"),
+        (NOT_ALONE, "ALONE IN ITS BLOCK PLEASE"),
+        (ON_ALREADY, "POLYGON TURNING IS ON ALREADY"),
+        (WORK_TOO_FAST, "THE WORK WOULD TURN TOO FAST"),
+        (TOOL_TOO_FAST, "THE TOOL WOULD TURN TOO FAST"),
+        (LETTER, "ONLY B D Q A E PLEASE"),
     ];
-    for (number, text) in (1..).zip(alarms) {
+    for (number, text) in alarms {
         writing::alarm(b, lathe.control, number, text);
     }
-    writing::alarm(b, lathe.control, LETTER, "ONLY B D Q A E PLEASE");
     b.words([m(99)]);
 }
 
@@ -409,14 +423,14 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
 fn stop(b: &mut Builder, lathe: &PolygonLathe) {
     b.program(MACROS[1], "POLYGON TURNING OFF");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
-    refuse(b, &OTHERS, 907);
-    refuse(b, &UNKNOWN, 907);
-    refuse(b, &[A, B, D, E, Q], 907);
+    for arguments in [&OTHERS[..], &UNKNOWN, &[A, B, D, E, Q]] {
+        refuse(b, arguments, alarm_block(NOT_ALONE));
+    }
     wait_for_slide(b);
     b.n(20).assign(TURN, 0);
     b.assign(INDEX, 0);
     wait_for(b, IDLE);
     b.n(21).words([m(99)]);
-    writing::alarm(b, lathe.control, 7, "ALONE IN ITS BLOCK PLEASE");
+    writing::alarm(b, lathe.control, NOT_ALONE, "ALONE IN ITS BLOCK PLEASE");
     b.words([m(99)]);
 }

@@ -28,7 +28,7 @@ pub(super) fn program_sets_phase(line: &RibbonLine) -> bool {
 /// Jumps to the alarm if the product before was broken off. The check is block `number`.
 pub(super) fn check(b: &mut Builder, line: &RibbonLine, number: u32) {
     if !program_sets_phase(line) {
-        b.n(number).if_goto(v(PHASE).gt(0), 900 + ALARM);
+        b.n(number).if_goto(v(PHASE).gt(0), writing::alarm_block(ALARM));
     }
 }
 

@@ -17,9 +17,9 @@ use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, VarKind};
 use crate::machines::machine::MachineVariable;
-use crate::machines::writing::{self, OperatorVariable};
+use crate::machines::writing::{self, OperatorVariable, alarm_block};
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
+use crate::nc::build::{Builder, Condition, Formula, NewWord, f, g, m, real, s, v, word, x};
 
 /// Number of the program that computes.
 pub(super) const COMPUTE: u32 = 9100;
@@ -28,21 +28,23 @@ pub(super) const RUN: u32 = 9101;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9102;
 
-/// The operator's variables: number, and whether only whole numbers are valid.
+/// The operator's variables.
 const ENTRIES: [OperatorVariable; 10] = [
-    (SPEED, true),
-    (REDUCTION, false),
-    (PRESS_ROLLER, false),
-    (PITCH, false),
-    (HEADS, true),
-    (PRINT_ROLLER, false),
-    (SPEED_CLAMP, false),
-    (FEED_LIMIT, false),
-    (COUNT, true),
-    (BLOCK_SIZE, true),
+    OperatorVariable::whole(SPEED),
+    OperatorVariable::any(REDUCTION),
+    OperatorVariable::any(PRESS_ROLLER),
+    OperatorVariable::any(PITCH),
+    OperatorVariable::whole(HEADS),
+    OperatorVariable::any(PRINT_ROLLER),
+    OperatorVariable::any(SPEED_CLAMP),
+    OperatorVariable::any(FEED_LIMIT),
+    OperatorVariable::whole(COUNT),
+    OperatorVariable::whole(BLOCK_SIZE),
 ];
 
-/// Numbers of the alarms about a length.
+/// Number of the alarm of an F above the limit.
+const FEED_ALARM: u32 = 20;
+/// Numbers of the alarms about a length: below a pitch, no whole pitches.
 const SHORT_ALARM: u32 = 21;
 const WHOLE_ALARM: u32 = 22;
 
@@ -53,8 +55,11 @@ fn is_length(line: &RibbonLine) -> bool {
 
 /// The operator's variables on this control.
 fn entries(line: &RibbonLine) -> Vec<OperatorVariable> {
-    let typed = line.handed().is_none().then_some((line.input(), false));
-    let product = |entry: OperatorVariable| if entry.0 == COUNT && is_length(line) { (LENGTH, false) } else { entry };
+    let typed = line.handed().is_none().then_some(OperatorVariable::any(line.input()));
+    let product = |entry: OperatorVariable| match entry.number {
+        COUNT if is_length(line) => OperatorVariable::any(LENGTH),
+        _ => entry,
+    };
     ENTRIES.into_iter().map(product).chain(typed).collect()
 }
 
@@ -250,6 +255,21 @@ fn vector_feed(speed: Formula) -> Formula {
     speed * (v(PITCH) * v(PITCH) + v(STROKE) * v(STROKE)).sqrt() / v(PITCH)
 }
 
+/// Least F (mm/min): the control reads a smaller one as F0.
+fn least_feed() -> Formula {
+    real(0.001, 3)
+}
+
+/// The vector feed moves the axes.
+fn moves() -> Condition {
+    v(VECTOR_FEED).ge(least_feed())
+}
+
+/// The vector feed is none: the override is 0.
+fn stands() -> Condition {
+    v(VECTOR_FEED).lt(least_feed())
+}
+
 /// Ribbon per revolution of the unwinder's motor, equation (2).
 fn per_turn(line: &RibbonLine) -> Formula {
     pi(line) * v(PRESS_ROLLER) / v(REDUCTION)
@@ -258,7 +278,8 @@ fn per_turn(line: &RibbonLine) -> Formula {
 /// The alarm of an F above the limit.
 fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
     let feed = line.control.variable(feed(line));
-    writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(FEED_LIMIT)));
+    let limit = line.control.variable(FEED_LIMIT);
+    writing::alarm(b, line.control, FEED_ALARM, &format!("FEED {feed} ABOVE LIMIT {limit}"));
     if writing::has_alarms(line.control) {
         b.words(codes(line, [Code::SubEnd]));
     }
@@ -282,7 +303,7 @@ fn compute(b: &mut Builder, line: &RibbonLine) {
     b.n(33).assign(RIBBON_PER_TURN, per_turn(line)).note("RIBBON PER REVOLUTION");
     b.n(34).assign(FEED_PER_TURN, vector_feed(v(RIBBON_PER_TURN))).note("FEED PER REVOLUTION");
     speed_and_feed(b, line, 40);
-    b.n(46).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), 920);
+    b.n(46).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(FEED_ALARM));
     b.n(47).words(codes(line, [Code::SubEnd]));
     writing::alarms(b, line.control, &entries(line));
     feed_alarm(b, line);
@@ -317,13 +338,13 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(4).assign(BLOCK_PITCHES, v(BLOCK_SIZE)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
-    b.while_do(v(VECTOR_FEED).lt(real(0.001, 3)), 1);
+    b.while_do(stands(), 1);
     b.words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.call(COMPUTE, None);
     b.end_do(1);
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
-        b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
+        b.if_goto(v(LEFT).lt(1), alarm_block(SHORT_ALARM));
     }
     let next = if presets(line) { 6 } else { 7 };
     to_head(b, line, next);
@@ -347,7 +368,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(16).if_goto(v(speed).eq(v(RUNNING_SPEED)), 19);
     b.n(17).assign(RUNNING_SPEED, v(speed));
     b.n(18).words([s(v(speed))]);
-    b.n(19).if_goto(v(VECTOR_FEED).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
+    b.n(19).if_goto(moves(), 30).note("F BELOW IS F0");
     wait_for_override(b, line);
     b.n(30).while_do(v(LEFT).ge(v(BLOCK_PITCHES)), 2);
     // One block watches the knob and three entries, another one the other entries, so that a pass has seven macro blocks. Each block fits a
@@ -364,7 +385,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
         if !line.in_step() {
             b.n(39).if_goto(v(VECTOR_FEED).gt(v(FEED_LIMIT)), 15).note("TOO FAST: ALARM");
         }
-        b.n(40).if_goto(v(VECTOR_FEED).lt(real(0.001, 3)), 15).note("OVERRIDE 0");
+        b.n(40).if_goto(stands(), 15).note("OVERRIDE 0");
     }
     b.n(41).if_goto(changed(second).gt(0), 15);
     b.n(42)
@@ -384,7 +405,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
 fn wait_for_override(b: &mut Builder, line: &RibbonLine) {
     b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     speed_and_feed(b, line, 21);
-    b.n(27).if_goto(v(VECTOR_FEED).lt(real(0.001, 3)), 20);
+    b.n(27).if_goto(stands(), 20);
     start_spindle(b, line, 28, 29);
     b.goto(15);
 }
@@ -402,7 +423,7 @@ fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
         Rest::Round | Rest::Alarm => b.assign(LAST, 0).note("NO SHORTER PITCH"),
     };
     if line.p.rest == Rest::Alarm {
-        b.if_goto((length - v(LEFT) * v(PITCH)).abs().gt(real(0.001, 3)), 900 + WHOLE_ALARM);
+        b.if_goto((length - v(LEFT) * v(PITCH)).abs().gt(real(0.001, 3)), alarm_block(WHOLE_ALARM));
     }
 }
 
@@ -495,11 +516,11 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     b.n(31)
         .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(STROKE)) * 1000).round() / 1000)
         .note(&about(line, "OF THIS PITCH"));
-    b.n(40).if_goto(v(VECTOR_FEED).lt(real(0.001, 3)), 210).note("F BELOW IS F0");
+    b.n(40).if_goto(stands(), 210).note("F BELOW IS F0");
     if line.in_step() {
         b.assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
     }
-    b.n(41).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), 920);
+    b.n(41).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(FEED_ALARM));
     let speed = spindle_word(line);
     b.n(90).if_goto(v(RUNNING_SPEED).eq(v(speed)), 200);
     start_spindle(b, line, 100, 110);
@@ -566,7 +587,7 @@ fn precompute(b: &mut Builder, line: &RibbonLine) {
     if line.in_step() {
         b.n(32).assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER TURN");
     }
-    b.n(41).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), 920);
+    b.n(41).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(FEED_ALARM));
     b.n(42).words(codes(line, [Code::SubEnd]));
     feed_alarm(b, line);
     header(b, line);
@@ -586,7 +607,7 @@ fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
         } else {
             b.call(COMPUTE, None);
         }
-        b.n(32).if_goto(v(VECTOR_FEED).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
+        b.n(32).if_goto(moves(), 35).note("F BELOW IS F0");
         b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
         b.n(34).assign(RUNNING_SPEED, 0).note("SPINDLE STANDS");
         b.goto(31);
@@ -613,7 +634,7 @@ fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
 fn product(b: &mut Builder, line: &RibbonLine) {
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
-        b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
+        b.if_goto(v(LEFT).lt(1), alarm_block(SHORT_ALARM));
         if line.p.variant == Variant::Precomputed {
             b.assign(PITCH_COPY, v(PITCH));
         }

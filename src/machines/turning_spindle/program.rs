@@ -9,7 +9,7 @@ use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
 use crate::machines::machine::MachineVariable;
 use crate::machines::slides::{ALONG, CROSS};
-use crate::machines::writing::{self, OperatorVariable};
+use crate::machines::writing::{self, OperatorVariable, alarm_block};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Condition, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
 
@@ -35,7 +35,7 @@ fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
     let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
     let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
     let keyway = lathe.keyway().map(|_| [117, 118, 121, 122]).into_iter().flatten();
-    all.chain(limits).chain(keyway).map(|number| (number, false)).collect()
+    all.chain(limits).chain(keyway).map(OperatorVariable::any).collect()
 }
 
 /// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
@@ -134,20 +134,20 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
     if let Some((guard, _)) = core_guard(lathe) {
-        b.if_goto(guard, 900 + core_alarm(lathe));
+        b.if_goto(guard, alarm_block(core_alarm(lathe)));
     }
-    b.if_goto(v(way(lathe)).gt(v(WORK)), 900 + length_alarm(lathe));
+    b.if_goto(v(way(lathe)).gt(v(WORK)), alarm_block(length_alarm(lathe)));
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     match place(lathe) {
-        Some(place) => writing::stays_clear(b.n(17), place, || size(lathe, clear()), 900 + away_alarm(lathe)),
+        Some(place) => writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe))),
         None => {
-            b.n(17).if_goto(v(BEGUN).gt(0), 900 + away_alarm(lathe));
+            b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
         }
     }
     b.n(18).words(writing::tool(lathe.control, lathe.p.tool as u32)).note("TOOL AND ITS OFFSET");
     if let Some(place) = place(lathe) {
         // The offset shifts the coordinates.
-        writing::stays_clear(b, place, || size(lathe, clear()), 900 + away_alarm(lathe));
+        writing::stays_clear(b, place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
     }
     // Setting data of the control, in force beyond the program's end; each takes a block of its own.
     for (at, (code, number)) in (19..).zip(speed_limits(lathe).into_iter().flatten()) {

@@ -23,8 +23,9 @@ pub(super) const VARIABLES: [MachineVariable; 5] = [
     MachineVariable::new(104, "toy.variable.position", "mm"),
 ];
 
-/// Variables of the operator, and whether only whole numbers are valid.
-const ENTRIES: [OperatorVariable; 3] = [(100, false), (101, false), (102, true)];
+/// Variables of the operator that the program checks.
+const ENTRIES: [OperatorVariable; 3] =
+    [OperatorVariable::any(100), OperatorVariable::any(101), OperatorVariable::whole(102)];
 
 /// The programs, one per file.
 pub(super) fn deck(feeder: &CutToLength) -> Deck {
