@@ -42,6 +42,17 @@ fn readme_of_the_tests_has_every_file_of_native_tests() {
 }
 
 #[test]
+fn readme_of_the_tests_has_every_file_of_browser_tests() {
+    let readme = read("tests/README.md");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/e2e");
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let tests = files.filter(|name| name.ends_with(".test.mjs"));
+    let mut broken: Vec<String> = tests.filter(|name| !readme.contains(&format!("`e2e/{name}`"))).collect();
+    broken.sort();
+    hold("Every test of tests/e2e has its row in tests/README.md.", "a row: its path, and what it holds", broken);
+}
+
+#[test]
 fn readme_has_every_machine_and_control() {
     let readme = read("README.md");
     let machines = macroline::machines::ALL.iter().map(|machine| machine.id());
