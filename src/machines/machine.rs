@@ -306,7 +306,7 @@ pub trait Prepared: Send + Sync {
     fn pause(&self) -> f64 {
         0.0
     }
-    /// Variable and limits of the product's size, if the program accepts another size while the machine runs.
+    /// Variable and present value of the product's size, if the program accepts another size while the machine runs.
     fn product_size(&self) -> Option<ProductSize> {
         None
     }
