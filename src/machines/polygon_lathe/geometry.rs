@@ -1,5 +1,8 @@
 //! Cutter, ratio and section of the polygon lathe, from the form. Lengths in mm, angles in radians.
 
+use std::cell::RefCell;
+use std::collections::VecDeque;
+
 use super::params::Params;
 use crate::drives::polygon::choose::{Cutter, Means, Wanted};
 use crate::drives::polygon::cut::{self, InsertLoad};
@@ -14,6 +17,14 @@ const RADIANS: f64 = PI / 180.0;
 /// Greatest radial error of an insert (mm), and greatest angular error (°).
 pub(super) const RADIUS_ERROR: f64 = 1.0;
 pub(super) const ANGLE_ERROR: f64 = 10.0;
+
+/// Enough for the three polygons of a work and one changed value of each.
+const KEPT_SECTIONS: usize = 6;
+
+thread_local! {
+    /// Setup, radius of the stock and section, the last one first.
+    static LAST_SECTIONS: RefCell<VecDeque<(CutterSetup, f64, Option<Section>)>> = const { RefCell::new(VecDeque::new()) };
+}
 
 impl Params {
     /// Tool to work speed; none where D or Q is 0.
@@ -43,9 +54,19 @@ impl Params {
         (1_u32..).map(f64::from).zip(cuts).collect()
     }
 
-    /// The finished section.
+    /// The finished section. The last ones are kept, because the search for repairs and sensitivities designs the same sections with other
+    /// machine data hundreds of times.
     pub(super) fn section(&self) -> Option<Section> {
-        Section::new(&self.setup(self.across_flats)?, 0.5 * self.stock_diameter)
+        let (setup, stock) = (self.setup(self.across_flats)?, 0.5 * self.stock_diameter);
+        LAST_SECTIONS.with_borrow_mut(|last| {
+            if let Some((.., known)) = last.iter().find(|(of, radius, _)| *of == setup && *radius == stock) {
+                return known.clone();
+            }
+            let section = Section::new(&setup, stock);
+            last.truncate(KEPT_SECTIONS - 1);
+            last.push_front((setup, stock, section.clone()));
+            section
+        })
     }
 
     /// The polygon to be turned, in passes of these `sizes` across flats.
