@@ -189,6 +189,9 @@ pub(super) fn judge_ramp<P>(
         let Some((percent, shortest)) = at_knob.filter(|(_, shortest)| !limit.holds(*shortest)) else {
             return ok(limit);
         };
+        if shortest == f64::INFINITY {
+            return warn(limit, [msg!("lathe.friction-stalls-at-knob", percent = (percent, 0)).into()]);
+        }
         let set = up(fields, id, shortest);
         let said =
             Advice::from(msg!("lathe.ramp-at-knob", percent = (percent, 0), needed = (shortest, 2), ramp = (ramp, 2)));

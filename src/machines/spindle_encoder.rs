@@ -85,7 +85,8 @@ impl EncoderParams {
         ]
     }
 
-    /// A warning about a ratio that no known parameter of the control has: feed per revolution, thread and angle would be wrong by it.
+    /// A warning about a ratio or a number of lines that no known parameter of the control has: feed per revolution, thread and angle would
+    /// be wrong by it.
     pub(super) fn finding(&self, control: &Control) -> Option<Diagnostic> {
         let powers = control.param(ParamRole::SpindleEncoderHigh).is_some();
         let ratio = (self.ratio(), 4);
@@ -93,6 +94,11 @@ impl EncoderParams {
             true => msg!("encoder.not-a-power-of-two", ratio),
             false => msg!("encoder.not-direct", ratio, control = control.name),
         };
-        (!self.is_known(control)).then(|| Diagnostic::warning(message).about("encoder-turns"))
+        let of_ratio = (!self.is_known(control)).then(|| Diagnostic::warning(message).about("encoder-turns"));
+        of_ratio.or_else(|| {
+            let untold = self.lines != LINES && control.param(ParamRole::SpindleEncoderLines).is_none();
+            let message = || msg!("encoder.other-lines", lines = self.lines, usual = LINES, control = control.name);
+            untold.then(|| Diagnostic::warning(message()).about("encoder-lines"))
+        })
     }
 }

@@ -56,7 +56,8 @@ pub(super) const PARAMS: &[ParamDef] = &[
         Milliseconds,
         "time constant of acceleration, cutting feed, 10 to 4000",
         RANGES,
-    ),
+    )
+    .within(10.0, 4000.0),
     param(
         SpindleOffsetZero,
         "No.036",
@@ -74,7 +75,8 @@ pub(super) const PARAMS: &[ParamDef] = &[
         .answered("", ""),
     param(SpindleShiftVolts, "No.067", "", Millivolts, "analog output while gears are shifted", PARAMETERS),
     param(SpindleEncoder, "No.069", "", Plain, "1: spindle encoder fitted", PARAMETERS),
-    param(SpindleEncoderLines, "No.070", "", Plain, "lines of the spindle encoder, 100 to 10000", PARAMETERS),
+    param(SpindleEncoderLines, "No.070", "", Plain, "lines of the spindle encoder, 100 to 10000", PARAMETERS)
+        .within(100.0, 10_000.0),
     param(
         SpindleReachedDelay,
         "No.072",

@@ -302,11 +302,18 @@ pub struct ParamDef {
     pub answers: (&'static str, &'static str),
     /// The value counts diameters for an axis whose words do.
     pub diameter: bool,
+    /// Least and greatest value that the control takes, where its manual says so.
+    pub range: Option<(f64, f64)>,
     /// Source and grade.
     pub cite: Citation,
 }
 
 impl ParamDef {
+    /// The row, with the range of its value.
+    pub(in crate::controls) const fn within(self, least: f64, most: f64) -> ParamDef {
+        ParamDef { range: Some((least, most)), ..self }
+    }
+
     /// The row, with a value that counts diameters for an axis whose words do.
     pub(in crate::controls) const fn in_diameters(self) -> ParamDef {
         ParamDef { diameter: true, ..self }
@@ -332,7 +339,17 @@ pub(in crate::controls) const fn param(
     text: &'static str,
     cite: Citation,
 ) -> ParamDef {
-    ParamDef { role, number, name, unit, text: Phrase::new(text), answers: ("1", "0"), diameter: false, cite }
+    ParamDef {
+        role,
+        number,
+        name,
+        unit,
+        text: Phrase::new(text),
+        answers: ("1", "0"),
+        diameter: false,
+        range: None,
+        cite,
+    }
 }
 
 impl ParamDef {

@@ -35,6 +35,10 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         found.push(Diagnostic::warning(why).about(field));
         return;
     };
+    if p.driven_code > 0.0 && p.driven_stop <= 0.0 {
+        let code = f64::from(p.driven_code as u32);
+        found.push(Diagnostic::error(msg!("turning.driven-tool-turns-on", code)).about("driven-stop"));
+    }
     if p.keyway_depth >= 0.5 * diameter {
         let message = msg!("turning.keyway-too-deep", depth = (p.keyway_depth, 3), limit = (0.5 * diameter, 3));
         found.push(Diagnostic::error(message).about("keyway-depth"));
@@ -48,7 +52,10 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         found.push(Diagnostic::error(message).about("keyway-length"));
     }
     let end = p.keyway_start + p.keyway_length;
-    if p.path == Path::Turning && end > p.length {
+    if end > p.reach() {
+        let message = msg!("turning.keyway-in-chuck", end = (end, 3), reach = (p.reach(), 3));
+        found.push(Diagnostic::error(message).about("keyway-length"));
+    } else if p.path == Path::Turning && end > p.length {
         let message = msg!("turning.keyway-beyond-shoulder", end = (end, 3), length = (p.length, 3));
         found.push(Diagnostic::error(message).about("keyway-length"));
     }

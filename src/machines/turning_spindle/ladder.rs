@@ -7,7 +7,7 @@ use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{
-    BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SHIFT_OFF, SLOWED, SpindleRequirements, TURNS,
+    BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SHIFT_OFF, SLOWED, STARTED, SpindleRequirements, TURNS,
 };
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
@@ -84,11 +84,11 @@ fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
     book.coil(CLAMPING, differs, "turning.ladder.clamping");
 }
 
-/// A driven tool with codes of its own runs until its stop code, reset or emergency stop.
+/// A driven tool with codes of its own runs until its stop code, the program's end, reset or emergency stop.
 fn driven_tool(book: &mut Book, (start, stop): (u32, Option<u32>)) {
     let run = Bit::Output(MachineOutput::DrivenTool);
     let guard = [on(Bit::Input(MachineContact::Emergency)), off(book.reset())];
-    let mut stays = vec![on(run)];
+    let mut stays = vec![on(run), on(STARTED)];
     stays.extend(stop.map(|code| off(book.function(code))));
     let begins = vec![on(book.function(start))];
     let when = [begins, stays].map(|contacts| [contacts, guard.to_vec()].concat());

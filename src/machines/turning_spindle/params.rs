@@ -78,12 +78,14 @@ pub(crate) struct Params {
     pub finished_diameter: f64,
     pub length: f64,
     pub work_length: f64,
+    pub grip: f64,
     pub work_density: f64,
     pub large_diameter: f64,
     pub allowance: f64,
     pub pause: f64,
     pub depth: f64,
     pub clearance: f64,
+    pub turret_room: f64,
     pub start_x: f64,
     pub start_z: f64,
     pub tool: f64,
@@ -164,6 +166,16 @@ impl Params {
     /// The control has codes for gear stages.
     pub(super) fn has_gears(&self, control: &Control) -> bool {
         control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
+    }
+
+    /// Greatest length (mm) behind the face that may be cut: what the chuck does not hold, less the clearance.
+    pub(super) fn reach(&self) -> f64 {
+        (self.work_length - self.grip - self.clearance).max(0.0)
+    }
+
+    /// Length (mm) of the cut along the work.
+    pub(super) fn cut_length(&self) -> f64 {
+        if self.path == Path::Facing { self.allowance } else { self.length }
     }
 
     /// Whether the sign of the control's output can set the direction.
@@ -250,6 +262,8 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("mm").range(0.1..=10000.0).default(60.0).decimals(3).step(1.0).when(Params::has_length),
     number("work-length", member!(Params.work_length)).group("turning.group.part").label("turning.work-length").help("turning.work-length.help")
         .unit("mm").range(0.1..=20000.0).default(100.0).decimals(1).step(10.0),
+    number("grip", member!(Params.grip)).group("turning.group.part").label("turning.grip").help("turning.grip.help")
+        .unit("mm").range(0.0..=5000.0).default(15.0).decimals(1).step(1.0),
     number("work-density", member!(Params.work_density)).group("turning.group.part").label("turning.work-density").help("turning.work-density.help").symbol("ρ")
         .unit("kg/m³").range(1.0..=25000.0).default(STEEL).decimals(0).step(50.0).fact(),
     number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")
@@ -273,6 +287,8 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("mm").range(1.0..=5000.0).default(150.0).decimals(3).step(10.0),
     number("start-z", member!(Params.start_z)).group("turning.group.cut").label("turning.start-z").help("turning.start-z.help").symbol("#112")
         .unit("mm").range(0.1..=5000.0).default(100.0).decimals(3).step(10.0),
+    number("turret-room", member!(Params.turret_room)).group("turning.group.cut").label("turning.turret-room").help("turning.turret-room.help").symbol("#126")
+        .unit("mm").range(1.0..=1000.0).default(30.0).decimals(1).step(5.0).fact(),
     number("tool", member!(Params.tool)).group("turning.group.cut").label("turning.tool").help("turning.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),
     flag("keyway", member!(Params.keyway)).group("turning.group.cut").label("turning.keyway").help("turning.keyway.help")

@@ -24,8 +24,10 @@ const LEFT: u32 = 110;
 pub(super) const CUTS: [u32; 2] = [36, 37];
 /// 1 from the first cut of a part to its end: a start after a reset stops with a message until the operator has retracted the tool.
 const BEGUN: u32 = 124;
-/// Length of the work: no cut goes further along it.
-const WORK: u32 = 125;
+/// Greatest length behind the face that may be cut: no cut goes further toward the chuck.
+const REACH: u32 = 125;
+/// Room that the turret needs beside the work to turn.
+const ROOM: u32 = 126;
 /// Variable of the speed at the largest diameter: kept through the cut, or set after it.
 const SPEED: u32 = 109;
 
@@ -35,7 +37,7 @@ fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
     let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
     let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
     let keyway = lathe.keyway().map(|_| [117, 118, 121, 122]).into_iter().flatten();
-    all.chain(limits).chain(keyway).map(OperatorVariable::any).collect()
+    all.chain(limits).chain(keyway).chain([ROOM]).map(OperatorVariable::any).collect()
 }
 
 /// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
@@ -88,7 +90,8 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<MachineVariable> {
     let labels = ["turning.chuck-limit", "turning.lower-limit"];
     let limits = speed_limits(lathe).into_iter().zip(labels);
     all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| variable(number, label, "r/min"))));
-    all.push(variable(WORK, "turning.work-length", "mm"));
+    all.push(variable(REACH, "turning.variable.reach", "mm"));
+    all.push(variable(ROOM, "turning.turret-room", "mm"));
     all.push(variable(SPEED, "turning.variable.speed", "r/min"));
     if has_flag(lathe) {
         all.push(variable(BEGUN, "turning.variable.begun", ""));
@@ -136,19 +139,12 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some((guard, _)) = core_guard(lathe) {
         b.if_goto(guard, alarm_block(core_alarm(lathe)));
     }
-    b.if_goto(v(way(lathe)).gt(v(WORK)), alarm_block(length_alarm(lathe)));
+    b.if_goto(v(way(lathe)).gt(v(REACH)), alarm_block(length_alarm(lathe)));
+    if lathe.keyway().is_some() {
+        b.if_goto((v(119) + v(118)).gt(v(REACH)), alarm_block(keyway_alarm(lathe)));
+    }
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
-    match place(lathe) {
-        Some(place) => writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe))),
-        None => {
-            b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
-        }
-    }
-    b.n(18).words(writing::tool(lathe.control, lathe.p.tool as u32)).note("TOOL AND ITS OFFSET");
-    if let Some(place) = place(lathe) {
-        // The offset shifts the coordinates.
-        writing::stays_clear(b, place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
-    }
+    call_tool(b, lathe);
     // Setting data of the control, in force beyond the program's end; each takes a block of its own.
     for (at, (code, number)) in (19..).zip(speed_limits(lathe).into_iter().flatten()) {
         b.n(at).words(block(lathe, code, [s(v(number))]));
@@ -173,9 +169,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     let (whole, step) = match lathe.p.path {
         Path::Facing => (v(way(lathe)), v(106)),
         Path::Turning => (v(102) - v(103), v(106) * 2),
-        Path::Taper => (v(102) - v(small(lathe)), v(106) * 2),
+        Path::Taper => (v(102) - v(103), v(106) * 2),
     };
     b.n(30).assign(LEFT, whole).note(if face { "LEFT TO CUT, Z" } else { "LEFT TO CUT, DIAMETER" });
+    if lathe.p.path == Path::Taper {
+        b.if_goto(v(103).le(v(104)), 31);
+        b.assign(LEFT, v(102) - v(104)).note("SMALL AT THE END");
+    }
     b.n(31).while_do(v(LEFT).gt(0), 1);
     b.n(32).assign(LEFT, v(LEFT) - step);
     b.n(33).if_goto(v(LEFT).ge(0), 35);
@@ -220,10 +220,33 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some((_, text)) = core_guard(lathe) {
         writing::alarm(b, lathe.control, core_alarm(lathe), &text);
     }
-    let [way, work] = [way(lathe), WORK].map(|number| lathe.control.variable(number));
-    writing::alarm(b, lathe.control, length_alarm(lathe), &format!("{way} IS MORE THAN {work}"));
+    let [way, start, long, reach] = [way(lathe), 119, 118, REACH].map(|number| lathe.control.variable(number));
+    writing::alarm(b, lathe.control, length_alarm(lathe), &format!("{way} IS MORE THAN {reach}"));
+    if lathe.keyway().is_some() {
+        writing::alarm(b, lathe.control, keyway_alarm(lathe), &format!("{start}+{long} IS MORE THAN {reach}"));
+    }
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
+    }
+}
+
+/// The tool, only while it is clear of the work and its turret has room to turn.
+fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
+    match place(lathe) {
+        Some(place) => {
+            writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
+            // Beside the work or in front of it the turret has room to turn.
+            b.if_goto(v(place.0).ge(size(lathe, v(102) + v(ROOM) * 2)), 18);
+            b.if_goto(v(place.1).lt(v(ROOM)), alarm_block(away_alarm(lathe)));
+        }
+        None => {
+            b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
+        }
+    }
+    b.n(18).words(writing::tool(lathe.control, lathe.p.tool as u32)).note("TOOL AND ITS OFFSET");
+    if let Some(place) = place(lathe) {
+        // The offset shifts the coordinates.
+        writing::stays_clear(b, place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
     }
 }
 
@@ -307,6 +330,11 @@ fn length_alarm(lathe: &TurningSpindle) -> u32 {
     away_alarm(lathe) + 2
 }
 
+/// Number of the alarm of a keyway that is longer than the work.
+fn keyway_alarm(lathe: &TurningSpindle) -> u32 {
+    away_alarm(lathe) + 3
+}
+
 /// Condition of a finished diameter that leaves nothing of the work, and the text of its alarm. A face ends at the centre or behind it, and a
 /// taper may begin there.
 fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
@@ -324,11 +352,6 @@ fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
     let at = place(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
     let held = at.into_iter().flat_map(|(across, along)| [x(v(across)), z(v(along))]);
     held.chain([s(v(107))]).collect()
-}
-
-/// Variable of the smaller end of the taper.
-fn small(lathe: &TurningSpindle) -> u32 {
-    if lathe.p.large_diameter < lathe.p.finished_diameter { 104 } else { 103 }
 }
 
 /// The code of the gear stage, if there are several.
@@ -416,13 +439,14 @@ fn setup(b: &mut Builder, lathe: &TurningSpindle) {
         (102, p.stock_diameter, 3, "STOCK DIAMETER"),
         (103, p.finished_diameter, 3, if p.path == Path::Taper { "DIAMETER AT THE FACE" } else { "FINISHED DIAMETER" }),
         (104, p.large_diameter, 3, "DIAMETER AT THE END"),
-        (way(lathe), if face { p.allowance } else { p.length }, 3, if face { "ALLOWANCE" } else { "LENGTH" }),
+        (way(lathe), p.cut_length(), 3, if face { "ALLOWANCE" } else { "LENGTH" }),
         (106, p.depth, 3, "DEPTH OF CUT"),
         (107, p.upper_limit, 0, "SPEED LIMIT"),
         (108, p.clearance, 3, "CLEARANCE"),
         (111, p.start_x, 3, "START X, DIAMETER"),
         (112, p.start_z, 3, "START Z"),
-        (WORK, p.work_length.max(if face { p.allowance } else { p.length }), 3, "LENGTH OF THE WORK"),
+        (REACH, p.reach(), 3, "LONGEST CUT BEHIND THE FACE"),
+        (ROOM, p.turret_room, 3, "ROOM FOR THE TURRET TO TURN"),
         (113, p.keyway_angle, 3, "ANGLE OF THE KEYWAY"),
         (115, p.chuck_limit, 0, "HIGHEST SPEED OF THE CHUCK"),
         (116, p.lower_limit, 0, "LOWEST SPEED OF THE SPINDLE"),

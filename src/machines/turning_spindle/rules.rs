@@ -10,6 +10,7 @@ use super::params::{FIELDS, Gear, Params, Path};
 use super::program;
 use super::resolved::TurningSpindle;
 use super::run_up;
+use crate::controls::ParamRole;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::cutting::LEAST_DEPTH;
@@ -430,7 +431,7 @@ fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Parameters of the analog output out of the control's range.
+/// Parameters out of the control's range: of the analog output, and those of its sheet.
 fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let TurningSpindle { p, .. } = lathe;
     let rules = &lathe.control.spindle;
@@ -446,6 +447,9 @@ fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     for (field, speed) in ["stage-1", "stage-2", "stage-3", "stage-4"].into_iter().zip(p.stages()) {
         check(field, speed, "r/min", rules.stage_speeds);
     }
+    let range = |role: ParamRole| lathe.control.param(role).and_then(|row| row.range);
+    check("time-constant", p.slides.time_constant, "ms", range(ParamRole::AxisTimeConstant));
+    check("encoder-lines", p.encoder.lines, "", range(ParamRole::SpindleEncoderLines));
 }
 
 /// Errors that refuse the export, and notes for the operator.
@@ -488,6 +492,18 @@ fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
     }
     if p.passes() >= super::derive::PASSES {
         found.push(Diagnostic::error(msg!("turning.too-many-passes", count = super::derive::PASSES)).about("depth"));
+    }
+    if p.cut_length() > p.reach() {
+        let field = if p.path == Path::Facing { "allowance" } else { "length" };
+        found.push(
+            Diagnostic::error(msg!("turning.cut-in-chuck", end = (p.cut_length(), 3), reach = (p.reach(), 3)))
+                .about(field),
+        );
+    }
+    if p.start_x < p.stock_diameter + 2.0 * p.turret_room && p.start_z < p.turret_room {
+        let room = (p.turret_room, 1);
+        let message = msg!("turning.turret-hits-work", x = (p.start_x, 3), z = (p.start_z, 3), room);
+        found.push(Diagnostic::error(message).about("start-z").mended_by(p.turret_room.ceil()));
     }
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;

@@ -85,7 +85,7 @@ fn sheet(project: &Project, id: &str) -> Sheet {
     project.prepared().sheets().into_iter().find(|sheet| sheet.id == id).unwrap_or_else(|| panic!("no sheet {id}"))
 }
 
-fn ladder(project: &Project) -> Ladder {
+pub(super) fn ladder(project: &Project) -> Ladder {
     project.prepared().ladder().expect("a ladder")
 }
 
@@ -167,12 +167,12 @@ fn every_instruction_is_one_of_the_plc() {
 }
 
 /// Scans a ladder until it settles.
-fn settle(ladder: &Ladder, image: &mut Image, t: f64) {
+pub(super) fn settle(ladder: &Ladder, image: &mut Image, t: f64) {
     (0..12).for_each(|_| ladder.scan(t, image));
 }
 
 /// Switches a code of M on, as this control shows it.
-fn put_out(ladder: &Ladder, image: &mut Image, code: u32, on: bool) {
+pub(super) fn put_out(ladder: &Ladder, image: &mut Image, code: u32, on: bool) {
     let own = Bit::Signal(SignalRole::MFunction(code));
     if ladder.bits.iter().any(|row| row.0 == own) {
         image.set(own, on);
@@ -183,7 +183,7 @@ fn put_out(ladder: &Ladder, image: &mut Image, code: u32, on: bool) {
 }
 
 /// Presses reset for a moment.
-fn reset(ladder: &Ladder, image: &mut Image) {
+pub(super) fn reset(ladder: &Ladder, image: &mut Image) {
     for on in [true, false] {
         image.set(Bit::Signal(SignalRole::Reset), on);
         image.set(Bit::Input(MachineContact::ResetKey), on);
@@ -197,7 +197,7 @@ fn is_closed(key: MachineContact, pressed: bool) -> bool {
 }
 
 /// The ladder with its contacts closed, but for keys that make.
-fn at_rest(ladder: &Ladder) -> Image {
+pub(super) fn at_rest(ladder: &Ladder) -> Image {
     let mut image = Image::default();
     let is_key = |contact: MachineContact| {
         use MachineContact::{ForwardKey, ResetKey, ReverseKey};

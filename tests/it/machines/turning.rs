@@ -592,6 +592,7 @@ fn pass_count_is_independent_of_query_order() {
 #[test]
 fn part_beyond_the_travels_is_an_error() {
     expect![[r#"
+        Error length: The cut ends 1000 mm behind the face; the chuck, with the clearance, leaves 83 mm. A longer stock or less of it in the chuck help.
         Error travel-x: From its start the tool has to move 65 mm, the slide has 60 mm: start nearer to the part, or take a shorter one.
         Error travel-z: From its start the tool has to move 1100 mm, the slide has 1000 mm: start nearer to the part, or take a shorter one.
     "#]].assert_eq(&findings(

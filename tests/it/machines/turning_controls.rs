@@ -300,14 +300,14 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     0
             mitsubishi-e60  0
         volts at reset
-            gsk-980tdc      2.29
+            gsk-980tdc      2.28
             sinumerik-802d  0
             sinumerik-808d  0
             knd-k2000t      0
             fanuc-0i-tf     0
             mitsubishi-e60  0
         volts at stop
-            gsk-980tdc      2.29
+            gsk-980tdc      2.28
             sinumerik-802d  0
             sinumerik-808d  0
             knd-k2000t      0

@@ -65,7 +65,8 @@ fn restart_repeats_the_program_or_raises_an_alarm() {
             }
         }
     }
-    assert!(alarms > 200 && repeats > 30, "{alarms} alarms, {repeats} repeats");
+    // The room of the turret: only the way to the first cut and the last retract are clear of the work.
+    assert!(alarms > 300 && repeats > 10, "{alarms} alarms, {repeats} repeats");
 }
 
 #[test]

@@ -120,6 +120,12 @@ const RARE: &[Entered] = &[
             ("start-x", "500"),
         ],
     ),
+    // A positioning that asks more of the motor than it has.
+    (
+        "turning-spindle",
+        "sinumerik-802d",
+        &[("keyway", "true"), ("output", "+-10"), ("positioning-acceleration", "5000"), ("positioning-speed", "500")],
+    ),
     // A slow cut with more power than the motor has.
     (
         "turning-spindle",
@@ -317,6 +323,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("turning.power-at-knob", "a deed: another motor, or the knob below its end"),
     ("lathe.torque-at-knob", "a deed: another motor, or the knob below its end"),
     ("turning.few-volts-alone", "a deed: a spindle with gear stages"),
+    ("lathe.friction-stalls-at-knob", "a deed: the knob below its end"),
     ("lathe.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),
     ("turning.limited", "a fact about the limit that the form asks for"),

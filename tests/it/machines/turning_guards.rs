@@ -1,0 +1,145 @@
+//! Where the turning spindle would hurt chuck, turret or operator: the form refuses it, and the program stops at variables that ask for it.
+
+use macroline::controls;
+use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
+use macroline::motion::{Budget, Retention, RunEnd};
+use macroline::project::Project;
+use macroline::project::run::{self, RunOptions};
+use macroline::project::setting::Setting;
+use macroline::text::Severity;
+use macroline::text::catalog::sentence;
+
+use super::ladder::{at_rest, ladder, put_out, reset, settle};
+use super::turning::project;
+
+/// Fields that errors of the design are about, with the errors' ids.
+fn errors(project: &Project) -> Vec<(&'static str, &'static str)> {
+    let found = project.design().diagnostics.into_iter().filter(|found| found.severity == Severity::Error);
+    found.filter_map(|found| Some((found.field?, found.message.id))).collect()
+}
+
+/// The end of a run with some variables set by the operator, and its log.
+fn with_variables(project: &Project, settings: &[(u32, f64)]) -> (Option<RunEnd>, Vec<String>) {
+    let limits = Budget { blocks: 100_000, seconds: 7200.0 };
+    let set = |(number, value): &(u32, f64)| Setting::new(&number.to_string(), *value).unwrap();
+    let settings: Vec<Setting> = settings.iter().map(set).collect();
+    let begin = RunOptions { start: None, settings: &settings, limits, keep: Retention::Both };
+    let mut planner = run::of_project(project, &project.written(), &begin);
+    let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+    let log = planner.take_log();
+    let names = planner.program().names();
+    (ended, log.into_iter().map(|(_, canon, _)| canon.line(names).to_string()).collect())
+}
+
+fn keyway(entries: &[(&'static str, &str)]) -> Project {
+    let plain = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+    let entries: Vec<_> = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+    plain.with_entries(&entries).unwrap()
+}
+
+#[test]
+fn no_cut_goes_into_the_chuck() {
+    // 100 mm of stock, 15 of them in the chuck, and 2 mm of clearance.
+    let turned = |length| project("gsk-980tdc", &[("path", "turning"), ("length", length)]);
+    assert_eq!(errors(&turned("83")), []);
+    assert_eq!(errors(&turned("83.1")), [("length", "turning.cut-in-chuck")]);
+    assert_eq!(errors(&project("gsk-980tdc", &[("allowance", "84")]))[0], ("allowance", "turning.cut-in-chuck"));
+    let facing = [("path", "facing"), ("stock-diameter", "80"), ("keyway-start", "60"), ("keyway-length", "23")];
+    assert_eq!(errors(&keyway(&facing)), []);
+    assert_eq!(
+        errors(&keyway(&[facing[0], facing[1], facing[2], ("keyway-length", "24")]))[0].1,
+        "turning.keyway-in-chuck"
+    );
+}
+
+#[test]
+fn program_refuses_a_longer_cut_by_variables() {
+    let turned = project("knd-k2000t", &[("path", "turning"), ("length", "60")]);
+    let (ended, log) = with_variables(&turned, &[(105, 90.0)]);
+    let Some(RunEnd::Alarm(alarm)) = ended else { panic!("{ended:?}") };
+    assert!(sentence(&alarm.message).contains("#105 IS MORE THAN #125"), "{}", sentence(&alarm.message));
+    assert!(!log.iter().any(|line| line.starts_with("linear")));
+    let (ended, log) = with_variables(&keyway(&[]), &[(118, 300.0)]);
+    assert_eq!(ended, Some(RunEnd::Stop));
+    assert!(log.iter().any(|line| line.contains("R119+R118 IS MORE THAN R125")), "{log:?}");
+}
+
+#[test]
+fn taper_by_variables_takes_one_depth_in_a_pass() {
+    for control in ["fanuc-0i-tf", "gsk-980tdc", "sinumerik-802d"] {
+        let taper = Project::named("turning-spindle", Some(control), Some("taper")).unwrap();
+        for (face, end) in [(40.0, 50.0), (50.0, 30.0), (55.0, 55.0)] {
+            let (ended, log) = with_variables(&taper, &[(103, face), (104, end)]);
+            assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
+            let cuts = log.iter().filter(|line| line.starts_with("linear X"));
+            let diameters: Vec<f64> = cuts.map(|line| line[8..].split(' ').next().unwrap().parse().unwrap()).collect();
+            // The diameters at the end of the passes: each at most two depths of 2 mm below the one before, and the last one is the part's.
+            let mut before = 60.0 + (end - face).max(0.0);
+            for diameter in &diameters {
+                assert!(before - diameter < 4.0 + 1e-6, "{control}, {face} to {end}: {diameters:?}");
+                before = *diameter;
+            }
+            assert_eq!(diameters.last(), Some(&end), "{control}: {diameters:?}");
+        }
+    }
+}
+
+#[test]
+fn turret_turns_beside_the_work_or_in_front_of_it() {
+    let at = |x, z| errors(&project("gsk-980tdc", &[("start-x", x), ("start-z", z)]));
+    assert_eq!(at("140", "0.1"), []);
+    assert_eq!(at("85", "30"), []);
+    assert_eq!(at("139.9", "29.9"), [("start-z", "turning.turret-hits-work")]);
+}
+
+#[test]
+fn driven_tool_needs_a_code_that_stops_it() {
+    assert_eq!(errors(&keyway(&[("driven-code", "60"), ("driven-stop", "61")])), []);
+    assert_eq!(errors(&keyway(&[("driven-code", "60")])), [("driven-stop", "turning.driven-tool-turns-on")]);
+}
+
+#[test]
+fn driven_tool_stops_with_the_program() {
+    use macroline::controls::interface::SignalRole;
+    let ladder = ladder(&keyway(&[("driven-code", "60"), ("driven-stop", "61")]));
+    let (tool, running) = (Bit::Output(MachineOutput::DrivenTool), Bit::Signal(SignalRole::Running));
+    let mut image = at_rest(&ladder);
+    image.set(running, true);
+    settle(&ladder, &mut image, 0.0);
+    for on in [true, false] {
+        put_out(&ladder, &mut image, 60, on);
+        settle(&ladder, &mut image, 0.1);
+        assert!(image.is_on(tool));
+    }
+    for over in [SignalRole::ProgramEnd, SignalRole::Idle] {
+        image.set(Bit::Signal(over), true);
+    }
+    settle(&ladder, &mut image, 0.2);
+    assert!(!image.is_on(tool), "M30 without its stop code");
+    image.set(Bit::Input(MachineContact::Emergency), true);
+    reset(&ladder, &mut image);
+    assert!(!image.is_on(tool));
+}
+
+#[test]
+fn parameters_of_the_sheet_are_in_the_control_s_range() {
+    let gsk = |id, typed| errors(&project("gsk-980tdc", &[(id, typed)]));
+    for (id, inside, outside) in [("time-constant", "4000", ["4001", "9"]), ("encoder-lines", "10000", ["10001", "99"])]
+    {
+        assert_eq!(gsk(id, inside), [], "{id}");
+        for typed in outside {
+            assert_eq!(gsk(id, typed), [(id, "turning.parameter-range")], "{id} at {typed}");
+        }
+    }
+}
+
+#[test]
+fn other_lines_of_the_encoder_are_told_or_warned_of() {
+    for id in macroline::machines::find("turning-spindle").unwrap().controls() {
+        let design = project(id, &[("encoder-lines", "2048")]).design();
+        let warned = design.diagnostics.iter().any(|found| found.message.id == "encoder.other-lines");
+        let sheet = project(id, &[("encoder-lines", "2048")]).export();
+        let told = sheet.files.iter().any(|file| file.name == "parameters.csv" && file.text.contains("2048"));
+        assert!(warned != told, "{}: warned {warned}, told {told}", controls::find(id).unwrap().name);
+    }
+}
