@@ -116,7 +116,9 @@ impl Sizing {
             (None, true) => Verdict::Warn,
             (None, false) => Verdict::Ok,
         };
-        let verdict = order.max(self.heat(axis).map_or(Verdict::None, |heat| heat.verdict));
+        // A run that was cut short has not asked all of the motor.
+        let short = if self.cut.is_some() { Verdict::Warn } else { Verdict::None };
+        let verdict = order.max(short).max(self.heat(axis).map_or(Verdict::None, |heat| heat.verdict));
         let is_listed = |part: &Part| part.maker == row.maker && part.model == row.model;
         let candidate = axis.candidates.iter().find(|candidate| is_listed(&candidate.part));
         let motor = row.part();
@@ -159,14 +161,16 @@ impl Sizing {
     }
 }
 
-/// A growth up to its limit: `Spindle speed S +23 %: Analog output`.
+/// A growth up to its limit: `Spindle speed S up to 23 % more, then Analog output`.
 fn next_limit(growth: &Growth) -> String {
-    let binding = growth.binding.map_or("", |binding| binding.label);
-    let message: Message = msg!(
-        "size.answer.limit",
-        quantity = say(growth.label),
-        percent = (100.0 * growth.margin, 0),
-        result = say(binding)
-    );
+    let (quantity, result) = (say(growth.label), say(growth.binding.map_or("", |binding| binding.label)));
+    let percent = (100.0 * growth.margin).round();
+    let message: Message = if percent > 0.0 {
+        msg!("size.answer.limit", quantity, percent, result)
+    } else if percent < 0.0 {
+        msg!("size.answer.limit-passed", quantity, percent = -percent, result)
+    } else {
+        msg!("size.answer.limit-reached", quantity, result)
+    };
     sentence(&message)
 }

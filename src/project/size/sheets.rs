@@ -139,9 +139,12 @@ impl Sizing {
         let cells = |of: &Growth| {
             let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.label));
             let binding = beside(binding, &of.failing_anyway);
-            let (value, margin) = match of.holds {
-                true => (units::text(of.value, 3, of.unit), format!("{:+.0}\u{a0}%", 100.0 * of.margin)),
-                false => (say("size.none-holds"), String::new()),
+            let value = units::text(of.value, 3, of.unit);
+            let (value, margin) = match of.binding {
+                _ if !of.holds => (say("size.none-holds"), String::new()),
+                Some(_) => (value, with_minus(format!("{:+.0}\u{a0}%", 100.0 * of.margin))),
+                // The end of the search is no limit.
+                None => (format!("> {value}"), String::new()),
             };
             row([say(of.label), value, margin, binding], RUNS_OF_FORM)
         };
@@ -281,9 +284,11 @@ impl Sizing {
         let events = events.filter(|event| self.envelope.iter().any(|row| row.event == *event));
         let rows = events.map(|event| {
             let at = |id: &str| self.envelope.iter().find(|row| row.event == event && row.id == id);
-            // A limit that varies, as that of a torque with the speed, is beside the value beyond it.
+            // A limit that varies, as that of a torque with the speed, is beside the worst value and those beyond it.
             let cell = |of: &EnvelopeRow, row: &EnvelopeRow| match self::limit(row) {
-                Some(own) if row.verdict == Verdict::Fail && Some(&own) != self::limit(of).as_ref() => {
+                Some(own)
+                    if (row.is_worst || row.verdict == Verdict::Fail) && Some(&own) != self::limit(of).as_ref() =>
+                {
                     format!("{} ({own})", value(row))
                 }
                 _ => value(row),

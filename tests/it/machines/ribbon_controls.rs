@@ -132,7 +132,7 @@ fn feed_above_control_range_names_the_possible_speed() {
             "the control takes 15000: at most 150 r/min",
             "That makes another result fail: Grip of the nip in use.",
             "The vector feed would be 119391.393 mm/min, the control takes 15000 at most.",
-            "At most 150 r/min of the unwinder keep within all limits.",
+            "At most 150 r/min of the unwinder keep within the limits of the axes and of F: as its S, and as its clamp, beyond which the knob cannot go.",
             "That makes another result fail: Grip of the nip in use.",
             "Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.",
         ]
@@ -172,7 +172,7 @@ fn f_range_on_the_802d_is_reported_with_its_numbers() {
             expect![[r#"
                 the control takes 99999.999: at most 1005 r/min
                 The vector feed would be 119391.393 mm/min, the control takes 99999.999 at most.
-                At most 1005 r/min of the unwinder keep within all limits.
+                At most 1005 r/min of the unwinder keep within the limits of the axes and of F: as its S, and as its clamp, beyond which the knob cannot go.
                 Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.
             "#]].assert_eq(&(advice.join("\n") + "\n"));
         }

@@ -295,7 +295,10 @@ fn feed_above_a_clamp_is_an_error_with_the_possible_speed() {
         panic!("one error: {:?}", slow.diagnostics)
     };
     assert_eq!(error.field, Some("clamp-y"));
-    assert_eq!(sentence(&error.hints[0]), "At most 1013 r/min of the unwinder keep within all limits.");
+    assert_eq!(
+        sentence(&error.hints[0]),
+        "At most 1013 r/min of the unwinder keep within the limits of the axes and of F: as its S, and as its clamp, beyond which the knob cannot go."
+    );
     let share = design(&[("clamp-y", "100000"), ("spindle-speed", "1013")]);
     assert!(share.diagnostics.iter().all(|d| d.severity != Severity::Error));
 }
