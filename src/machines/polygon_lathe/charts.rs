@@ -11,15 +11,15 @@ use crate::view::{Chart, ChartLimit, Series};
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
+    ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", least_span: 0.01, lines: &[
+        ChartLine { label: |_| "polygon.chart.across", tone: 2, address: |_| None, value: |lathe, now| lathe.slide(now).0 },
+    ], limits: unlimited },
     ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "polygon.chart.work", tone: 0, address: |_| None, value: |_, now| now.pmc[WORK].feed / 360.0 },
         ChartLine { label: |_| "polygon.chart.tool", tone: 1, address: |_| None, value: |_, now| now.pmc[TOOL].feed / 360.0 },
     ], limits: |lathe| vec![ChartLimit { label: "polygon.tool-limit", value: lathe.p.tool_limit }] },
     ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.ahead", tone: 3, address: |_| None, value: |lathe, now| lathe.phase(now) },
-    ], limits: unlimited },
-    ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "polygon.chart.across", tone: 2, address: |_| None, value: |lathe, now| lathe.slide(now).0 },
     ], limits: unlimited },
     ChartRow { id: "along", title: "polygon.chart.along", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.z", tone: 0, address: |_| Some(Address::Z), value: |lathe, now| lathe.slide(now).1 },

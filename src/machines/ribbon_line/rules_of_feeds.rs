@@ -288,10 +288,15 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     ok(limit)
 }
 
+/// Frequency (Hz) below which a motor on V/f loses torque and accuracy. Source: from memory.
+const LEAST_FREQUENCY: f64 = 5.0;
+
 pub(super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
-    let d = &line.d;
-    if d.frequency < 5.0 && d.actual_speed > 0.0 {
-        warn(AtLeast(5.0), [msg!("ribbon.low-frequency", frequency = (d.frequency, 2)).into()])
+    let (d, limit) = (&line.d, AtLeast(LEAST_FREQUENCY));
+    if d.frequency < LEAST_FREQUENCY && d.actual_speed > 0.0 {
+        warn(limit, [msg!("ribbon.low-frequency", frequency = (d.frequency, 2)).into()])
+    } else if d.actual_speed > 0.0 {
+        ok(limit)
     } else {
         ok(None)
     }

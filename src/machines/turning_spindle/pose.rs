@@ -42,7 +42,7 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     for group in [group::JAWS_FAR, group::JAWS_NEAR] {
         placements.push(Placement { opacity: seen, ..Placement::of(group) });
     }
-    placements.push(Placement { opacity: 0.4 * (1.0 - seen), ..Placement::of(group::BLUR) });
+    placements.push(Placement { opacity: 0.7 * (1.0 - seen), ..Placement::of(group::BLUR) });
     let knob = scene::knob(spindle.stage.max(1), spindle.bound == Bound::Shift, p.stages().count());
     placements.push(Placement { dx: knob.0, dy: knob.1, ..Placement::of(group::KNOB) });
     scene::pose_work(lathe, &layout, progress, spindle.turns, &mut pose.paths);

@@ -96,10 +96,10 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
 }
 
 fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
-    if volts.abs() >= FEW_VOLTS {
-        return ok(None);
-    }
     let limit = if volts < 0.0 { AtMost(-FEW_VOLTS) } else { AtLeast(FEW_VOLTS) };
+    if volts.abs() >= FEW_VOLTS {
+        return ok(limit);
+    }
     let several = lathe.p.stages().nth(1).is_some();
     let advice = if several {
         with_best_stage(lathe, msg!("turning.few-volts", volts = (volts, 3)))

@@ -435,7 +435,9 @@ impl Player {
         let time = dom::now();
         let (planned, _) = self.planned.get_untracked();
         let playing = self.playing.get_untracked();
-        let frame = Frame { step: self.speed_now() / 60.0, drawing_option: self.drawing_option.get_untracked() };
+        // A machine that stands on the page is sharp.
+        let step = if playing { self.speed_now() / 60.0 } else { 0.0 };
+        let frame = Frame { step, drawing_option: self.drawing_option.get_untracked() };
         let plans = self.plans.get_untracked();
         let shown = self.state.try_update_value(|state| {
             let slow = !state.pace.is_due && (!playing || time - state.slow_at >= SLOW);

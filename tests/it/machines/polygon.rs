@@ -651,7 +651,7 @@ fn charts_and_drawings_show_the_check_table_values() {
     let planner = whole(&project);
     let charts = project.prepared().charts(&planner, 0.0, 10.0, 721);
     let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
-    assert_eq!(ids, ["speeds", "phase", "size", "along", "deviation", "radius"]);
+    assert_eq!(ids, ["size", "speeds", "phase", "along", "deviation", "radius"]);
     let deviation = &charts[4].series[0].points;
     let least = deviation.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
     // -0.049628 mm of the check table, at the corner.

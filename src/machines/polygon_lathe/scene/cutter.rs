@@ -95,7 +95,7 @@ fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &Layout
     });
     d.within_hidden(blur, |d| {
         d.circle((0.0, 0.0, 0.5 * (disc + r)), Look::line(Paint::SteelShade, r - disc));
-        d.circle((0.0, 0.0, 0.97 * r), Look::line(Paint::Accent, 0.06 * r));
+        d.circle((0.0, 0.0, 0.985 * r), Look::line(Paint::Accent, 0.03 * r).faint(0.6));
     });
     d.within(inserts, |d| face(d, lathe, disc));
     d.within(disc_group, |d| {
