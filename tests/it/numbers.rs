@@ -225,10 +225,7 @@ fn unit_of_every_field_is_understood_behind_its_number() {
     for field in macroline::machines::ALL.iter().flat_map(|machine| machine.fields()) {
         let unit = field.unit();
         for typed in [format!("1 {unit}"), format!("1{unit}")] {
-            assert!(
-                matches!(quantity::read(&typed, &unit), Some(Typed::Shown(1.0) | Typed::Converted(1.0))),
-                "{typed}"
-            );
+            assert!(matches!(quantity::read(&typed, unit), Some(Typed::Shown(1.0) | Typed::Converted(1.0))), "{typed}");
         }
     }
 }
