@@ -12,6 +12,7 @@ mod parts;
 mod plots;
 mod polygon;
 mod polygon_drawing;
+mod polygon_knobs;
 mod polygon_main_spindle;
 mod polygon_paper;
 mod polygon_several;

@@ -37,6 +37,11 @@ impl Params {
         SpindleGear { speed_at_10v: self.main_speed, efficiency: self.drive_efficiency }
     }
 
+    /// Clamp (r/min) of the control for the spindle: its speed at 10 V, at most that of the work axis, whose motor and chuck run along.
+    pub(super) fn main_clamp(&self) -> f64 {
+        self.main_speed.min(self.work_limit)
+    }
+
     /// Speed of its motor over that of the spindle.
     fn main_gear(&self) -> f64 {
         self.main.gear(self.main_speed)
@@ -49,9 +54,9 @@ impl PolygonLathe {
         self.dialect.spindle().knob.ends(100.0)
     }
 
-    /// Speed (r/min) of the spindle at a position (%) of the override knob, for a speed of the form: at most that at 10 V.
+    /// Speed (r/min) of the spindle at a position (%) of the override knob, for a speed of the form: at most the clamp of the control.
     fn speed_at(&self, speed: f64, percent: f64) -> f64 {
-        (speed * percent / 100.0).min(self.p.main_speed)
+        (speed * percent / 100.0).min(self.p.main_clamp())
     }
 
     /// The turned ends of the program, with the fields of their depths.
@@ -80,6 +85,11 @@ impl PolygonLathe {
 /// Greatest speed of the turned ends, r/min.
 pub(super) fn highest(lathe: &PolygonLathe) -> f64 {
     lathe.turned_ends().map(|(end, _)| end.speed).fold(0.0, f64::max)
+}
+
+/// Greatest speed (r/min) that the program asks for: S, or that of the knob's highest position, which the control clamps.
+pub(super) fn top(lathe: &PolygonLathe) -> f64 {
+    highest(lathe).max(greatest(lathe))
 }
 
 /// Torque (Nm) of cut and friction where they ask most of the motor.
@@ -156,9 +166,9 @@ fn judge_torque_at_lowest_knob(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(AtMost(p.main_continuous().torque(end.speed)), [forced_cooling_advice("main-forced-cooling", said)])
 }
 
-/// The greatest speed of the turned ends against that of the work axis, whose motor runs along.
+/// The greatest speed of the turned ends, with the knob at any position, against that of the work axis, whose motor and chuck run along.
 pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (speed, most) = (highest(lathe), lathe.p.work_limit);
+    let (speed, most) = (top(lathe), lathe.p.work_limit);
     if speed <= most {
         return ok(AtMost(most));
     }
@@ -166,7 +176,7 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let fast = fields.filter(|(_, end)| end.on && end.speed > most);
     let sets: Vec<_> = fast.map(|(field, _)| down(FIELDS, field, most)).collect();
     let said = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
-    warn(AtMost(most), [said.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
+    fail(AtMost(most), [said.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
 }
 
 /// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.

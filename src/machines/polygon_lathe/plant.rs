@@ -15,7 +15,7 @@ fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
     let coasting = lathe.p.main_spindle().coasting(speed);
     SpindlePlant {
         analog: lathe.control.analog_output.with_speed(speed),
-        speed_clamp: speed,
+        speed_clamp: lathe.p.main_clamp(),
         ramp,
         coasting: Some([coasting; STAGES]),
         ..bench

@@ -121,7 +121,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     }, PolygonLathe::has_main_spindle),
     row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[0].run_in(&lathe.p), |lathe| lathe.p.turned_ends[0].threads()),
     row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[1].run_in(&lathe.p), |lathe| lathe.p.turned_ends[1].threads()),
-    row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S", OUTPUT, main_spindle::highest, PolygonLathe::has_main_spindle),
+    row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S · highest override, up to the clamp", OUTPUT, main_spindle::top, PolygonLathe::has_main_spindle),
     row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", MAIN_TORQUE, main_spindle::torque, PolygonLathe::has_main_spindle),
     row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", MAIN_TORQUE, main_spindle::power, PolygonLathe::has_main_spindle),
     row!("main-volts", "polygon.readout.main-volts", "V", 3, false, "10 V · n / n10, in steps", OUTPUT, main_spindle::volts, PolygonLathe::has_main_spindle),

@@ -56,7 +56,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
             (ParamRole::SpindleCount, yes()),
             (ParamRole::SpindleConnection, yes()),
             (ParamRole::SpindleLimit, number(p.main_speed)),
-            (ParamRole::SpindleMaximum, number(p.main_speed)),
+            (ParamRole::SpindleMaximum, number(p.main_clamp())),
             (ParamRole::SpindleUnipolar, yes()),
             (ParamRole::SpindleRatedVolts, number(100.0)),
         ]);

@@ -67,11 +67,11 @@ fn ramp_shorter_than_the_main_motor_gives_fails() {
     // Chuck and work 0.2 kg m², the rotor 0.03 at three quarters of the speed; 150 % of the rated torque below base speed.
     let inertia = 0.2 + 0.03 * 0.75 * 0.75;
     let omega = 3000.0 * std::f64::consts::PI / 30.0;
-    let hasty = shaft(&[("main-ramp", "1")]);
+    let hasty = shaft(&[("main-ramp", "1"), ("work-limit", "3000")]);
     let shortest = readout(&hasty, "main-shortest-ramp");
     near(shortest.value, inertia * omega / (1.5 * RATED - 2.0), 1e-6);
     assert_eq!(shortest.verdict, Verdict::Fail);
-    // Twice the first advice, for the speed of the form and for that of the knob at 120 %.
+    // Twice the first advice, for the speed of the form and for that of the knob at 254 %.
     let mut slower = hasty.clone();
     for after in [Verdict::Warn, Verdict::Ok] {
         slower = slower.with_entries(&readout(&slower, "main-shortest-ramp").advice[0].sets).unwrap();
@@ -171,8 +171,10 @@ fn encoders_reach_the_speed_of_the_knob_at_its_end() {
         let bill = sized_without_envelope(project).bill;
         bill.into_iter().find(|row| row.item == BillItem::Encoder).unwrap().asked
     };
-    // 800 r/min by 254 %, the greatest override of the register.
-    assert!(encoder(&shaft(&[])).starts_with("up to 2032 r/min"), "{}", encoder(&shaft(&[])));
+    // 800 r/min by 254 %, the greatest override of the register, up to the clamp by the work axis.
+    let free = shaft(&[("work-limit", "3000")]);
+    assert!(encoder(&free).starts_with("up to 2032 r/min"), "{}", encoder(&free));
+    assert!(encoder(&shaft(&[])).starts_with("up to 1000 r/min"), "{}", encoder(&shaft(&[])));
     let lathe = Project::of("turning-spindle", Some("mitsubishi-e60")).unwrap();
     let envelope = size(&lathe, &lathe.written()).envelope;
     let speeds = envelope.iter().filter(|row| row.label == "turning.gauge.speed").map(|row| row.value);
@@ -194,10 +196,10 @@ fn stops_name_the_inverter_where_the_bar_is_turned() {
 }
 
 #[test]
-fn turned_end_faster_than_the_idling_motor_warns() {
+fn turned_end_faster_than_the_idling_motor_fails() {
     let fast = shaft(&[("before-speed", "1200")]);
     let speed = readout(&fast, "main-top-speed");
-    assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Warn));
+    assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Fail));
     assert_eq!(speed.advice[0].sets, [("before-speed", "1000".to_owned())]);
     let slower = fast.with_entries(&speed.advice[0].sets).unwrap();
     assert_eq!(readout(&slower, "main-top-speed").verdict, Verdict::Ok);
@@ -206,7 +208,7 @@ fn turned_end_faster_than_the_idling_motor_warns() {
 #[test]
 fn turned_end_is_judged_at_the_highest_knob_too() {
     // 1400 N: 19.5 Nm of 22.6 at 800 r/min; the knob of 254 % takes the spindle to 2032 r/min, where a base speed of 1000 r/min leaves less.
-    let cooled = [("before-feed", "0.4"), ("main-forced-cooling", "true")];
+    let cooled = [("before-feed", "0.4"), ("main-forced-cooling", "true"), ("work-limit", "3000")];
     let at = |motor: &[(&'static str, &'static str)]| readout(&shaft(&[&cooled, motor].concat()), "main-torque");
     assert_eq!(at(&[("main-base", "1500")]).verdict, Verdict::Ok);
     let weak = at(&[("main-base", "1000"), ("main-power", "4.5")]);

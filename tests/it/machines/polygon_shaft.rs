@@ -447,6 +447,7 @@ fn slide_reaches_the_pitch_in_the_told_run_in() {
             ("before-thread-length", "16"),
             ("before-thread-infeed", "2"),
             ("before-speed", rpm),
+            ("work-limit", "3000"),
             ("start-z", "30"),
         ];
         let project = project(&shaft);
