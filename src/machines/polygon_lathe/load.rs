@@ -141,7 +141,11 @@ impl Params {
 
     /// Torque (Nm) that the drive gives at its speed beside friction: continuously at its site, and for a short time.
     pub(super) fn torques(&self, axis: PolygonAxis) -> (f64, f64) {
-        let drive = self.drive(axis);
+        self.torques_of(&self.drive(axis))
+    }
+
+    /// The same of a drive at any speed.
+    pub(super) fn torques_of(&self, drive: &AxisMotor) -> (f64, f64) {
         let rated = drive.motor.torque(drive.speed);
         let left = |percent: f64| (rated * percent / 100.0 - drive.friction).max(0.0);
         (left(self.site_share), left(self.drive_peak))

@@ -1,7 +1,9 @@
 //! The main spindle of the polygon lathe, which turns the bar before and after the polygons: its motor on the inverter, demand, verdicts.
 
+use super::demand::HIGHEST_FEED;
 use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
+use super::rules_of_drives::setting_feeds;
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
 use crate::drives::duty::{CutSpan, Motion};
@@ -13,7 +15,7 @@ use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
 use crate::machines::machine::Samples;
 use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
-use crate::math::RPM;
+use crate::math::{self, RPM};
 use crate::motion::Stretch;
 use crate::msg;
 use crate::view::Limit::AtMost;
@@ -144,8 +146,31 @@ fn judge_torque_at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judg
             let (torque, shown) = ((lathe.end_torque(end), 1), (most, 1));
             warn(AtMost(limit), [msg!("lathe.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
         }
-        None => judge_torque_at_lowest_knob(lathe).or_else(|| ok(AtMost(limit))),
+        None => judge_torque_at_highest_feed(lathe, limit)
+            .or_else(|| judge_torque_at_lowest_knob(lathe))
+            .or_else(|| ok(AtMost(limit))),
     }
+}
+
+/// A cut that the motor carries at the feed of the form: a warning where it does not with the feed override at its highest position. The advised
+/// feeds hold there at every speed of the spindle knob.
+fn judge_torque_at_highest_feed(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
+    let (p, curve, ends) = (&lathe.p, lathe.p.main_continuous(), lathe.knob_ends());
+    let fast = |end: &TurnedEnd| TurnedEnd { feed: end.feed * HIGHEST_FEED / 100.0, ..end.clone() };
+    let torque = |end: &TurnedEnd| lathe.end_torque(&fast(end));
+    let (end, _) = lathe.turned_ends().find(|(end, _)| torque(end) > curve.torque(end.speed))?;
+    let fields = p.turned_ends.iter().zip(["before-feed", "after-feed"]).filter(|(end, _)| end.on);
+    let lower = |(end, field): (&TurnedEnd, &'static str)| {
+        let positions = [ends.lower, Some(100.0), ends.higher].into_iter().flatten();
+        let least =
+            positions.map(|percent| curve.torque(lathe.speed_at(end.speed, percent))).fold(f64::INFINITY, f64::min);
+        let share = (least - p.main.friction).max(0.0) / (torque(end) - p.main.friction);
+        let feed = end.feed * math::pow(share, 1.0 / (1.0 - p.specific().exponent));
+        (share < 1.0).then(|| down(FIELDS, field, feed))
+    };
+    let (percent, shown) = ((HIGHEST_FEED, 0), (curve.torque(end.speed), 1));
+    let said = msg!("polygon.torque-at-feed-knob", percent, torque = (torque(end), 1), limit = shown);
+    warn(AtMost(limit), [setting_feeds(Advice::from(said), fields.filter_map(lower).collect())])
 }
 
 /// The first turned end whose torque exceeds that of the motor with the knob at a position (%), and the motor's torque (Nm) there.

@@ -498,6 +498,7 @@ fn design_readouts_match_their_golden() {
         Fail tool-speed: The tool axis turns 2000 r/min at most: B may be 333 at most.
         Fail curvature: The sides are hollow: 0.239 mm higher toward the corners than in the middle.
         Warn fastest-cut: The inserts cut faster than they may: 141 r/min for B is as fast as suits.
+        Warn tool-torque: With the feed override at 150 %, the cut asks 59.1 Nm, and the drive gives 49.2 Nm at this speed: reduce the feed, or keep the override lower.
     "#]].assert_eq(&said(&[
         ("shape", "own"),
         ("inserts", "1"),

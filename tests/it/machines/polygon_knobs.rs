@@ -4,8 +4,9 @@ use macroline::motion::{Action, Event, Snapshot};
 use macroline::project::Project;
 use macroline::view::Verdict;
 
+use super::polygon::project;
 use super::ribbon_controls::over_time;
-use crate::asked::{near, readout};
+use crate::asked::{near, near_share, readout};
 
 fn shaft(entries: &[(&'static str, &str)]) -> Project {
     let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
@@ -39,4 +40,40 @@ fn spindle_knob_is_clamped_at_the_limit_of_the_work() {
         let fastest = run.iter().map(|now| now.spindle.command).fold(0.0, f64::max);
         near(fastest, top, 1e-6);
     }
+}
+
+#[test]
+fn feed_knob_that_overloads_the_tool_drive_warns() {
+    let fast = project(&[("feed", "0.95")]);
+    let torque = readout(&fast, "tool-torque");
+    assert!(torque.value < torque.limit.unwrap().value(), "it holds at 100 %");
+    assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "polygon.torque-at-feed-knob"));
+    // The entered force does not change with the chip: two thirds of the feed that holds at 100 %.
+    let [("feed", feed)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
+    near(feed.parse().unwrap(), 0.95 * torque.limit.unwrap().value() / torque.value / 1.5, 1e-3);
+    let slower = fast.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(readout(&slower, "tool-torque").verdict, Verdict::Ok);
+    // C45 after Kienzle: f^0.78.
+    let steel = |feed: &str| readout(&project(&[("material", "c45"), ("feed", feed)]), "tool-torque");
+    let share = |feed: &str| steel(feed).value / steel(feed).limit.unwrap().value();
+    near_share(share("0.75") / share("0.5"), macroline::math::pow(1.5, 0.78), 1e-6);
+    assert!(steel("0.5").verdict == Verdict::Ok && share("0.75") < 1.0, "{}", share("0.75"));
+}
+
+/// With work and tool faster by the same knob the chips stay as they are.
+#[test]
+fn feed_knob_on_all_axes_leaves_the_chips() {
+    let mut fast = project(&[("feed", "0.95")]);
+    fast.switches.0.push(("pmc-override".to_owned(), "acts".to_owned()));
+    assert_eq!(readout(&fast, "tool-torque").verdict, Verdict::Ok);
+}
+
+#[test]
+fn feed_knob_that_overloads_the_main_motor_warns() {
+    // 1750 N/mm² · 2 mm · 0.5 mm: 23.9 of 32.2 Nm, and 34.8 Nm at 150 %.
+    let heavy = shaft(&[("before-feed", "0.5"), ("main-forced-cooling", "true")]);
+    let torque = readout(&heavy, "main-torque");
+    assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "polygon.torque-at-feed-knob"));
+    let less = heavy.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(readout(&less, "main-torque").verdict, Verdict::Ok);
 }

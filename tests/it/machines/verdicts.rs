@@ -152,6 +152,9 @@ const RARE: &[Entered] = &[
         "knd-k2000t",
         &[("from-face", "30"), ("before", "true"), ("before-depth", "6"), ("before-feed", "0.6"), ("main-power", "3")],
     ),
+    // Cuts that the drives carry but for the feed override at its highest position.
+    ("polygon-lathe", "knd-k2000t", &[("feed", "0.95"), ("tool-power", "5.5")]),
+    ("polygon-lathe", "knd-k2000t", &[("feed", "0.5"), ("tool-power", "2")]),
     // A fixed speed beyond the chosen stage, and a faster stage beside it.
     (
         "turning-spindle",
