@@ -140,6 +140,15 @@ pub fn maximum<P>(fields: &[Field<P>], id: &str) -> f64 {
     }
 }
 
+/// The least entry of a number field; minus infinity for other fields.
+pub fn minimum<P>(fields: &[Field<P>], id: &str) -> f64 {
+    let kind = fields.iter().find(|field| field.id == id).map(|field| &field.kind);
+    match kind {
+        Some(FieldKind::Number { min, .. }) => *min,
+        _ => f64::NEG_INFINITY,
+    }
+}
+
 fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> FieldEntry {
     let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
         FieldKind::Number { decimals, .. } => decimals,

@@ -15,6 +15,7 @@ const GEOMETRY: Citation =
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const BENDING: Citation = Citation::new("polygon turning facts 3.13", Grade::Open);
 const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
+const RUN_OUT: Citation = Citation::new("polygon turning facts 3.10; DIN 76-1 from memory", Grade::Open);
 const OUTPUT: Citation = Citation::new("turning spindle facts, 1", Grade::Inferred);
 const MAIN_TORQUE: Citation = Citation::new("turning spindle facts, 4", Grade::Inferred);
 const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);
@@ -121,6 +122,8 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     }, PolygonLathe::has_main_spindle),
     row!("before-run-in", "polygon.readout.before-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[0].run_in(&lathe.p), |lathe| lathe.p.turned_ends[0].threads()),
     row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[1].run_in(&lathe.p), |lathe| lathe.p.turned_ends[1].threads()),
+    row!("before-run-out", "polygon.readout.before-run-out", "mm", 2, false, "2 P, at least V (τ/2 + 1/K)", RUN_OUT, |lathe| lathe.p.turned_ends[0].run_out(&lathe.p), |lathe| lathe.p.turned_ends[0].threads()),
+    row!("after-run-out", "polygon.readout.after-run-out", "mm", 2, false, "2 P, at least V (τ/2 + 1/K)", RUN_OUT, |lathe| lathe.p.turned_ends[1].run_out(&lathe.p), |lathe| lathe.p.turned_ends[1].threads()),
     row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S · highest override, up to the clamp", OUTPUT, main_spindle::top, PolygonLathe::has_main_spindle),
     row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", MAIN_TORQUE, main_spindle::torque, PolygonLathe::has_main_spindle),
     row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", MAIN_TORQUE, main_spindle::power, PolygonLathe::has_main_spindle),

@@ -10,7 +10,7 @@ use super::rules_of_drives as drives;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::scaling;
-use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, minimum, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
@@ -21,6 +21,9 @@ const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base sp
 
 /// Source of the way that a thread needs in front of it.
 const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
+
+/// Source of the room that a thread needs in front of a shoulder.
+const RUN_OUT: Citation = Citation::new("polygon turning facts 3.10; DIN 76-1 from memory", Grade::Open);
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<PolygonLathe>] = &[
@@ -54,6 +57,8 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("twist", twist, Citation::new("polygon turning paper: D and Q are whole numbers", Grade::Manual)),
     Rule::new("before-run-in", run_in_before, RUN_IN),
     Rule::new("after-run-in", run_in_after, RUN_IN),
+    Rule::new("before-run-out", run_out_before, RUN_OUT),
+    Rule::new("after-run-out", run_out_after, RUN_OUT),
     Rule::new("feed", clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("infeed", infeed_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("free-length", jaws, Citation::new("mechanics", Grade::Inferred)),
@@ -446,6 +451,34 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
     fail(limit, advice)
 }
 
+/// The run-out of the thread that is turned before the polygons.
+fn run_out_before(lathe: &PolygonLathe) -> Option<Judgement> {
+    run_out(lathe, &lathe.p.turned_ends[0], "before-thread-length")
+}
+
+/// The run-out of the thread that is turned after the polygons.
+fn run_out_after(lathe: &PolygonLathe) -> Option<Judgement> {
+    run_out(lathe, &lathe.p.turned_ends[1], "after-thread-length")
+}
+
+/// The way from the end of a thread to the shoulder against the run-out, with the greatest thread length as a remedy.
+fn run_out(lathe: &PolygonLathe, end: &TurnedEnd, field: &'static str) -> Option<Judgement> {
+    let needed = end.run_out(&lathe.p);
+    // Without the rounding of binary fractions.
+    let limit = AtMost(((end.length - end.thread_length) * 1e9).round() / 1e9);
+    if limit.holds(needed) {
+        return ok(limit);
+    }
+    let set = down(FIELDS, field, end.length - needed + NOTHING);
+    let needed = (needed, 2);
+    if set.value < minimum(FIELDS, field) {
+        return fail(limit, [msg!("polygon.no-run-out", needed, length = (end.length, 3)).into()]);
+    }
+    let length = set.text.as_str();
+    let said = msg!("polygon.short-run-out", needed, room = (limit.value().max(0.0), 2), length);
+    fail(limit, [Advice::from(said).setting(msg!("advice.set-length", length), [set.clone()])])
+}
+
 /// The feed of a field in mm/min against the clamp of the slide.
 fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Option<Judgement> {
     if feed <= clamp {
@@ -475,7 +508,6 @@ fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
 fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
     let free = lathe.p.free_length;
     if free == 0.0 {
-        return ok(None);
     }
     let limit = AtMost(free);
     if lathe.length_to_jaws() <= free {

@@ -10,6 +10,9 @@ const FLANKS: f64 = 0.613_435;
 /// Share of its pitch by which a thread may deviate where it begins.
 const PITCH_ERROR: f64 = 0.01;
 
+/// Pitches between a thread and the shoulder behind it, at the least. Source: polygon turning facts 3.10.
+const RUN_OUT: f64 = 2.0;
+
 /// Greatest number of cuts of a turned end, and of its thread.
 const MOST: f64 = 100.0;
 
@@ -92,6 +95,13 @@ impl TurnedEnd {
             let time = ramp * (1.0 - PITCH_ERROR) + 1.0 / gain;
             speed * (0.5 * time * time - time / gain + 1.0 / (gain * gain)) / ramp
         }
+    }
+
+    /// Room (mm) that the thread needs in front of the shoulder: the run-out, in which the tool leaves the thread, and at least the lag of the
+    /// slide, `max(2 P, V (τ/2 + 1/K))` with V = S P / 60 [mm/s]. Source: polygon turning facts 3.10.
+    pub(super) fn run_out(&self, p: &Params) -> f64 {
+        let lag = 0.5 * p.slides.time_constant / 1000.0 + 1.0 / p.slides.position_gain;
+        (RUN_OUT * self.pitch).max(self.speed * self.pitch / 60.0 * lag)
     }
 
     /// Whether it has a thread.

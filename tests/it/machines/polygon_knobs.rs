@@ -77,3 +77,23 @@ fn feed_knob_that_overloads_the_main_motor_warns() {
     let less = heavy.with_entries(&torque.advice[0].sets).unwrap();
     assert_eq!(readout(&less, "main-torque").verdict, Verdict::Ok);
 }
+
+#[test]
+fn thread_up_to_the_shoulder_fails() {
+    let run_out = |entries: &[(&'static str, &str)]| readout(&shaft(entries), "before-run-out");
+    assert_eq!(run_out(&[]).verdict, Verdict::Ok);
+    let full = run_out(&[("before-thread-length", "20")]);
+    // M12 · 1.75: two pitches.
+    assert_eq!((full.value, full.limit.unwrap().value(), full.verdict), (3.5, 0.0, Verdict::Fail));
+    assert_eq!(full.advice[0].sets, [("before-thread-length", "16.5".to_owned())]);
+    assert_eq!(run_out(&[("before-thread-length", "16.5")]).verdict, Verdict::Ok);
+    assert_eq!(run_out(&[("before-thread-length", "16.501")]).verdict, Verdict::Fail);
+    // A slide that lags by more than two pitches: 23.3 mm/s · (0.25 + 0.03) s.
+    let slow = run_out(&[("time-constant", "500")]);
+    near(slow.value, 800.0 * 1.75 / 60.0 * (0.25 + 1.0 / 33.0), 1e-9);
+    assert_eq!(slow.verdict, Verdict::Fail);
+    let short = run_out(&[("before-length", "3"), ("before-thread-length", "1")]);
+    assert_eq!((short.verdict, short.advice[0].message.id), (Verdict::Fail, "polygon.no-run-out"));
+    let after = [("before", "false"), ("after", "true"), ("after-pitch", "1"), ("after-thread-length", "8.5")];
+    assert_eq!(readout(&shaft(&after), "after-run-out").verdict, Verdict::Fail);
+}

@@ -152,6 +152,13 @@ const RARE: &[Entered] = &[
         "knd-k2000t",
         &[("from-face", "30"), ("before", "true"), ("before-depth", "6"), ("before-feed", "0.6"), ("main-power", "3")],
     ),
+    // A thread that leaves its run-out no room, and one up to the shoulder.
+    ("polygon-lathe", "knd-k2000t", &[("from-face", "30"), ("before", "true"), ("before-pitch", "6")]),
+    (
+        "polygon-lathe",
+        "knd-k2000t",
+        &[("from-face", "30"), ("before", "true"), ("before-pitch", "1"), ("before-thread-length", "10")],
+    ),
     // Cuts that the drives carry but for the feed override at its highest position.
     ("polygon-lathe", "knd-k2000t", &[("feed", "0.95"), ("tool-power", "5.5")]),
     ("polygon-lathe", "knd-k2000t", &[("feed", "0.5"), ("tool-power", "2")]),
@@ -274,6 +281,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("polygon.little-relief", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.no-b", "no speed is a remedy"),
     ("polygon.no-better", "no way is within every limit"),
+    ("polygon.no-run-out", "a deed: a longer end or another thread"),
     ("polygon.no-twist", "G512 has no word for it; the figure is for a control with G51.2"),
     ("polygon.no-choice", "no way turns the polygon"),
     ("polygon.not-flat", "a fact; the larger cutter or the choice behind it has the button"),
