@@ -75,6 +75,10 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.put_segment(t);
         self.aim_at_motion(t);
         self.follow(t);
+        // The override ends with a thread's block: the spindle goes back to the commanded speed.
+        if matches!(motion.pace, Pace::Thread(_)) {
+            self.report_motion_on_ramp(t, motion.pace);
+        }
     }
 
     /// Reports, once per block, axis motion while the spindle is still on its ramp to a commanded speed: a warning for a cut, a remark for

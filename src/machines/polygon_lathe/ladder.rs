@@ -5,6 +5,7 @@
 //! at rest.
 
 use super::citations::PAPER;
+use super::params::TurnedEnd;
 use super::program::{
     self, AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
@@ -12,7 +13,7 @@ use super::resolved::PolygonLathe;
 use super::stops;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{Direction, SpindleRequirements};
+use crate::machines::ladder::codes::{Direction, STARTED, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
@@ -36,6 +37,8 @@ const STOPPING: Bit = Bit::Relay("stopping");
 const SPENT: Bit = Bit::Relay("spent");
 const INDEXED: Bit = Bit::Relay("indexed");
 const TURNING: Bit = Bit::Relay("turning");
+/// The spindle override is 100 % whatever the knob says.
+const OVERRIDE_FIXED: Bit = Bit::Relay("override-fixed");
 /// M3 or M4 while the sequence holds the main spindle: its answer waits.
 const SPINDLE_WAITS: Bit = Bit::Relay("spindle-waits");
 
@@ -52,7 +55,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
         book.coil(SPINDLE_WAITS, waits.to_vec(), "polygon.ladder.spindle-waits");
         busy.push(SPINDLE_WAITS);
         book.program_state();
-        book.spindle_override();
+        spindle_override(&mut book, lathe);
         let rules = lathe.dialect.spindle();
         let reaction = |at| stops::main_spindle(lathe, at);
         let reports_speed = rules.reached.is_some();
@@ -82,6 +85,22 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     book.answer(&busy);
     meanings(&mut book);
     book.finish()
+}
+
+/// The knob of the spindle override to the control, with a thread from M49 on 100 % until M5 or the end of the program.
+fn spindle_override(book: &mut Book, lathe: &PolygonLathe) {
+    let threads = lathe.p.turned_ends.iter().any(TurnedEnd::threads);
+    if !threads || book.has(SignalRole::SpindleOverrideCode) {
+        book.spindle_override();
+        return;
+    }
+    let [fixes, stops] = [program::OVERRIDE_OFF, 5].map(|code| book.function(code));
+    let stays = [on(fixes), on(OVERRIDE_FIXED)].map(|first| vec![first, on(STARTED), off(stops)]);
+    book.coil(OVERRIDE_FIXED, stays.to_vec(), "polygon.ladder.override-fixed");
+    let register = PlcNumber::Signal(SignalRole::SpindleOverride);
+    book.copy(PlcNumber::Knob, register, vec![vec![off(OVERRIDE_FIXED)]], "turning.ladder.override");
+    book.copy(PlcNumber::Constant(100), register, vec![vec![on(OVERRIDE_FIXED)]], "polygon.ladder.override-whole");
+    book.override_valid();
 }
 
 /// Rungs that assign the axes to their channels, and the signals that are always on for the channels.

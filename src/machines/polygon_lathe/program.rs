@@ -62,6 +62,10 @@ const ON_ALREADY: u32 = 8;
 /// Numbers of the alarms of an axis above its highest speed.
 const WORK_TOO_FAST: u32 = 9;
 const TOOL_TOO_FAST: u32 = 10;
+
+/// M code that fixes the spindle override at 100 % until M5, for a thread (ours, in the ladder).
+pub(super) const OVERRIDE_OFF: u32 = 49;
+
 /// Number of the alarm of a cutter that is not clear of the work.
 pub(super) const AWAY: u32 = 11;
 /// Number of the alarm of a letter that G512 does not have.
@@ -209,6 +213,14 @@ pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<Tur
             all.push(plain(vec![m(3), s(end.speed as u32)]));
             all.push(TurnedEndBlock::new(ramp(), "SPINDLE COMES TO ITS SPEED"));
             // Behind the dwell: a parameter of the control may count it in revolutions under a feed per revolution.
+            all.extend(per_turn.then(|| plain(writing::codes(lathe.control, [Code::FeedPerRevolution]))));
+        }
+        if at > 0 {
+            // Between two threads the knob would act, and each thread would begin while the spindle goes back to S.
+            let per_minute = writing::codes(lathe.control, per_turn.then_some(Code::FeedPerMinute));
+            let fixed = per_minute.into_iter().chain([m(OVERRIDE_OFF)]).collect();
+            all.push(TurnedEndBlock::new(fixed, "SPINDLE OVERRIDE OFF"));
+            all.push(TurnedEndBlock::new(ramp(), "SPINDLE COMES TO ITS SPEED"));
             all.extend(per_turn.then(|| plain(writing::codes(lathe.control, [Code::FeedPerRevolution]))));
         }
         all.push(plain(rapid([cross(lathe, p.clear_diameter())])));

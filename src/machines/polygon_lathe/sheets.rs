@@ -57,6 +57,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
             (ParamRole::SpindleConnection, yes()),
             (ParamRole::SpindleLimit, number(p.main_speed)),
             (ParamRole::SpindleMaximum, number(p.main_clamp())),
+            (ParamRole::SpindleReached, vec![("", ParamValue::Answer(lathe.dialect.spindle().reached.is_some()))]),
             (ParamRole::SpindleUnipolar, yes()),
             (ParamRole::SpindleRatedVolts, number(100.0)),
         ]);

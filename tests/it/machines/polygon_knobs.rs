@@ -97,3 +97,24 @@ fn thread_up_to_the_shoulder_fails() {
     let after = [("before", "false"), ("after", "true"), ("after-pitch", "1"), ("after-thread-length", "8.5")];
     assert_eq!(readout(&shaft(&after), "after-run-out").verdict, Verdict::Fail);
 }
+
+/// In a thread the control takes 100 %, and the spindle would go back to it at the beginning of each.
+#[test]
+fn threads_begin_at_their_speed_with_the_knob_anywhere() {
+    for percent in [50.0, 120.0] {
+        let run = moments(&shaft(&[]), percent);
+        let turns = run.iter().any(|now| (now.spindle.actual - 8.0 * percent).abs() < 0.5);
+        assert!(turns, "the knob acts at {percent} % in the turning");
+        // Behind the chamfer only the tool of the thread is below Ø 11.8.
+        let threads = |now: &Snapshot| now.axes[0].actual < 5.9 && now.axes[1].actual < -2.0;
+        let (first, last) = (run.iter().position(threads).unwrap(), run.iter().rposition(threads).unwrap());
+        // From 0.3 s before, with the run-in of the first, to the end of the last.
+        let speeds: Vec<f64> = run[first - 60..last].iter().map(|now| now.spindle.actual).collect();
+        assert!(speeds.len() > 1000, "{}", speeds.len());
+        assert!(speeds.iter().all(|speed| (speed - 800.0).abs() < 0.5), "{percent} %");
+    }
+    let text = &shaft(&[]).written().files.0[0].text;
+    assert!(text.contains("G98 M49 (SPINDLE OVERRIDE OFF)\nG04 X2. (SPINDLE COMES TO ITS SPEED)\nG99\n"), "{text}");
+    let smooth = shaft(&[("before-pitch", "0")]);
+    assert!(!smooth.written().files.0[0].text.contains("M49"), "without a thread the knob acts");
+}

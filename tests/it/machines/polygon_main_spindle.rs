@@ -275,7 +275,7 @@ fn main_spindle_waits_until_the_work_servo_stands() {
         [("work-time-constant", "3000"), ("tool-time-constant", "3000")].map(|(id, typed)| (id, typed.to_owned()));
     let example = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
     for (project, resets) in
-        [(&example, &[81.0][..]), (&example.with_entries(&slow).unwrap(), &[81.0, 83.0, 85.0, 87.0, 187.0, 189.0])]
+        [(&example, &[83.0][..]), (&example.with_entries(&slow).unwrap(), &[83.0, 85.0, 87.0, 89.0, 189.0, 191.0])]
     {
         for reset in resets {
             let start = reset + 0.1;

@@ -322,6 +322,23 @@ fn motion_on_the_spindle_ramp_is_told_once_a_block() {
     assert_eq!(told(&[], "G0 X20\nG96 S100 F.1 M3\nG4 F5\nG0 X50\nG1 X10\nG0 X50\nG1 Z5"), [""; 0]);
 }
 
+/// The spindle override does not act in a thread: with the knob elsewhere the spindle goes back to S as the thread begins.
+#[test]
+fn thread_on_the_ramp_from_the_knob_is_a_finding() {
+    let told = |control: &str, percent: f64, lines: &str| {
+        let mut lathe = Lathe::new(control, &[]);
+        lathe.plant.spindle.ramp = 3.5;
+        lathe.events = vec![at(0.0, Action::SpindleOverride(percent))];
+        said(&lathe.run(lines))
+    };
+    let thread = "G97 S1000 M03\nG04 X5.\nG00 Z5.\nG32 Z-20. F1.\nM00";
+    let cut = "motion.cut-while-ramping";
+    assert_eq!(told("fanuc-0i-tf", 120.0, thread), [cut]);
+    assert_eq!(told("fanuc-0i-tf", 50.0, thread), [cut]);
+    assert_eq!(told("fanuc-0i-tf", 100.0, thread), [""; 0]);
+    assert_eq!(told("fanuc-0i-tf", 120.0, "G98 S1000 M03\nG04 X5.\nG01 Z-20. F100.\nM00"), [""; 0]);
+}
+
 #[test]
 fn cutting_at_an_angle_without_lock_is_a_finding() {
     let told = |switches: &[(&str, &str)], lines: &str| {
