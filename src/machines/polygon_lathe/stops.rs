@@ -2,6 +2,7 @@
 
 use super::citations::OURS;
 use super::main_spindle::greatest;
+use super::params::TurnedEnd;
 use super::resolved::PolygonLathe;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
@@ -51,13 +52,24 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
         operator,
         cite: DESIGN,
     };
+    // A control finishes the thread's block first: a thread that stops within is spoilt.
+    let threads = lathe.p.turned_ends.iter().any(TurnedEnd::threads);
+    let in_thread = threads.then(|| {
+        row(
+            Interruption::Hold,
+            Some("polygon.stops.thread-hold"),
+            msg!("polygon.stops.axes-thread"),
+            msg!("polygon.stops.thread-turns"),
+            msg!("lathe.stops.start"),
+        )
+    });
     let turns = main_spindle(lathe, Interruption::Reset) == SpindleReaction::Turns;
     let after_reset = if turns { msg!("lathe.stops.work-turns") } else { msg!("lathe.stops.work-slows") };
     let coasts = lathe.p.main_spindle().coasting(greatest(lathe));
     let [hold, alarm] = ["polygon.stops.main-hold", "polygon.stops.main-alarm"].map(Some);
     let [reset, emergency] = ["polygon.stops.main-reset", "polygon.stops.main-emergency"].map(Some);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
-    vec![
+    let mut rows = vec![
         row(
             Interruption::Hold,
             hold,
@@ -87,7 +99,10 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
             msg!("lathe.stops.work-coasts", time = (coasts, 1)),
             msg!("lathe.stops.fault"),
         ),
-    ]
+    ];
+    // Behind the hold in the other cuts.
+    rows.splice(1..1, in_thread);
+    rows
 }
 
 /// The table.

@@ -6,7 +6,7 @@ use macroline::view::Verdict;
 
 use super::polygon::project;
 use super::ribbon_controls::over_time;
-use crate::asked::{near, near_share, readout};
+use crate::asked::{first_at, near, near_share, readout, stop_table};
 
 fn shaft(entries: &[(&'static str, &str)]) -> Project {
     let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
@@ -117,4 +117,22 @@ fn threads_begin_at_their_speed_with_the_knob_anywhere() {
     assert!(text.contains("G98 M49 (SPINDLE OVERRIDE OFF)\nG04 X2. (SPINDLE COMES TO ITS SPEED)\nG99\n"), "{text}");
     let smooth = shaft(&[("before-pitch", "0")]);
     assert!(!smooth.written().files.0[0].text.contains("M49"), "without a thread the knob acts");
+}
+
+#[test]
+fn feed_hold_in_a_thread_has_a_row_of_its_own() {
+    let rows = |project: &Project| {
+        let rows = stop_table(project);
+        rows.into_iter().filter(|cells| cells[0] == "Feed hold in a thread").collect::<Vec<_>>()
+    };
+    let [row] = &rows(&shaft(&[]))[..] else { panic!("one row") };
+    assert!(row[1] == "Keeps turning" && row[2].starts_with("X and Z finish the thread’s block"), "{row:?}");
+    assert!(rows(&shaft(&[("before-pitch", "0")])).is_empty());
+    // As in the run.
+    let deep = |now: &Snapshot| now.axes[0].actual < 5.9 && now.axes[1].actual < -5.0;
+    let t = first_at(&over_time(&shaft(&[]), Vec::new()), 0.0, deep);
+    let held = over_time(&shaft(&[]), vec![Event { t, action: Action::Hold }]);
+    let end = held.timeline().at(held.timeline().end());
+    near(end.axes[1].actual, -16.0, 0.01);
+    near(end.spindle.actual, 800.0, 0.5);
 }
