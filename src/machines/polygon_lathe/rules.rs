@@ -504,10 +504,12 @@ fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     within_clamp("infeed", p.infeed, d.infeed, p.slides.x.clamp)
 }
 
-/// Judges the distance of the jaws, if the form has their distance from the face.
+/// The distance of the jaws from the face; an unknown one is not judged, but has to be measured.
 fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
     let free = lathe.p.free_length;
     if free == 0.0 {
+        let advice = vec![msg!("polygon.measure-free-length", needed = (lathe.length_to_jaws(), 3)).into()];
+        return Some(Judgement { verdict: Verdict::None, limit: None, advice });
     }
     let limit = AtMost(free);
     if lathe.length_to_jaws() <= free {

@@ -136,3 +136,12 @@ fn feed_hold_in_a_thread_has_a_row_of_its_own() {
     near(end.axes[1].actual, -16.0, 0.01);
     near(end.spindle.actual, 800.0, 0.5);
 }
+
+#[test]
+fn unknown_free_length_is_not_judged() {
+    let room = |free: &str| readout(&project(&[("free-length", free), ("from-face", "300")]), "free-length");
+    let unknown = room("0");
+    assert_eq!((unknown.verdict, unknown.limit), (Verdict::None, None));
+    assert_eq!(unknown.advice[0].message.id, "polygon.measure-free-length");
+    assert_eq!((room("317").verdict, room("316").verdict), (Verdict::Ok, Verdict::Fail));
+}
