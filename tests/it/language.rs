@@ -6,6 +6,7 @@ mod dialects;
 mod dialects_calls;
 mod loops;
 mod names;
+mod other_forms;
 mod quick_fixes;
 mod slips;
 mod trees;

@@ -53,12 +53,12 @@ pub struct Names {
     pub addresses: &'static [(&'static str, Address)],
     /// Codes that are names; a code's index is its number in [`Address::Name`] words.
     pub codes: &'static [&'static str],
-    /// Name of the cycles, followed by a number: `CYCLE` of `CYCLE95`.
-    pub cycle: &'static str,
     /// Addresses that allow an extension number: `S1=500`.
     pub extended: AddressSet,
     /// Statements known only to other controls of the maker.
     pub foreign: &'static [&'static str],
+    /// `DEF` defines variables of a program; otherwise it is a foreign statement.
+    pub local_data: bool,
     /// Endings and directories of program names, main program first, then subprogram: `MPF`, `SPF`.
     pub endings: [&'static str; 2],
     /// Letters in front of a numeric program name.
@@ -74,10 +74,8 @@ pub struct Names {
 }
 
 impl Names {
-    /// Index in [`Names::codes`] of a name in capitals; the number at the end of a cycle name is ignored.
+    /// Index in [`Names::codes`] of a name in capitals.
     pub fn code(&self, name: &str) -> Option<usize> {
-        let family = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let name = if family == self.cycle && family.len() < name.len() { family } else { name };
         self.codes.iter().position(|code| *code == name)
     }
 }

@@ -7,14 +7,18 @@ use super::base::sinumerik;
 use super::base::sinumerik::MEMORY;
 use super::code::g_codes;
 use super::interface::PlcLanguage;
-use super::{Address, AxisDef, Control, Limits};
+use super::syntax::Names;
+use super::{Address, AxisDef, Control, Limits, Syntax};
 use sources::RANGES;
+
+/// Names of the family, with definitions of variables: 808D turning 01/2017, p.126.
+const NAMES: Names = Names { local_data: true, ..sinumerik::NAMES };
 
 /// The control.
 pub static CONTROL: Control = Control {
     id: "sinumerik-808d",
     name: "SINUMERIK 808D",
-    syntax: sinumerik::SYNTAX,
+    syntax: Syntax { names: Some(NAMES), ..sinumerik::SYNTAX },
     macros: sinumerik::MACROS,
     axes: &[
         AxisDef { letter: Address::X, rotary: false, incremental: None, diameter: true, cite: MEMORY },

@@ -4,7 +4,7 @@ use super::context::Check;
 use crate::controls::{Address, Alarm};
 use crate::msg;
 use crate::nc::ast::{Block, Expr, Jump, JumpDirection, Stmt, TextId};
-use crate::nc::lex::spelling::{meant, zero_as_letter};
+use crate::nc::lex::spelling::zero_as_letter;
 use crate::nc::parsed::FINDINGS;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
@@ -72,12 +72,11 @@ impl Check<'_> {
         self.found.push(finding.fix(msg!("nc.fix.write", text = other), edit));
     }
 
-    /// Reports calls of missing programs with a name close to a code.
+    /// Reports calls of missing programs whose name is an axis with the letter O in place of the digit 0.
     fn calls(&mut self) {
         for block in self.blocks {
             let Stmt::Call { name: id, .. } = block.stmt else { continue };
             let name = self.deck.text(Some(id));
-            let codes = self.control.syntax.names().map_or(&[][..], |names| names.codes);
             if self.known.name(name).is_some() || self.found.len() > FINDINGS {
                 continue;
             }
@@ -88,15 +87,6 @@ impl Check<'_> {
                 let digits = name.get(1..).unwrap_or("").replace('O', "0");
                 let finding = Diagnostic::warning(msg!("nc.letter-o")).at(place);
                 self.found.push(finding.fix(msg!("nc.fix.write", text = digits.as_str()), vec![(place, digits)]));
-                continue;
-            }
-            if name.len() < 3 {
-                continue;
-            }
-            if let Some(code) = meant(name, codes.iter().copied()).and_then(|at| codes.get(at)) {
-                let place = Place { file: self.program.file, span: self.places.text(id) };
-                let finding = Diagnostic::warning(msg!("nc.call-or-code", program = name, code = *code)).at(place);
-                self.found.push(finding.fix(msg!("nc.fix.write", text = *code), vec![(place, (*code).to_owned())]));
             }
         }
     }

@@ -61,6 +61,47 @@ pub(in crate::nc) fn zero_as_letter(name: &str) -> bool {
         && bytes.all(|b| b == b'O' || b.is_ascii_digit())
 }
 
+/// Whether a text holds a word of the language outside round brackets, such as `T01` or `XO`, so that it may be more than a remark.
+pub(in crate::nc) fn holds_word(rest: &[u8]) -> bool {
+    let plain = |piece: &[u8]| PLAIN_WORDS.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(piece));
+    pieces(rest).any(|piece| is_words(piece) && !plain(piece))
+}
+
+/// Words of plain language that also read as a letter with a zero.
+const PLAIN_WORDS: [&str; 5] = ["DO", "NO", "SO", "TO", "TOO"];
+
+/// The pieces of a text outside round brackets: letters, digits, points and signs.
+fn pieces(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let mut comment = false;
+    let parts = text.split(move |&b| {
+        let inside = comment;
+        comment = b == b'(' || comment && b != b')';
+        inside || comment || !(b.is_ascii_alphanumeric() || matches!(b, b'.' | b'+' | b'-'))
+    });
+    parts.filter(|piece| !piece.is_empty())
+}
+
+fn has_digit(piece: &[u8]) -> bool {
+    piece.iter().any(u8::is_ascii_digit)
+}
+
+/// Whether a piece of text is words alone: letters, each with a number in which letters O may stand for zeros. Numbers of letters O alone
+/// belong to codes and axes, so that `POS1` is a name.
+fn is_words(piece: &[u8]) -> bool {
+    let mut rest = piece;
+    while let Some((letter, tail)) = rest.split_first() {
+        let tail = tail.strip_prefix(b"-").or(tail.strip_prefix(b"+")).unwrap_or(tail);
+        let len = tail.iter().take_while(|b| matches!(b, b'O' | b'o' | b'.' | b'0'..=b'9')).count();
+        let (number, after) = tail.split_at(len);
+        let named = !has_digit(number) && !after.is_empty() && !b"GMXYZgmxyz".contains(letter);
+        if !letter.is_ascii_alphabetic() || number.is_empty() || named {
+            return false;
+        }
+        rest = after;
+    }
+    !piece.is_empty()
+}
+
 /// Whether the text in a bracket is arithmetic and no comment: it has a digit, and all its words are operators or `functions`.
 pub(in crate::nc) fn arithmetic(inner: &[u8], functions: &[(&str, Function)]) -> bool {
     let known = |word: &[u8]| {

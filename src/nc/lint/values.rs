@@ -317,7 +317,11 @@ impl Vars<'_> {
         }
         if !names.is_empty() {
             let (place, _) = lint.written(first.0, lint.part(first.0, first.1));
-            if let Some(finding) = lint.warn(place, msg!("lint.unset-common", variables = names)) {
+            let message = match self.control.syntax.names() {
+                None => msg!("lint.unset-common", variables = names),
+                Some(_) => msg!("lint.unset-parameter", variables = names),
+            };
+            if let Some(finding) = lint.warn(place, message) {
                 finding.severity = Severity::Info;
             }
         }

@@ -11,6 +11,7 @@ use super::short::Short;
 use crate::controls::address::LETTERS;
 use crate::controls::{Address, AddressSet, Alarm};
 use crate::msg;
+use crate::nc::lex::names::meant_name;
 use crate::text::{Place, either};
 
 /// Maximum words reported for overwriting others.
@@ -200,6 +201,9 @@ impl Lint<'_> {
         let place = self.place(at, self.parsed.text_span(name));
         let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
         let program = self.deck.text(Some(name));
-        self.warn(place, msg!("lint.no-such-program", program, alarm));
+        let meant = self.control.syntax.names().and_then(|names| meant_name(names, program, false));
+        if let Some(finding) = self.warn(place, msg!("lint.no-such-program", program, alarm)) {
+            finding.hints.extend(meant.map(|code| msg!("nc.hint.code-meant", code)));
+        }
     }
 }

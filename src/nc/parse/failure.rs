@@ -27,8 +27,8 @@ pub(super) type Read<T> = Result<T, Box<ParseFailure>>;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum IgnoredFeature {
     Code(CodeId),
-    /// A cycle by the number in its name.
-    Cycle(u32),
+    /// Definitions of variables of a program.
+    LocalData,
     /// A range of variables by its first number.
     Variables(u32),
     /// An external input or output statement, by its index.

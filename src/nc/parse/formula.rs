@@ -11,7 +11,7 @@ use crate::nc::lex::spelling::{meant, several_meant, zero_as_letter};
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Misused, ParseFailure, Read};
 use crate::nc::parse::reader::{Reader, starts_value};
 use crate::nc::parsed::ExprSpan;
-use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Message};
 
 /// Maximum parts of the formulas of one block; limits the depth of every tree.
 const PARTS: u32 = 250;
@@ -386,6 +386,9 @@ impl Reader<'_> {
         if self.names().is_some() && written.starts_with(['R', 'r']) && zero_as_letter(written) {
             return Err(self.letter_for_zero(start, written));
         }
+        if self.is_local_variable(written) {
+            return Err(self.local_variable(start, written));
+        }
         let mut letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         if OTHER_NAMES.iter().any(|row| row.0.eq_ignore_ascii_case(written)) {
             letters = written.len();
@@ -413,7 +416,7 @@ impl Reader<'_> {
                 self.cursor.at += letters;
                 let mut finding = self.finding(Alarm::Format, start, self.cursor.at, message);
                 // One letter of three may be any letter.
-                if other.is_none() && (letters <= 3 || several_meant(&name, names)) {
+                if other.is_none() && (self.names().is_some() || letters <= 3 || several_meant(&name, names)) {
                     finding.kind = DiagnosticKind::GuessedFix;
                 }
                 self.report_replacing(Alarm::Format, finding, start, self.cursor.at, known);
@@ -426,10 +429,7 @@ impl Reader<'_> {
             }
             None if self.control.syntax.random.contains(&name.as_str()) => {
                 let message = msg!("nc.random", function = name.as_str());
-                let mut failure = self.failure(Alarm::Budget, start, start + letters, message);
-                (failure.finding.severity, failure.finding.alarm, failure.finding.wording) =
-                    (Severity::Warning, None, None);
-                Err(failure)
+                Err(self.stops_here(start, start + letters, message))
             }
             None => Err(self.failure(Alarm::Format, start, start + letters, message)),
         }

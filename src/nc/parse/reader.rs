@@ -11,7 +11,7 @@ use crate::nc::ast::{BadBlock, Deck, Extent, Op, TextId};
 use crate::nc::lex::cursor::Cursor;
 use crate::nc::parsed::{FINDINGS, PartPlaces};
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, DiagnosticKind, FileId, Message, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, FileId, Message, Place, Severity, Span};
 
 /// Maximum blocks read: five times those of the largest programs.
 pub(super) const BLOCKS: usize = 5_000_000;
@@ -73,6 +73,8 @@ pub(super) struct FileNotes {
     pub(super) hash: Option<u32>,
     /// The preceding line names a program; the next one may name its directory.
     pub(super) headed: bool,
+    /// Names of variables that the file defines by `DEF`.
+    pub(super) locals: Vec<String>,
 }
 
 /// Parts of the block read so far, besides its statement.
@@ -317,6 +319,14 @@ impl<'a> Reader<'a> {
     /// The failure for some bytes of the line.
     pub(super) fn failure(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Box<ParseFailure> {
         Box::new(ParseFailure { alarm, from, finding: self.finding(alarm, from, to, message), at_word: false })
+    }
+
+    /// The failure of something that the control reads and the simulation does not: a warning, and a run stops at the block.
+    #[cold]
+    pub(super) fn stops_here(&self, from: usize, to: usize, message: Message) -> Box<ParseFailure> {
+        let mut failure = self.failure(Alarm::Budget, from, to, message);
+        (failure.finding.severity, failure.finding.alarm, failure.finding.wording) = (Severity::Warning, None, None);
+        failure
     }
 
     /// The failure of an unexpected byte.

@@ -85,8 +85,9 @@ const ROWS: &[Row] = &[
     ),
     row("lint.suppression-stays", "", ""),
     row("lint.unreachable", "GOTO9\nG00 X1.\nN9", "GOTOF AB\nG0 X1\nAB: M5"),
-    row("lint.unset-common", "G00 Z[#100+1]", "G0 Z=R1+1"),
+    row("lint.unset-common", "G00 Z[#100+1]", ""),
     row("lint.unset-local", "G00 Z[#1+1]", ""),
+    row("lint.unset-parameter", "", "G0 Z=R1+1"),
     row("lint.vacant-word", "G00 Z#100", ""),
     row("lint.word-again", "G00 X1. X2.", ""),
     row("lint.zero-divisor", "#100=#101-5\n#102=5/#100\nG00 Z#102", "R1=R1-5\nR2=5/R1\nG0 Z=R2"),
@@ -140,6 +141,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.offset-off-centre
         mitsubishi-e60 lint.slow-retract
         mitsubishi-e60 lint.small-offset
+        mitsubishi-e60 lint.unset-parameter
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.calls-own-program
         gsk-980tdc lint.feed-zero-digit
@@ -148,6 +150,7 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.setting-unread
         gsk-980tdc lint.small-offset
         gsk-980tdc lint.suppression-stays
+        gsk-980tdc lint.unset-parameter
         gsk-980tdc lint.vacant-word
         gsk-980tdc lint.word-again
         knd-k2000t lint.calls-itself
@@ -156,6 +159,7 @@ fn every_warning_appears_on_every_control() {
         knd-k2000t lint.loose-comparison
         knd-k2000t lint.setting-unread
         knd-k2000t lint.small-offset
+        knd-k2000t lint.unset-parameter
         fanuc-0i-tf lint.calls-itself
         fanuc-0i-tf lint.feed-per-minute
         fanuc-0i-tf lint.feed-zero-digit
@@ -163,6 +167,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-tf lint.loose-comparison
         fanuc-0i-tf lint.setting-unread
         fanuc-0i-tf lint.small-offset
+        fanuc-0i-tf lint.unset-parameter
         fanuc-0i-mf lint.calls-itself
         fanuc-0i-mf lint.feed-per-revolution
         fanuc-0i-mf lint.feed-zero-digit
@@ -171,6 +176,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.setting-unread
         fanuc-0i-mf lint.slow-retract
         fanuc-0i-mf lint.small-offset
+        fanuc-0i-mf lint.unset-parameter
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.dwell-without-time
@@ -185,6 +191,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.no-point-dwell
         sinumerik-802d lint.number-twice
         sinumerik-802d lint.suppression-stays
+        sinumerik-802d lint.unset-common
         sinumerik-802d lint.unset-local
         sinumerik-802d lint.vacant-word
         sinumerik-802d lint.word-again
@@ -202,6 +209,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.no-point-dwell
         sinumerik-808d lint.number-twice
         sinumerik-808d lint.suppression-stays
+        sinumerik-808d lint.unset-common
         sinumerik-808d lint.unset-local
         sinumerik-808d lint.vacant-word
         sinumerik-808d lint.word-again"#]]

@@ -19,7 +19,10 @@ const AREA: Citation = Citation::new(
 pub const NAMES: &[&str] = &[
     "RET", "CIP", "CT", "TRANS", "ATRANS", "DIAMON", "DIAMOF", "DIAM90", "BRISK", "SOFT", "FFWON", "FFWOF", "NORM",
     "KONT", "WALIMON", "WALIMOF", "CFC", "CFTCP", "CFIN", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR",
-    "STOPRE", "SETMS", "TRANSMIT", "TRACYL", "TRAFOOF", "SPCON", "SPCOF", "CYCLE",
+    "STOPRE", "SETMS", "TRANSMIT", "TRACYL", "TRAFOOF", "SPCON", "SPCOF",
+    // Cycles of the 802D and the 808D for turning.
+    "CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89", "CYCLE92",
+    "CYCLE93", "CYCLE94", "CYCLE95", "CYCLE96", "CYCLE97", "CYCLE98", "CYCLE99", "CYCLE840",
 ];
 
 /// Every code.
@@ -121,4 +124,21 @@ pub const CODES: &[CodeDef] = &[
     named(30, NotSimulated, Group::Other, "spindle under position control", MEMORY),
     named(31, Cancel, Group::Other, "spindle under speed control", MEMORY),
     named(32, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(33, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(34, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(35, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(36, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(37, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(38, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(39, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(40, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(41, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(42, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(43, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(44, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(45, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(46, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(47, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(48, NotSimulated, Group::OneShot, "cycle", MEMORY),
+    named(49, NotSimulated, Group::OneShot, "cycle", MEMORY),
 ];

@@ -16,14 +16,14 @@ use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Pair, Stmt};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, SYMBOLIC_STATEMENTS};
-use crate::nc::lex::names::begins_as_name;
-use crate::nc::lex::spelling::{meant, prose, states, zero_as_letter};
+use crate::nc::lex::names::{begins_as_name, meant_name};
+use crate::nc::lex::spelling::{holds_word, meant, prose, states, zero_as_letter};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::file::begins_character;
 use crate::nc::parse::formula::VariableAccess;
 use crate::nc::parse::reader::{BLOCK_BYTES, Reader};
 use crate::nc::parsed::FINDINGS;
-use crate::text::{Diagnostic, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Span};
 
 impl<'a> Reader<'a> {
     /// Reads a line of a file: one block, `from < to`, without white space around it.
@@ -90,6 +90,20 @@ impl<'a> Reader<'a> {
             return self.report_as(Alarm::Format, label);
         }
         if comment && finding.fixes.is_empty() {
+            let name = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+            // `SUB(1)`, `SUB PR1`.
+            let call = match rest.get(name..).unwrap_or_default().trim_ascii_start() {
+                [b'(', ..] => true,
+                [b'P' | b'p', count, after @ ..] => {
+                    let digit = after.first().is_some_and(u8::is_ascii_digit);
+                    !count.is_ascii_alphabetic() || count | 0x20 == b'r' && digit
+                }
+                _ => false,
+            };
+            // A call or a word that became a comment would no longer act.
+            if call || holds_word(rest) {
+                finding.kind = DiagnosticKind::GuessedFix;
+            }
             let place = self.place(self.span(from, from));
             finding = finding.fix(msg!("nc.fix.comment"), vec![(place, ";".to_owned())]);
         }
@@ -252,6 +266,10 @@ impl<'a> Reader<'a> {
         if known || after.first() == Some(&b'=') || self.missing_equals(written) {
             return Ok(None);
         }
+        if names.local_data && name == "DEF" {
+            self.local_data();
+            return Ok(Some(Stmt::Empty));
+        }
         if names.foreign.contains(&name.as_str()) {
             let message = msg!("nc.foreign-statement", word = name, control = self.control.name);
             return Err(self.failure(Alarm::Format, start, start + written.len(), message));
@@ -268,6 +286,7 @@ impl<'a> Reader<'a> {
             let place = self.place(self.span(start, start + written.len()));
             let title = msg!("nc.fix.write", text = SYMBOLIC_STATEMENTS[at]);
             failure.finding = failure.finding.fix(title, vec![(place, SYMBOLIC_STATEMENTS[at].to_owned())]);
+            failure.finding.kind = DiagnosticKind::GuessedFix;
             return Err(failure);
         }
         self.call().map(Some)
@@ -334,12 +353,15 @@ impl<'a> Reader<'a> {
         self.unknown_name(start, name)
     }
 
-    /// The failure of an unknown name, with a fix for one wrong letter.
+    /// The failure of an unknown name, with a guess for one wrong letter.
     pub(in crate::nc::parse) fn unknown_name(&self, start: usize, name: &str) -> Box<ParseFailure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message).at_word();
         let Some(names) = self.names() else { return failure };
+        if self.is_local_variable(name) {
+            return self.local_variable(start, name);
+        }
         if zero_as_letter(name) {
             return self.letter_for_zero(start, name);
         }
@@ -350,13 +372,10 @@ impl<'a> Reader<'a> {
             failure.finding = failure.finding.fix(msg!("nc.fix.drop", text = name), vec![(place, String::new())]);
             return failure;
         }
-        let known = names.codes.iter().copied().chain(names.addresses.iter().map(|row| row.0));
-        let upper = name.to_ascii_uppercase();
-        if let Some(known) =
-            meant(&upper, known.clone()).and_then(|at| known.clone().nth(at)).filter(|_| upper.len() > 2)
-        {
+        if let Some(known) = meant_name(names, &name.to_ascii_uppercase(), after.first() == Some(&b'=')) {
             let place = self.place(self.span(start, end));
-            failure.finding = failure.finding.fix(msg!("nc.fix.write", text = known), vec![(place, known.to_owned())]);
+            failure.finding = failure.finding.fix(msg!("nc.fix.write", text = known.as_str()), vec![(place, known)]);
+            failure.finding.kind = DiagnosticKind::GuessedFix;
         }
         failure
     }

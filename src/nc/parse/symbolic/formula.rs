@@ -10,9 +10,11 @@ use crate::msg;
 use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::{Dec, POW10};
 use crate::nc::lex::keywords::{COMPARISONS, LOGIC, SIGNS};
-use crate::nc::parse::failure::{ParseFailure, Read};
+use crate::nc::lex::names::begins_as_name;
+use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::formula::VariableAccess;
 use crate::nc::parse::reader::Reader;
+use crate::nc::parsed::FINDINGS;
 
 /// Signs that are read as comparisons.
 #[derive(Clone, Copy, PartialEq)]
@@ -193,13 +195,44 @@ impl Reader<'_> {
         self.variable(access)
     }
 
-    /// The failure of `$P_S`: system data that the simulation does not keep.
+    /// The failure of `$P_S` or `$AA_IM[X]`: system data that the simulation does not keep.
     #[cold]
     pub(in crate::nc::parse) fn system_variable(&self) -> Box<ParseFailure> {
         let rest = self.cursor.rest();
-        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
+        let name = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
+        let index = rest.get(name..).filter(|after| after.first() == Some(&b'['));
+        let len = name + index.and_then(|after| after.iter().position(|b| *b == b']')).map_or(0, |close| close + 1);
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
-        self.failure(Alarm::Budget, self.cursor.at, self.cursor.at + len, msg!("nc.system-variable", variable = name))
+        self.stops_here(self.cursor.at, self.cursor.at + len, msg!("nc.system-variable", variable = name))
+    }
+
+    /// Reads `DEF REAL NAME=0`, which defines variables that the simulation does not keep; stores their names.
+    #[cold]
+    pub(in crate::nc::parse) fn local_data(&mut self) {
+        let start = self.cursor.at;
+        let text = String::from_utf8_lossy(self.cursor.line.get(start..).unwrap_or_default()).to_ascii_uppercase();
+        let name = |part: &str| {
+            let declared = part.split('=').next().unwrap_or("");
+            let mut names = declared.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+            names.rfind(|name| begins_as_name(name)).map(str::to_owned)
+        };
+        if self.notes.locals.len() < FINDINGS {
+            self.notes.locals.extend(text.split(',').filter_map(name));
+        }
+        self.cursor.at = self.cursor.line.len();
+        self.report_once(IgnoredFeature::LocalData, start, self.cursor.at, msg!("nc.local-data", statement = "DEF"));
+    }
+
+    /// Whether a name is one of a variable that the file defines by `DEF`.
+    pub(in crate::nc::parse) fn is_local_variable(&self, name: &str) -> bool {
+        self.notes.locals.iter().any(|local| local.eq_ignore_ascii_case(name))
+    }
+
+    /// The failure of a variable defined by `DEF`.
+    #[cold]
+    pub(in crate::nc::parse) fn local_variable(&self, start: usize, name: &str) -> Box<ParseFailure> {
+        let message = msg!("nc.local-variable", variable = name.to_ascii_uppercase());
+        self.stops_here(start, start + name.len(), message)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::parse::failure::{IgnoredFeature, Read};
 use crate::nc::parse::reader::{Reader, starts_value};
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, DiagnosticKind};
 
 /// Dimensioning of a value by its own notation.
 const FORMS: [(&str, Dimensioning); 5] = [
@@ -255,7 +255,11 @@ impl Reader<'_> {
             b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
                 let end = self.index_ahead().unwrap_or(self.cursor.at);
-                let message = msg!("nc.index-in-brackets", address = self.control.address(letter));
+                let address = self.control.address(letter);
+                let message = match letter {
+                    Address::M | Address::S => msg!("nc.index-in-brackets", address),
+                    _ => msg!("nc.no-index", address),
+                };
                 return Err(self.failure(Alarm::Format, self.cursor.at, end, message));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
@@ -391,13 +395,11 @@ impl Reader<'_> {
         self.push_long(start, Address::Name, SymbolicValue { index, ..SymbolicValue::plain(value) })
     }
 
-    /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as in `TRACYL(40)`.
+    /// Reports a code that is not simulated, once; skips arguments such as in `TRACYL(40)`.
     fn long_code_not_simulated(&mut self, (start, name): (usize, &str), row: Option<&CodeDef>) -> Read<()> {
         let Some(row) = row else { return Ok(()) };
         let what = format!("{name} ({})", row.text);
-        let digits = name.bytes().filter(u8::is_ascii_digit).map(|b| u32::from(b - b'0'));
-        let cycle = digits.reduce(|all, digit| all.wrapping_mul(10).wrapping_add(digit));
-        self.code_not_simulated(row, cycle.map_or(IgnoredFeature::Code(row.id), IgnoredFeature::Cycle), &what, start);
+        self.code_not_simulated(row, IgnoredFeature::Code(row.id), &what, start);
         if self.next_byte() != b'(' {
             return Ok(());
         }
@@ -508,8 +510,12 @@ impl Reader<'_> {
         let Some(close) = rest.iter().position(|&b| b == b')') else { return false };
         let inner = String::from_utf8_lossy(rest.get(1..close).unwrap_or_default()).into_owned();
         self.cursor.at = start + close + 1;
-        let finding =
+        let mut finding =
             self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", control = self.control.name));
+        // Behind a name they may be arguments: `RET(5)`.
+        if start > 0 && self.cursor.line.get(start - 1).is_some_and(u8::is_ascii_alphabetic) {
+            finding.kind = DiagnosticKind::GuessedFix;
+        }
         // In the middle of a block the fix would turn the rest into a comment.
         let last = self.next_byte() == 0 && self.cursor.ended() && self.block.comment.is_none();
         self.report_replacing(

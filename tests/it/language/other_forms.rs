@@ -1,0 +1,84 @@
+//! Forms of programs that one control reads and another does not, and data that the simulation lacks.
+
+use expect_test::{Expect, expect};
+use macroline::controls::find;
+use macroline::nc;
+use macroline::text::catalog::sentence;
+
+use super::{findings, read_on};
+
+/// Findings of a program on a control.
+#[track_caller]
+fn check_on(control: &str, text: &str, expected: Expect) {
+    let control = find(control).unwrap();
+    let end = if control.syntax.names.is_some() { "\nM30\n" } else { "\nM30\n%\n" };
+    expected.assert_eq(&findings(&read_on(control, &format!("{text}{end}"))));
+}
+
+#[test]
+fn cycle_with_an_unknown_number_is_an_unknown_name() {
+    for (block, found) in [
+        ("CYCLE95(\"K\")", "nc.not-simulated"),
+        ("CYCLE840(1)", "nc.not-simulated"),
+        ("CYCLE59(1)", "nc.unknown-name"),
+        ("CYCLE(1)", "nc.unknown-name"),
+        ("X1 CYCLE095", "nc.unknown-name"),
+        ("CYCLE999", ""),
+    ] {
+        for id in ["sinumerik-802d", "sinumerik-808d"] {
+            let parsed = read_on(find(id).unwrap(), &format!("G0 X1\n{block}\nM30\n"));
+            let ids: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
+            assert_eq!(ids.join(" "), found, "{id}: {block}");
+        }
+    }
+}
+
+#[test]
+fn data_that_the_simulation_lacks_is_a_warning() {
+    check_on(
+        "sinumerik-802d",
+        "R1=$AA_IM[X]\nX=$A_IN[1]*2\n$P_UIFR[1]=0\nIF $P_S>5 GOTOF AB\nAB: DEF REAL DIAM",
+        expect![[r#"
+            1:4 warning - $AA_IM[X] is data of the control that is not simulated: a run stops there. The control itself goes on.
+            2:3 warning - $A_IN[1] is data of the control that is not simulated: a run stops there. The control itself goes on.
+            3:1 warning - $P_UIFR[1] is data of the control that is not simulated: a run stops there. The control itself goes on.
+            4:4 warning - $P_S is data of the control that is not simulated: a run stops there. The control itself goes on.
+            5:5 error 12080 DEF is a statement of larger controls, not of the SINUMERIK 802D.
+        "#]],
+    );
+    check_on(
+        "sinumerik-808d",
+        "DEF REAL DIAM=20, LEN_A=5\nDEF STRING[20] TEXT\nDIAM=30\nG0 X=DIAM/2\nIF LEN_A>5 GOTOF AB\nAB: R1=TEXTE",
+        expect![[r#"
+            1:1 warning - DEF defines variables of the program, which are not simulated here: a run stops at the first block that uses one. The control itself goes on.
+            3:1 warning - DIAM is a variable of the program defined by DEF, which is not simulated here: a run stops there. The control itself goes on.
+            4:6 warning - DIAM is a variable of the program defined by DEF, which is not simulated here: a run stops there. The control itself goes on.
+            5:4 warning - LEN_A is a variable of the program defined by DEF, which is not simulated here: a run stops there. The control itself goes on.
+            6:8 error 12080 “TEXTE” is found where a value is expected.
+        "#]],
+    );
+}
+
+#[test]
+fn index_of_a_letter_without_numbers_is_no_spindle() {
+    check_on(
+        "sinumerik-802d",
+        "G[8]=R1\nX[1]=5\nS[2]=500",
+        expect![[r#"
+        1:2 error 12080 G takes no index in square brackets.
+        2:2 error 12080 X takes no index in square brackets.
+        3:2 error 12080 S takes no index in square brackets: the number of a spindle follows the address at once, S2=500.
+    "#]],
+    );
+}
+
+#[test]
+fn call_close_to_a_code_is_a_call_with_a_hint() {
+    let parsed = read_on(find("sinumerik-802d").unwrap(), "KONTUR\nTRANS1\nRET(5)\nM30\n");
+    assert!(parsed.diagnostics().iter().all(|finding| finding.message.id == "nc.foreign-remark"));
+    assert!(parsed.diagnostics().iter().all(|finding| finding.certain_fix().is_none()));
+    let warnings = nc::warnings(&parsed, None, &[]);
+    let missing = warnings.iter().filter(|finding| finding.message.id == "lint.no-such-program");
+    let hints: Vec<Vec<String>> = missing.map(|finding| finding.hints.iter().map(sentence).collect()).collect();
+    assert_eq!(hints, [vec!["Perhaps KONT was meant.".to_owned()], vec![]]);
+}
