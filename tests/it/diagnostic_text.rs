@@ -215,20 +215,20 @@ fn text_outside_the_record_is_one_finding() {
         "mitsubishi-e60",
         "LEADER TAPE\n%\nO1\nG00 X1.\nM30\n%\nREST OF THE TAPE\nG00 X9.\n",
         expect![[r#"
-        warning[nc.leader]: Text before the first % is leader: the control does not read it.
-         --> O1.nc:1:1
-          |
-        1 | LEADER TAPE
-          | ^^^^^^^^^^^
+            info[nc.leader]: Text before the first % is leader: the control does not read it.
+             --> O1.nc:1:1
+              |
+            1 | LEADER TAPE
+              | ^^^^^^^^^^^
 
-        warning[nc.behind-end]: The % ends the record: the control does not read what follows.
-         --> O1.nc:6:1
-          |
-        6 | %
-          | ^
+            warning[nc.behind-end]: The % ends the record: the control does not read what follows.
+             --> O1.nc:6:1
+              |
+            6 | %
+              | ^
 
-        2 warnings
-    "#]],
+            1 warning, 1 remark
+        "#]],
     );
     // A program that follows in the same file is read.
     check(

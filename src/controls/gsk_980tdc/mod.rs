@@ -31,6 +31,7 @@ pub static CONTROL: Control = Control {
     id: "gsk-980tdc",
     name: "GSK 980TDc",
     syntax: Syntax {
+        program_letters: b"O",
         percent: Percent::End,
         modulo: false,
         comparison_signs: true,

@@ -95,6 +95,10 @@ pub struct Syntax {
     pub percent: Percent,
     /// Maximum digits of a sequence number.
     pub sequence_digits: u8,
+    /// Sequence number 0 is read; otherwise it is an alarm.
+    pub sequence_zero: bool,
+    /// Programs may have names in `< >` in place of numbers.
+    pub bracket_names: bool,
     /// Maximum digits of a program number.
     pub program_digits: u8,
     /// Maximum characters of a block written by the emitter.

@@ -5,7 +5,13 @@ use crate::controls::Alarm;
 use crate::controls::syntax::Percent;
 use crate::msg;
 use crate::nc::ast::{BadBlock, Block, Program, Stmt};
+use crate::nc::lex::keywords::KEYWORDS;
+use crate::nc::lex::spelling::{holds_word, prose, states};
+use crate::nc::parse::failure::ParseFailure;
 use crate::text::{Diagnostic, Severity, Span};
+
+/// Character that ends a file on old systems (Ctrl-Z), and NUL, which follows a program on tape and in a punch file: no control reads them.
+const END_OF_FILE: [char; 2] = ['\u{1a}', '\0'];
 
 /// Number of bytes that fulfil a condition. Counts in pieces fit a byte, so the compiler can vectorize them.
 fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
@@ -23,7 +29,7 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn file(&mut self) {
-        let bytes = self.file.text.as_bytes();
+        let bytes = self.file.text.trim_end_matches(END_OF_FILE).as_bytes();
         // A byte order mark is not part of the program; `report_file` reports it.
         let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
         // Whether a `%` opens the record (only comments so far) or closes it.
@@ -31,12 +37,13 @@ impl<'a> Reader<'a> {
         let mut closed = None;
         let mut told = false;
         if let Some(record) = self.leader(at) {
-            self.warn(at, record, msg!("nc.leader"));
+            let place = self.place(Span::new(at as u32, record as u32));
+            self.add_finding(Diagnostic::info(msg!("nc.leader")).at(place));
             at = record;
         }
         while at < bytes.len() {
             let rest = self.file.text.get(at..).unwrap_or_default();
-            let end = at + rest.find('\n').unwrap_or(rest.len());
+            let end = (at + rest.find('\n').unwrap_or(rest.len())).min(bytes.len());
             let (from, to) = self.trimmed(at, end);
             match bytes.get(from) {
                 _ if from == to => {}
@@ -81,6 +88,7 @@ impl<'a> Reader<'a> {
         match line {
             [b'(', ..] => true,
             [b'O' | b'o' | b':', digit, ..] => digit.is_ascii_digit(),
+            [b'<', ..] => self.control.syntax.bracket_names,
             _ => false,
         }
     }
@@ -93,16 +101,17 @@ impl<'a> Reader<'a> {
         let mut at = from;
         let mut stray = false;
         for line in self.file.text.get(from..)?.split_inclusive('\n') {
-            let (begin, end) = self.trimmed(at, at + line.trim_end_matches('\n').len());
-            match self.file.text.as_bytes().get(begin) {
-                _ if begin == end => {}
-                Some(b'%') => return stray.then_some(at),
+            let text = line.trim_matches(|c: char| c.is_ascii_control() || c == ' ');
+            let begin = at + (line.len() - line.trim_start_matches(|c: char| c.is_ascii_control() || c == ' ').len());
+            // Punched feed holes and start characters in front of the `%`.
+            stray |= self.file.text.get(at..begin).is_some_and(|lead| lead.contains(unread_control));
+            match text.as_bytes().first() {
+                Some(b'%') => return stray.then_some(begin),
                 Some(b'(') | None => {}
                 Some(byte) => {
-                    // Digits indicate a block; leaders of tapes are names.
-                    let digits =
-                        self.file.text.get(begin..end).is_some_and(|text| text.bytes().any(|b| b.is_ascii_digit()));
-                    if digits || *byte == b'#' || *byte == b'/' {
+                    // Digits indicate a block, unless they are in a sentence; leaders of tapes are names.
+                    let digits = text.bytes().any(|b| b.is_ascii_digit()) && !is_sentence(text);
+                    if digits || matches!(byte, b'#' | b'/' | b'<') {
                         return None;
                     }
                     stray = true;
@@ -115,7 +124,8 @@ impl<'a> Reader<'a> {
 
     /// Warns about text after a `%` in the same line, which the control skips.
     fn after_percent(&mut self, from: usize, to: usize) {
-        let (from, to) = self.trimmed(from, to);
+        let (from, mut to) = self.trimmed(from, to);
+        to = from + self.file.text.get(from..to).map_or(0, |text| text.trim_end_matches(unread_control).len());
         if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
             self.warn(from, to, msg!("nc.skipped-lead"));
         }
@@ -183,8 +193,9 @@ impl<'a> Reader<'a> {
         }
         let letters = self.control.syntax.program_letters;
         let program = line.first().is_some_and(|b| letters.contains(&b.to_ascii_uppercase()) || *b == b':');
+        let named = self.control.syntax.bracket_names && line.first() == Some(&b'<');
         self.take_line(line, from);
-        if program && self.program_number() {
+        if program && self.program_number() || named && self.bracket_name() {
             let (from, to) = self.trimmed(from + self.cursor.at, to);
             let rest = source.as_bytes().get(from..to).unwrap_or_default();
             self.take_line(rest, from);
@@ -244,7 +255,8 @@ impl<'a> Reader<'a> {
     /// Reads `O9100(TITLE)` at the start of a line, which starts a program; false if the letter is an ordinary address.
     fn program_number(&mut self) -> bool {
         let letter = self.cursor.line.first().map_or(0, u8::to_ascii_uppercase);
-        let usual = self.control.syntax.program_letters.first() == Some(&letter);
+        let letters = self.control.syntax.program_letters;
+        let usual = letters.first() == Some(&letter) || letter == b':' && letters.contains(&letter);
         self.cursor.at = 1;
         self.cursor.blank();
         let digits = self.cursor.digits();
@@ -264,7 +276,7 @@ impl<'a> Reader<'a> {
             Some(_) if digits <= limit => {}
             _ => self.report(Alarm::OutOfRange, 0, to, msg!("nc.program-digits", most = limit as u32)),
         }
-        if !self.control.syntax.program_letters.contains(&letter) {
+        if !letters.contains(&letter) {
             let usual = self.program_letter();
             self.report_replaced(Alarm::Format, 0, 1, msg!("nc.program-letter", letter = usual.as_str()), &usual);
         }
@@ -272,6 +284,35 @@ impl<'a> Reader<'a> {
         let title = title.map(|(title, span)| self.add_text(title, span));
         self.begin_program(Program { number, title, ..self.empty_program(span) });
         true
+    }
+
+    /// Reads `<NAME>(TITLE)` at the start of a line, which starts a program; false without the closing bracket.
+    #[cold]
+    fn bracket_name(&mut self) -> bool {
+        let (length, closed) = self.cursor.enclosed(b'>');
+        if !closed {
+            return false;
+        }
+        let span = self.span(0, length);
+        self.cursor.at = length;
+        self.title();
+        let name = span.of(self.file.text).to_owned();
+        self.add_finding(Diagnostic::warning(msg!("nc.bracket-name", program = name.as_str())).at(self.place(span)));
+        let title = Some(self.add_text(name, span));
+        self.begin_program(Program { title, ..self.empty_program(span) });
+        true
+    }
+
+    /// The failure of a call of a program by its name in `< >`, such as `M98 <SUB1>`.
+    #[cold]
+    pub(super) fn call_by_name(&self) -> Box<ParseFailure> {
+        let (length, closed) = self.cursor.enclosed(b'>');
+        if !closed {
+            return self.unexpected();
+        }
+        let (start, end) = (self.cursor.at, self.cursor.at + length);
+        let name = self.span(start, end).of(self.file.text).to_owned();
+        self.stops_here(start, end, msg!("nc.bracket-call", program = name))
     }
 
     /// A program without number and name at the next block.
@@ -328,6 +369,16 @@ impl<'a> Reader<'a> {
             }
         }
     }
+}
+
+/// Whether a character is one of tape and line control that no program contains.
+fn unread_control(c: char) -> bool {
+    c.is_ascii_control() && !matches!(c, '\t' | '\r' | '\n')
+}
+
+/// Whether a line reads as a sentence and not as a block.
+fn is_sentence(line: &str) -> bool {
+    prose(line.as_bytes()) && !states(line.as_bytes(), &KEYWORDS) && !holds_word(line.as_bytes())
 }
 
 /// Whether a byte of UTF-8 is the first of its character.

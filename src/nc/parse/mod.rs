@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! file   := [lead] '%' EOB { program } '%'        lead, and text after a '%' up to its EOB, is skipped
-//! program:= [ O uint [comment] ] { block EOB }    a file may hold several programs
+//! program:= [ ( O uint | '<' name '>' ) [comment] ] { block EOB }    a file may hold several programs
 //! block  := [ '/' [digit] ] [ N uint ] ( macro | words )
 //! macro  := var '=' expr
 //!         | IF '[' cond ']' GOTO expr | IF '[' cond ']' THEN var '=' expr | GOTO expr

@@ -122,6 +122,10 @@ impl<'a> Reader<'a> {
         let number = core::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
         let most = self.control.syntax.sequence_digits;
         match number {
+            Some(0) if self.control.syntax.sequence_zero => {
+                let base = self.cursor.base as usize;
+                self.warn(base + start, base + self.cursor.at, msg!("nc.sequence-zero"));
+            }
             Some(0) => self.report(Alarm::NumberZero, start, self.cursor.at, msg!("nc.sequence-zero")),
             Some(_) if digits <= most as usize => {}
             _ => self.report(
@@ -300,6 +304,7 @@ impl<'a> Reader<'a> {
             b'#' if self.deck.words.len() > first => {
                 return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")).at_word());
             }
+            b'<' if self.control.syntax.bracket_names => return Err(self.call_by_name()),
             b'.' => self.stray_point(),
             b')' => self.stray_round()?,
             b']' => self.stray_square(),
@@ -449,10 +454,20 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
-        if row.code.is_left_out() || matches!(row.code, Code::Skip | Code::Tapping | Code::CancelForAxes) {
+        let left_out = row.code.is_left_out() && !(row.code == Code::Roughing && self.contour_named());
+        if left_out || matches!(row.code, Code::Skip | Code::Tapping | Code::CancelForAxes) {
             self.code_not_simulated(row, IgnoredFeature::Code(row.id), &format!("G{number} ({})", row.text), start);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
+    }
+
+    /// Whether the rest of the block names the blocks of a contour, `P10 Q20`: the check before a run reports that they are skipped.
+    #[cold]
+    fn contour_named(&self) -> bool {
+        let rest = self.cursor.rest();
+        let named =
+            |letter: u8| rest.windows(2).any(|pair| pair[0].eq_ignore_ascii_case(&letter) && pair[1].is_ascii_digit());
+        named(b'P') && named(b'Q')
     }
 
     /// Reports a code that is not or not fully simulated, once per kind; `code` is its name in the message.

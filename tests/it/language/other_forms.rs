@@ -1,9 +1,12 @@
 //! Forms of programs that one control reads and another does not, and data that the simulation lacks.
 
+use std::rc::Rc;
+
 use expect_test::{Expect, expect};
-use macroline::controls::find;
-use macroline::nc;
+use macroline::controls::syntax::Percent;
+use macroline::controls::{ALL, find};
 use macroline::text::catalog::sentence;
+use macroline::{interp, nc};
 
 use super::{findings, read_on};
 
@@ -73,6 +76,66 @@ fn index_of_a_letter_without_numbers_is_no_spindle() {
 }
 
 #[test]
+fn program_names_in_angle_brackets_are_named() {
+    check_on(
+        "fanuc-0i-mf",
+        "<TOOL-SETTER-CAL>(O6020)\nM98 <SUB1> L2\nG65 <SUB1> A1.\nM99\n<SUB1>\nG0 X1.",
+        expect![[r#"
+            1:1 warning - <TOOL-SETTER-CAL> names this program. Programs are called by their numbers here: calls of this name are not simulated.
+            2:5 warning - <SUB1> is called by its name, which is not simulated here: a run stops there. The control itself goes on.
+            3:5 warning - <SUB1> is called by its name, which is not simulated here: a run stops there. The control itself goes on.
+            5:1 warning - <SUB1> names this program. Programs are called by their numbers here: calls of this name are not simulated.
+        "#]],
+    );
+    check_on(
+        "knd-k2000t",
+        "M98 <SUB1>",
+        expect![[r#"
+        1:5 error 009 The control has no character “<”.
+    "#]],
+    );
+}
+
+#[test]
+fn bytes_outside_the_record_are_no_blocks() {
+    for text in [
+        "\0\0\0%\nO1\nM30\n%\n",
+        "\u{11}\r\n%\r\nO1\r\nM30\r\n%\r\n",
+        "\0\n\u{11}%\nO1\nM30\n%\0\0\0",
+        "PROGRAM FOR MACHINE 12\n%\nO1\nM30\n%\n",
+        "%\nO1\nM30\n%\n\u{1a}",
+        "%\nO1\nM30\u{1a}",
+        "%\nO1\nM30\n%\u{1a}",
+    ] {
+        for control in ALL.iter().filter(|control| control.syntax.percent == Percent::Both) {
+            assert_eq!(findings(&read_on(control, text)), "", "{}: {text:?}", control.id);
+        }
+    }
+    assert_eq!(findings(&read_on(find("sinumerik-802d").unwrap(), "G0 X1\nM30\n\u{1a}")), "");
+    assert_eq!(findings(&read_on(find("gsk-980tdc").unwrap(), "O1\nM30\n%\n\u{1a}")), "");
+}
+
+#[test]
+fn colon_starts_a_program_where_iso_tapes_are_read() {
+    check_on(
+        "fanuc-0i-tf",
+        "%\n:0001(TITLE)\nN0 G00 X1.\nM98 P2\nM30\n:2\nM99",
+        expect![[r#"
+            3:1 warning - A sequence number is at least 1.
+        "#]],
+    );
+    check_on(
+        "gsk-980tdc",
+        ":0001\nN0 G00 X1.",
+        expect![[r#"
+        1:1 error 0101 A program number starts with O.
+            Write “O”: 1:1 ":"→"O"
+        2:1 error 0006 A sequence number is at least 1.
+    "#]],
+    );
+}
+
+#[test]
 fn call_close_to_a_code_is_a_call_with_a_hint() {
     let parsed = read_on(find("sinumerik-802d").unwrap(), "KONTUR\nTRANS1\nRET(5)\nM30\n");
     assert!(parsed.diagnostics().iter().all(|finding| finding.message.id == "nc.foreign-remark"));
@@ -81,4 +144,13 @@ fn call_close_to_a_code_is_a_call_with_a_hint() {
     let missing = warnings.iter().filter(|finding| finding.message.id == "lint.no-such-program");
     let hints: Vec<Vec<String>> = missing.map(|finding| finding.hints.iter().map(sentence).collect()).collect();
     assert_eq!(hints, [vec!["Perhaps KONT was meant.".to_owned()], vec![]]);
+}
+
+#[test]
+fn skipped_contour_is_one_finding() {
+    let text = "O1\nG70 P10 Q20\nN10 G00 X1.\nN20 X2.\nM30\n";
+    let parsed = Rc::new(read_on(find("fanuc-0i-tf").unwrap(), text));
+    assert_eq!(findings(&parsed), "");
+    let ids: Vec<&str> = interp::precheck(&parsed).iter().map(|finding| finding.message.id).collect();
+    assert_eq!(ids, ["interp.contour"]);
 }

@@ -380,9 +380,12 @@ slips! {
             = (OPEN)
         "#]];
         ":1000" => expect![[r#"
-            1:1 error P33|0101|004|PS0004|PS0004 A program number starts with O.
+            --- mitsubishi-e60, gsk-980tdc
+            1:1 error P33|0101 A program number starts with O.
                 Write “O”: 1:1 ":"→"O"
             = O1000
+            --- knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            right
         "#]];
     }
 

@@ -14,6 +14,8 @@ use crate::controls::{Address, DriveSystem, Limits, Macros, Switch, Syntax};
 /// Spelling, characters and file form.
 pub const SYNTAX: Syntax = Syntax {
     sequence_digits: 8,
+    sequence_zero: true,
+    bracket_names: true,
     atan: ArcTangent::OfOneOrTwo,
     functions: joined![(&str, Function): &FUNCTIONS, &SHORT_FUNCTIONS, &LATER_FUNCTIONS],
     block_words: 26,

@@ -79,6 +79,8 @@ pub const SYNTAX: Syntax = Syntax {
     program_letters: b"",
     percent: Percent::Head,
     sequence_digits: 8,
+    sequence_zero: true,
+    bracket_names: false,
     program_digits: 8,
     block_chars: 200,
     message_chars: 65,
