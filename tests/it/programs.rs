@@ -2,6 +2,7 @@
 
 mod axis_words;
 mod coverage;
+mod fixing;
 mod options_act;
 mod parameters;
 mod precheck;

@@ -61,6 +61,15 @@ pub(in crate::nc) fn zero_as_letter(name: &str) -> bool {
         && bytes.all(|b| b == b'O' || b.is_ascii_digit())
 }
 
+/// Whether the letter O behind the letter at the start of a text is meant as the digit 0: `MO6 T01`, `S1OOO`, `GOO XO YO`. Without a digit in
+/// the word, what follows has to be words too: `TO START` is none.
+pub(in crate::nc) fn zero_behind_letter(rest: &[u8]) -> bool {
+    let plain = rest.split(|b| matches!(b, b'[' | b'#')).next().unwrap_or_default();
+    let mut pieces = pieces(plain);
+    let Some(word) = pieces.next().filter(|word| is_words(word)) else { return false };
+    has_digit(word) || pieces.all(|piece| has_digit(piece) || is_words(piece))
+}
+
 /// Whether a text holds a word of the language outside round brackets, such as `T01` or `XO`, so that it may be more than a remark.
 pub(in crate::nc) fn holds_word(rest: &[u8]) -> bool {
     let plain = |piece: &[u8]| PLAIN_WORDS.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(piece));

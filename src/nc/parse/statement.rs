@@ -4,7 +4,7 @@ use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Op, Pair, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
-use crate::nc::lex::spelling::meant;
+use crate::nc::lex::spelling::{meant, zero_as_letter};
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::formula::VariableAccess;
 use crate::nc::parse::reader::{Reader, starts_value};
@@ -22,6 +22,12 @@ impl Reader<'_> {
         let value = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'#' | b'[');
         if self.cursor.ahead("GOT0") && value(self.cursor.byte(4)) {
             self.o_for_zero(start + 3);
+            return true;
+        }
+        // `G0T010` is G0 T010.
+        if self.cursor.ahead("G0TO") && value(self.cursor.byte(4)) {
+            self.o_for_zero(start + 1);
+            self.cursor.at = start + 4;
             return true;
         }
         let split = self.take("GO") && {
@@ -93,7 +99,10 @@ impl Reader<'_> {
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
         let after = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
-        if letters < 3 || !after.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
+        if letters < 3
+            || zero_as_letter(&name)
+            || !after.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'['))
+        {
             return None;
         }
         let word = KEYWORDS[meant(&name, KEYWORDS.into_iter())?];

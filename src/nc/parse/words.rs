@@ -3,13 +3,13 @@
 use crate::controls::Address;
 use crate::controls::AddressSet;
 use crate::controls::macros::CallKind;
-use crate::controls::{Alarm, Code, CodeDef, CodeId};
+use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
-use crate::nc::parse::failure::{IgnoredFeature, Read};
+use crate::nc::parse::failure::{IgnoredFeature, LineFix, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
@@ -83,7 +83,8 @@ impl<'a> Reader<'a> {
             return self.assignment();
         }
         let letters = first.is_ascii_alphabetic()
-            && self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_alphabetic);
+            && self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_alphabetic)
+            || first | 0x20 == b'g' && self.cursor.ahead("G0TO");
         let keyword = if letters { self.keyword()? } else { None };
         keyword.map_or_else(|| self.words(), Ok)
     }
@@ -112,6 +113,9 @@ impl<'a> Reader<'a> {
         self.cursor.blank();
         let digits = self.cursor.digits();
         if digits == 0 {
+            if self.cursor.byte(1).is_ascii_digit() && self.zero_after_letter(start).is_some() {
+                return Ok(());
+            }
             return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
         }
         let text = self.cursor.line.get(self.cursor.at..self.cursor.at + digits).unwrap_or_default();
@@ -207,7 +211,11 @@ impl<'a> Reader<'a> {
             } else if let WordValue::Number(number @ Dec { point: true, .. }) = word.value
                 && self.tables.whole.contains(letter)
             {
-                self.needless_point(word.letter, number, start, end);
+                match letter {
+                    Address::P => self.point_in_p(first, number, start, end),
+                    // A small L is easily a 1: X1l0.
+                    _ => self.needless_point((letter, number), start, end, letter == Address::L),
+                }
             }
             seen = seen.with(letter);
         }
@@ -241,10 +249,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reports a decimal point in the number of an integer address.
-    fn needless_point(&mut self, letter: Address, number: Dec, start: usize, end: usize) {
+    /// Reports a decimal point in the number of an integer address; `guess`: the number may be another than the one without the point.
+    fn needless_point(&mut self, (letter, number): (Address, Dec), start: usize, end: usize, guess: bool) {
         let message = msg!("nc.point-not-allowed", address = letter.to_string());
-        let finding = self.finding(Alarm::PointNotAllowed, start, end, message);
+        let mut finding = self.finding(Alarm::PointNotAllowed, start, end, message);
+        if guess {
+            finding.kind = DiagnosticKind::GuessedFix;
+        }
         let text = self.cursor.line.get(start..end).unwrap_or_default();
         match text.iter().position(|&b| b == b'.') {
             Some(point) if number.to_f64().fract() == 0.0 => {
@@ -253,6 +264,34 @@ impl<'a> Reader<'a> {
             // Dropping decimals other than zeros would change the meaning, so there is no fix.
             _ => self.report_as(Alarm::PointNotAllowed, finding),
         }
+    }
+
+    /// Reports a decimal point in P. In a dwell it most likely means seconds, where P counts milliseconds.
+    #[cold]
+    fn point_in_p(&mut self, first: usize, number: Dec, start: usize, end: usize) {
+        let words = self.deck.words.get(first..).unwrap_or_default();
+        let row = |word: &Word| self.tables.codes.row_of(word);
+        let dwell = words.iter().filter_map(row).any(|row| row.code == Code::Dwell);
+        let cycle = words.iter().filter_map(row).any(|row| row.group == Group::Cycle && row.code.is_left_out());
+        if !(dwell || cycle) {
+            // Without a code it may be the dwell of a cycle in force.
+            let alone = !words.iter().any(|word| matches!(word.letter, Address::G | Address::M));
+            return self.needless_point((Address::P, number), start, end, alone);
+        }
+        let message = msg!("nc.point-not-allowed", address = "P");
+        let mut finding = self.finding(Alarm::PointNotAllowed, start, end, message).kind(DiagnosticKind::GuessedFix);
+        let milliseconds = number.to_f64() * 1000.0;
+        let in_x = dwell && self.control.syntax.dwell_addresses.contains(Address::X);
+        let text = String::from_utf8_lossy(self.cursor.line.get(start + 1..end).unwrap_or_default());
+        let seconds = (milliseconds.fract() == 0.0).then(|| (format!("P{milliseconds}"), number.to_f64()));
+        let word = in_x.then(|| (format!("X{}", text.trim()), number.to_f64()));
+        let whole = number.to_f64();
+        let plain = (whole.fract() == 0.0).then(|| (format!("P{whole}"), whole / 1000.0));
+        for (word, seconds) in [seconds, word, plain].into_iter().flatten() {
+            let title = msg!("nc.fix.dwell", text = word.as_str(), seconds = seconds.to_string());
+            finding = finding.fix(title, vec![(self.place(self.span(start, end)), word)]);
+        }
+        self.report_as(Alarm::PointNotAllowed, finding);
     }
 
     /// Reports a letter that is not an address here.
@@ -292,8 +331,7 @@ impl<'a> Reader<'a> {
                 self.cursor.at += 1;
                 let Some(letter) = Address::of(self.next_byte()) else { return Err(self.unexpected()) };
                 if !self.control.syntax.comma_addresses.contains(letter) {
-                    // Words need no separator.
-                    self.report_replaced(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
+                    self.comma_between(start);
                     return Ok(());
                 }
                 self.cursor.at += 1;
@@ -311,6 +349,19 @@ impl<'a> Reader<'a> {
             _ => return Err(self.unexpected()),
         }
         Ok(())
+    }
+
+    /// Reports a comma between words, which need no separator. Behind a number without a point it may be the point: X8, or X8.
+    #[cold]
+    fn comma_between(&mut self, at: usize) {
+        let mut finding = self.finding(Alarm::IllegalAddress, at, at + 1, msg!("nc.comma-between"));
+        finding = self.with_fix(finding, LineFix::Write(at, at + 1, ""));
+        let digit = at > 0 && self.cursor.line.get(at - 1).is_some_and(u8::is_ascii_digit);
+        let number = |word: &Word| matches!(word.value, WordValue::Number(Dec { point: false, .. }));
+        if digit && self.deck.words.last().is_some_and(number) {
+            finding = self.with_fix(finding, LineFix::Write(at, at + 1, "."));
+        }
+        self.report_as(Alarm::IllegalAddress, finding);
     }
 
     /// Reads the value after an address letter.
@@ -404,7 +455,11 @@ impl<'a> Reader<'a> {
                 self.equals_in_word();
                 return self.value(start, letter);
             }
-            b'O' | b'o' if self.zero_after_letter(start) => return Ok(WordValue::Number(Dec::int(0))),
+            b'O' | b'o' => {
+                if let Some(number) = self.zero_after_letter(start) {
+                    return Ok(WordValue::Number(number));
+                }
+            }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ => {}
         }

@@ -427,3 +427,194 @@ fn numbered_axis_without_its_code_is_a_warning() {
     );
     check("sinumerik-802d", "CIP X5 Z5 I1=3 K1=2\nX8 Z8 I1=4 K1=3", expect![[""]]);
 }
+
+#[test]
+fn command_with_the_letter_o_becomes_no_comment() {
+    let text =
+        "N20 MO6 T01(DRILL D6)\nN30 G43 HO1(HEIGHT)\nN35 MO3 S1OOO\nN38 G54 GOO XO YO\nNO5 GO1 X1O. FO.5 TOOL CHANGE";
+    check(
+        "fanuc-0i-mf",
+        text,
+        expect![[r#"
+        1:6 error PS0004 This is the letter O, not the digit 0.
+            Write “06”: 1:6 "O6"→"06"
+        2:5 warning - G43 (tool length compensation, plus) is read, but not simulated: the run here goes on without it.
+        2:10 error PS0004 This is the letter O, not the digit 0.
+            Write “01”: 2:10 "O1"→"01"
+        3:6 error PS0004 This is the letter O, not the digit 0.
+            Write “03”: 3:6 "O3"→"03"
+        3:11 error PS0004 This is the letter O, not the digit 0.
+            Write “000”: 3:11 "OOO"→"000"
+        4:10 error PS0004 This is the letter O, not the digit 0.
+            Write “00”: 4:10 "OO"→"00"
+        4:14 error PS0004 This is the letter O, not the digit 0.
+            Write “0”: 4:14 "O"→"0"
+        4:17 error PS0004 This is the letter O, not the digit 0.
+            Write “0”: 4:17 "O"→"0"
+        5:2 error PS0004 This is the letter O, not the digit 0.
+            Write “05”: 5:2 "O5"→"05"
+        5:6 error PS0004 This is the letter O, not the digit 0.
+            Write “01”: 5:6 "O1"→"01"
+        5:11 error PS0004 This is the letter O, not the digit 0.
+            Write “0.”: 5:11 "O."→"0."
+        5:15 error PS0004 This is the letter O, not the digit 0.
+            Write “0.5”: 5:15 "O.5"→"0.5"
+        5:19 error PS0005 “TOOL CHANGE” is a remark: the control takes remarks only in round brackets.
+            Make it a comment: 5:18 " TOOL CHANGE"→" (TOOL CHANGE)"
+        = N20 M06 T01(DRILL D6)
+          N30 G43 H01(HEIGHT)
+          N35 M03 S1000
+          N38 G54 G00 X0 Y0
+          N05 G01 X10. F0.5 TOOL CHANGE
+    "#]],
+    );
+    check(
+        "mitsubishi-e60",
+        "GOOXOYO\nGOX1.\nX-O.5 MO8 (ON)\nPOS1\nTO START POSITION\nGO HOME",
+        expect![[r#"
+        1:2 error P33 This is the letter O, not the digit 0.
+            Write “00”: 1:2 "OO"→"00"
+        1:5 error P33 This is the letter O, not the digit 0.
+            Write “0”: 1:5 "O"→"0"
+        1:7 error P33 This is the letter O, not the digit 0.
+            Write “0”: 1:7 "O"→"0"
+        2:2 error P33 This is the letter O, not the digit 0.
+            Write “0”: 2:2 "O"→"0"
+        3:3 error P33 “O” is found where a value is expected.
+        4:1 error P33 The address P has no value.
+        5:1 error P33 “TO START POSITION” is a remark: the control takes remarks only in round brackets.
+            Make it a comment: 5:1 "TO START POSITION"→"(TO START POSITION)"
+        6:1 error P33 “GO HOME” is a remark: the control takes remarks only in round brackets.
+            Make it a comment: 6:1 "GO HOME"→"(GO HOME)"
+        = G00X0Y0
+          G0X1.
+          X-O.5 MO8 (ON)
+          POS1
+          (TO START POSITION)
+          GO HOME
+    "#]],
+    );
+    check(
+        "fanuc-0i-mf",
+        "G00 X1. MOVE TO START\nDRILL D6 THROUGH",
+        expect![[r#"
+        1:9 error PS0005 “MOVE TO START” is a remark: the control takes remarks only in round brackets.
+            Make it a comment: 1:8 " MOVE TO START"→" (MOVE TO START)"
+        2:1 error PS0005 “DRILL D6 THROUGH” is a remark: the control takes remarks only in round brackets.
+            Make it a comment: 2:1 "DRILL D6 THROUGH"→"(DRILL D6 THROUGH)"
+        = G00 X1. (MOVE TO START)
+          DRILL D6 THROUGH
+    "#]],
+    );
+    check(
+        "sinumerik-802d",
+        "MO6 T01\nM3 S1OOO\nGOO XO YO\nGOO",
+        expect![[r#"
+        1:2 error 12550 This is the letter O, not the digit 0.
+            Write “06”: 1:2 "O6"→"06"
+        2:6 error 12080 This is the letter O, not the digit 0.
+            Write “000”: 2:6 "OOO"→"000"
+        3:2 error 12550 This is the letter O, not the digit 0.
+            Write “00”: 3:2 "OO"→"00"
+        = M06 T01
+          M3 S1000
+          G00 XO YO
+          GOO
+    "#]],
+    );
+}
+
+#[test]
+fn call_of_the_802d_becomes_a_comment_on_request_only() {
+    check(
+        "sinumerik-802d",
+        "ZV400(BROJ,1)\nN25 WELLE(DICKE)\nN26 WELLE (DICKE TEIL)",
+        expect![[r#"
+        1:1 error 12550 ZV400 is no code, address or program that the SINUMERIK 802D would know here.
+            Make it a comment: 1:1 ""→";"
+        2:5 error 12550 WELLE is no code, address or program that the SINUMERIK 802D would know here.
+            Make it a comment: 2:5 ""→";"
+        3:5 error 12550 WELLE is no code, address or program that the SINUMERIK 802D would know here.
+            Make it a comment: 3:5 ""→";"
+    "#]],
+    );
+}
+
+#[test]
+fn point_in_the_p_of_a_dwell_is_a_choice() {
+    check(
+        "fanuc-0i-mf",
+        "G04 P3.\nG04 P1.5\nG82 X1. Z-1. R1. P2. F100\nM98 P1000.",
+        expect![[r#"
+        1:5 error PS0007 P takes a whole number, written without a point.
+            Write “P3000”, 3 s: 1:5 "P3."→"P3000"
+            Write “X3.”, 3 s: 1:5 "P3."→"X3."
+            Write “P3”, 0.003 s: 1:5 "P3."→"P3"
+        2:5 error PS0007 P takes a whole number, written without a point.
+            Write “P1500”, 1.5 s: 2:5 "P1.5"→"P1500"
+            Write “X1.5”, 1.5 s: 2:5 "P1.5"→"X1.5"
+        3:1 warning - G82 (counter boring cycle) is read, but not simulated: the run here goes on without it.
+        3:18 error PS0007 P takes a whole number, written without a point.
+            Write “P2000”, 2 s: 3:18 "P2."→"P2000"
+            Write “P2”, 0.002 s: 3:18 "P2."→"P2"
+        4:5 error PS0007 P takes a whole number, written without a point.
+            Drop “.”: 4:10 "."→""
+        = G04 P3.
+          G04 P1.5
+          G82 X1. Z-1. R1. P2. F100
+          M98 P1000
+    "#]],
+    );
+    check(
+        "knd-k2000t",
+        "G04 P.0005",
+        expect![[r#"
+        1:5 error 007 P takes a whole number, written without a point.
+            Write “X.0005”, 0.0005 s: 1:5 "P.0005"→"X.0005"
+    "#]],
+    );
+}
+
+#[test]
+fn point_in_a_p_without_a_code_is_a_guess() {
+    check(
+        "fanuc-0i-mf",
+        "X1. P2.",
+        expect![[r#"
+            1:5 error PS0007 P takes a whole number, written without a point.
+                Drop “.”: 1:7 "."→""
+        "#]],
+    );
+}
+
+#[test]
+fn misspelt_name_of_the_802d_is_a_guess() {
+    check(
+        "sinumerik-802d",
+        "XPOS=R1\nCYCL95(\"K\")\nDIAMONN X1\nGOTFO AA\nAA: SPOSS=5",
+        expect![[r#"
+        1:1 error 12550 XPOS is no code, address or program that the SINUMERIK 802D would know here.
+            Write “SPOS”: 1:1 "XPOS"→"SPOS"
+        2:1 error 12550 CYCL95 is no code, address or program that the SINUMERIK 802D would know here.
+            Write “CYCLE95”: 2:1 "CYCL95"→"CYCLE95"
+        3:1 error 12550 DIAMONN is no code, address or program that the SINUMERIK 802D would know here.
+            Write “DIAMON”: 3:1 "DIAMONN"→"DIAMON"
+        4:1 error 12080 GOTFO is no word of the macro language.
+            Write “GOTOF”: 4:1 "GOTFO"→"GOTOF"
+        5:5 error 12550 SPOSS is no code, address or program that the SINUMERIK 802D would know here.
+            Write “SPOS”: 5:5 "SPOSS"→"SPOS"
+    "#]],
+    );
+}
+
+#[test]
+fn option_of_the_e60_is_replaced_on_request_only() {
+    check(
+        "mitsubishi-e60",
+        "#161=100\n#[#161]=5",
+        expect![[r##"
+        1:1 error P241 #161 is an option that is not set to be fitted (common, option: 200 sets and more). Where the control has it, set the switch common-variables.
+            Use #100 instead of #161 everywhere: 1:1 "#161"→"#100" 2:3 "#161"→"#100"
+    "##]],
+    );
+}

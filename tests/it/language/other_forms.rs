@@ -154,3 +154,28 @@ fn skipped_contour_is_one_finding() {
     let ids: Vec<&str> = interp::precheck(&parsed).iter().map(|finding| finding.message.id).collect();
     assert_eq!(ids, ["interp.contour"]);
 }
+
+#[test]
+fn comma_behind_a_number_without_a_point_is_a_choice() {
+    check_on(
+        "fanuc-0i-mf",
+        "G00 X20, Y0\nG00 X20., Y0",
+        expect![[r#"
+        1:8 error PS0009 Write nothing between words: no address here begins with a comma.
+            Drop “,”: 1:8 ","→""
+            Write “.”: 1:8 ","→"."
+        2:9 error PS0009 Write nothing between words: no address here begins with a comma.
+            Drop “,”: 2:9 ","→""
+    "#]],
+    );
+    check_on(
+        "fanuc-0i-mf",
+        "G0TO10\nN10 IF[#100 EQ 1]G0TO20\nN20 G0T0101",
+        expect![[r#"
+        1:2 error PS0004 This is the digit 0, not the letter O.
+            Write “O”: 1:2 "0"→"O"
+        2:19 error PS0004 This is the digit 0, not the letter O.
+            Write “O”: 2:19 "0"→"O"
+    "#]],
+    );
+}

@@ -176,6 +176,10 @@ impl Reader<'_> {
             let free = if is_scratch { self.free_variable(&used, &assigned) } else { None };
             if let Some(free) = free {
                 used.insert(free);
+                // An option of the control: it may be fitted, and the other variable be in use elsewhere.
+                if self.control.var(row.number).is_some() {
+                    finding.kind = DiagnosticKind::GuessedFix;
+                }
                 let title = msg!(
                     "nc.fix.variable",
                     variable = format!("#{free}"),

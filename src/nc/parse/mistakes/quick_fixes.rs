@@ -5,8 +5,9 @@ use crate::controls::syntax::Function;
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
 use crate::nc::dec::Dec;
+use crate::nc::lex::cursor::Cursor;
 use crate::nc::lex::keywords::letters_of;
-use crate::nc::lex::spelling::prose;
+use crate::nc::lex::spelling::zero_behind_letter;
 use crate::nc::parse::failure::{LineFix, ParseFailure, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
@@ -143,12 +144,18 @@ impl Reader<'_> {
         self.report_replaced(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
-    /// Whether a letter O directly after an address is a mistyped 0; it is read as 0.
-    pub(in crate::nc::parse) fn zero_after_letter(&mut self, start: usize) -> bool {
+    /// The number after an address that starts with the letter O in place of the digit 0; it is read as a number. `None` for other text.
+    #[cold]
+    pub(in crate::nc::parse) fn zero_after_letter(&mut self, start: usize) -> Option<Dec> {
         let at = core::mem::replace(&mut self.cursor.at, start);
-        let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
+        let other = self.keyword_ahead() || !zero_behind_letter(self.cursor.line.get(start..).unwrap_or_default());
         self.cursor.at = at;
-        at == start + 1 && !other && self.zero_for_o()
+        if at != start + 1 || other || !self.zero_for_o() {
+            return None;
+        }
+        let text = self.cursor.line.get(at..self.cursor.at).unwrap_or_default();
+        let digits: Vec<u8> = text.iter().map(|b| if matches!(b, b'O' | b'o') { b'0' } else { *b }).collect();
+        Some(Cursor { line: &digits, base: 0, at: 0 }.take_digits().value)
     }
 
     /// Reports a comma or a letter O in a number, at the cursor.

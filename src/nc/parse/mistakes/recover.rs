@@ -6,7 +6,7 @@
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::lex::keywords::KEYWORDS;
-use crate::nc::lex::spelling::{arithmetic, prose, states};
+use crate::nc::lex::spelling::{arithmetic, holds_word, prose, states};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
 use crate::text::escape::shortened;
@@ -115,7 +115,8 @@ impl Reader<'_> {
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
         let mut finding = self.finding(alarm, from, end, msg!("nc.bare-comment", text = shortened(bare.trim())));
         let marked = text.len() > bare.len() && !text.starts_with(char::is_whitespace);
-        if !marked && states(bare.as_bytes(), &KEYWORDS) {
+        // A statement or a word that became a comment would no longer act.
+        if !marked && (states(bare.as_bytes(), &KEYWORDS) || holds_word(bare.as_bytes())) {
             finding.kind = DiagnosticKind::GuessedFix;
         }
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {

@@ -263,9 +263,6 @@ impl Reader<'_> {
                 return Err(self.failure(Alarm::Format, self.cursor.at, end, message));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
-            b'O' | b'o' if self.cursor.at == start + 1 && self.zero_after_letter(start) => {
-                return Ok(SymbolicValue::plain(WordValue::Number(Dec::int(0))));
-            }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ if self.parameter_ahead() => return self.insert_equals(letter),
             _ => {
