@@ -72,6 +72,8 @@ pub mod sensitivity;
 
 pub mod size;
 
+mod customer;
+
 pub mod variant;
 
 pub mod variants;

@@ -57,6 +57,7 @@ impl Project {
         };
         Report {
             block: self.title_block.clone(),
+            customer: self.customer().unwrap_or_default().to_owned(),
             date: options.date.to_owned(),
             checksum: checksum(self.to_json().as_bytes()),
             run: self.run_report(prepared, written),

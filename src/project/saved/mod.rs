@@ -63,6 +63,7 @@ impl Project {
             version: VERSION,
             name: self.name.clone(),
             title_block: TitleBlockV1 {
+                customer: self.title_block.customer.clone(),
                 author: self.title_block.author.clone(),
                 number: self.title_block.number.clone(),
                 revision: self.title_block.revision.clone(),

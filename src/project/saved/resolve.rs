@@ -58,6 +58,7 @@ pub(super) fn project<'t>(
     let mut project = Project::of_form(machine, control);
     project.name = line(&saved.name);
     project.title_block = TitleBlock {
+        customer: line(&saved.title_block.customer),
         author: line(&saved.title_block.author),
         number: line(&saved.title_block.number),
         revision: line(&saved.title_block.revision),

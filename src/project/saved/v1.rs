@@ -69,6 +69,8 @@ pub(super) struct VariantV1<'t> {
 #[serde(default, deny_unknown_fields)]
 pub(super) struct TitleBlockV1 {
     #[serde(skip_serializing_if = "String::is_empty")]
+    pub(super) customer: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
     pub(super) author: String,
     #[serde(skip_serializing_if = "String::is_empty")]
     pub(super) number: String,

@@ -49,6 +49,8 @@ pub struct ListedPart {
 /// Entries of the title block; an empty entry is filled in by hand.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TitleBlock {
+    /// Name of the customer in full, where the form's name, which is a comment of the program, is too short for it.
+    pub customer: String,
     /// Author of the document.
     pub author: String,
     /// Number of the document.

@@ -220,6 +220,25 @@ fn title_block_is_saved_printed_and_escaped() {
 }
 
 #[test]
+fn long_customer_is_whole_in_the_block_and_cut_in_the_program() {
+    const LONG: &str = "Shanghai Ribbon & Label Printing Works";
+    for machine in ["ribbon-line", "turning-spindle", "polygon-lathe"] {
+        let mut project = Project::named(machine, None, None).unwrap();
+        project.set_customer(LONG);
+        assert_eq!((project.customer(), project.shortened_customer()), (Some(LONG), Some("Shanghai Ribbon & Labe")));
+        let again = Project::from_json(&project.to_json());
+        assert!(again.diagnostics.is_empty() && again.project.unwrap() == project, "{machine}");
+        assert!(words(of_class(&read(&html(&project)), "block")[0]).contains(LONG), "{machine}");
+        assert!(project.written().files.0.iter().any(|file| file.text.contains("RIBBON & LABE")), "{machine}");
+        // Another name in the form is the customer's.
+        project.values.insert("customer".to_owned(), Value::Text("Shanghai".to_owned()));
+        assert_eq!((project.customer(), project.shortened_customer()), (Some("Shanghai"), None));
+        project.set_customer("Short Ltd");
+        assert_eq!((project.customer(), project.title_block.customer.as_str()), (Some("Short Ltd"), ""));
+    }
+}
+
+#[test]
 fn sheets_behind_the_first_have_title_revision_date_and_number() {
     let mut project = Project::named("ribbon-line", None, None).unwrap();
     project.name = "A\"B</style>\\".to_owned();
