@@ -41,6 +41,8 @@ pub struct Export {
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
     pub about: Files,
+    /// Catalog ids of what the files beside the programs are, in their order.
+    meanings: Vec<&'static str>,
     /// Count of the files that are programs, which are the first ones, and their characters.
     programs: (usize, CommentCharacters),
 }
@@ -73,6 +75,11 @@ impl Export {
     pub fn documents(&self) -> &[File] {
         self.files.get(self.about.0.len()..).unwrap_or_default()
     }
+
+    /// The files beside the programs, each with the catalog id of what it is.
+    pub fn explained_documents(&self) -> impl Iterator<Item = (&File, &'static str)> {
+        self.documents().iter().zip(self.meanings.iter().copied())
+    }
 }
 
 impl Project {
@@ -92,7 +99,7 @@ impl Project {
         silence(&mut diagnostics, &self.silenced);
         diagnostics.extend(found.iter().cloned());
         diagnostics.extend(options.sizing.iter().flat_map(|sizing| sizing.findings()));
-        let mut files = Vec::new();
+        let (mut files, mut meanings) = (Vec::new(), Vec::new());
         let mut draft = None;
         let options = ExportOptions { advice: &found, ..*options };
         if diagnostics.iter().any(|d| d.severity == Severity::Error) {
@@ -100,7 +107,10 @@ impl Project {
             draft = Some(report::html(&self.report(&prepared, &without_programs, &options)));
         } else {
             files.extend(written.files.0.iter().cloned());
-            files.extend(self.documents_of(&prepared, written, &options));
+            for (document, meaning) in self.documents_of(&prepared, written, &options) {
+                files.push(document);
+                meanings.push(meaning);
+            }
             let same = same_names(&files);
             if !same.is_empty() {
                 files.clear();
@@ -108,29 +118,42 @@ impl Project {
             }
         }
         let programs = (written.files.0.len(), self.characters());
-        Export { files, draft, diagnostics, about: written.files.clone(), programs }
+        Export { files, draft, diagnostics, about: written.files.clone(), meanings, programs }
     }
 
-    /// The files beside the programs.
-    fn documents_of(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Vec<File> {
-        let file = |name: &str, text| File { name: name.to_owned(), text };
+    /// The files beside the programs, each with the catalog id of what it is.
+    fn documents_of(
+        &self,
+        prepared: &PreparedMachine,
+        written: &Written,
+        options: &ExportOptions,
+    ) -> Vec<(File, &'static str)> {
+        let file = |name: String, text, meaning| (File { name, text }, meaning);
         let told = self.report(prepared, written, options);
         let mut files = vec![
-            file(SUMMARY, report::summary(&told)),
-            file(REPORT, report::html(&told)),
-            file("report.md", report::markdown(&told)),
-            file("drawing.svg", told.run.drawing.clone()),
+            file(SUMMARY.to_owned(), report::summary(&told), "page.file.summary"),
+            file(REPORT.to_owned(), report::html(&told), "page.file.report"),
+            file("report.md".to_owned(), report::markdown(&told), "page.file.report-text"),
+            file("drawing.svg".to_owned(), told.run.drawing.clone(), "page.file.machine"),
         ];
         let of_sizing = options.sizing.map(|sizing| [sizing.bill_sheet(), sizing.terminal_sheet()]);
         // Files that other programs read are in millimetres.
         for sheet in of_sizing.iter().flatten().chain(&in_millimetres(|| prepared.sheets())) {
-            files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet) });
+            files.push(file(format!("{}.csv", sheet.id), view::csv::sheet(sheet), sheet.title));
             if !sheet.drawing.is_empty() {
-                files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
+                files.push(file(format!("{}.svg", sheet.id), view::svg::alone(&sheet.drawing), sheet.title));
             }
         }
-        files.extend(prepared.drawings());
-        files.push(file("project.json", self.to_json()));
+        let kind = |name: &str| match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
+            "svg" => "page.file.drawing",
+            "dxf" => "page.file.outline",
+            _ => "page.file.other-program",
+        };
+        files.extend(prepared.drawings().into_iter().map(|drawing| {
+            let meaning = kind(&drawing.name);
+            (drawing, meaning)
+        }));
+        files.push(file("project.json".to_owned(), self.to_json(), "page.file.project"));
         files
     }
 }

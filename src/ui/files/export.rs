@@ -8,7 +8,6 @@ use leptos::wasm_bindgen::prelude::wasm_bindgen;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::Window;
 
-use crate::machines::form::{FieldKindInfo, Value};
 use crate::nc::File;
 use crate::project::Project;
 use crate::project::export::{REPORT, SUMMARY};
@@ -19,7 +18,7 @@ use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Range, Remark, Request, Response};
+use crate::ui::worker::messages::{ExportDocuments, ExportedDocument, Range, Remark, Request, Response};
 use crate::view::report::TitleBlock;
 
 /// The bundle that makes archives.
@@ -31,14 +30,19 @@ extern "C" {
     fn print(tab: &Window, html: &str) -> Result<(), JsValue>;
 }
 
-/// Name and bytes of a file.
-type NamedBytes = (String, Vec<u8>);
+/// A file of the export.
+struct ExportFile {
+    name: String,
+    bytes: Vec<u8>,
+    /// What it is, in words.
+    meaning: String,
+}
 
 /// An export that is offered.
 #[derive(Clone)]
 struct Export {
     /// Programs first.
-    files: Arc<[NamedBytes]>,
+    files: Arc<[ExportFile]>,
     /// The report without programs, as HTML, where the export is refused.
     draft: Option<String>,
     /// Findings about fields and program.
@@ -94,10 +98,15 @@ pub(crate) fn ExportDialog() -> impl IntoView {
             };
             let mut coded = documents.programs.into_iter();
             let bytes = |text: &str| text.as_bytes().to_vec();
-            let program = |file: &File| (file.name.clone(), coded.next().unwrap_or_else(|| bytes(&file.text)));
+            let program = |file: &File| ExportFile {
+                name: file.name.clone(),
+                bytes: coded.next().unwrap_or_else(|| bytes(&file.text)),
+                meaning: t("page.file.program").to_owned(),
+            };
             let programs: Vec<_> = written.files.0.iter().map(program).collect();
-            let others = documents.files.into_iter().map(|(name, text)| (name, text.into_bytes()));
-            let files = programs.into_iter().chain(others).collect();
+            let other =
+                |ExportedDocument { name, meaning, text }| ExportFile { name, bytes: text.into_bytes(), meaning };
+            let files = programs.into_iter().chain(documents.files.into_iter().map(other)).collect();
             export.set(Some(Export { files, draft: documents.draft, remarks: documents.remarks }));
             open.set(true);
         };
@@ -113,7 +122,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
         })
     };
     view! {
-        <Dialog id="export-title" title=t("page.export") open=open close=move || open.set(false)>
+        <Dialog id="export-title" title=t("page.export-short") open=open close=move || open.set(false)>
             <div class="body-of">
                 <TitleBlockFields />
                 {content}
@@ -140,37 +149,26 @@ fn TitleBlockFields() -> impl IntoView {
     let row = |(label, entry): (&'static str, Entry)| {
         let value = move || page.project.with(|project| entry(&mut project.title_block.clone()).clone());
         let change = move |text| page.edit("", |project| *entry(&mut project.title_block) = text);
-        view! { <TitleBlockEntry label max=ENTRY_LENGTH value change /> }
+        view! { <TitleBlockEntry label value change /> }
     };
+    // Another machine may have no customer.
+    let has_customer = Memo::new(move |_| page.project.with(|project| project.customer().is_some()));
     let customer = move || {
-        let (label, field, max) = page.project.with(customer_field)?;
-        let value = move || page.project.with(|project| text_of(project, field));
-        let change = move |text| page.set(field, Value::Text(text));
-        Some(view! { <TitleBlockEntry label max value change /> })
+        let value = move || page.project.with(|project| project.customer().unwrap_or_default().to_owned());
+        let change = move |text: String| page.edit("", |project| project.set_customer(&text));
+        has_customer.get().then(|| view! { <TitleBlockEntry label="form.customer" value change /> })
+    };
+    let in_program = move || {
+        let short = page.project.with(|project| project.shortened_customer().map(str::to_owned))?;
+        Some(sentence(&crate::msg!("page.customer-in-program", name = short)))
     };
     view! {
         <fieldset class="title-block">
             <legend>{t("page.title-block")}</legend>
             {customer}
             {entries.into_iter().map(row).collect_view()}
+            <p class="in-program" role="status">{in_program}</p>
         </fieldset>
-    }
-}
-
-/// Label, id and greatest length of the form's field with the customer's name, if the machine has one.
-fn customer_field(project: &Project) -> Option<(&'static str, &'static str, usize)> {
-    let customer = project.machine.info().customer;
-    let field = project.machine.fields().into_iter().find(|field| field.id == customer)?;
-    match field.kind {
-        FieldKindInfo::Text(max) => Some((field.label, field.id, max)),
-        _ => None,
-    }
-}
-
-fn text_of(project: &Project, field: &str) -> String {
-    match project.values.get(field) {
-        Some(Value::Text(text)) => text.clone(),
-        _ => String::new(),
     }
 }
 
@@ -179,8 +177,6 @@ fn text_of(project: &Project, field: &str) -> String {
 fn TitleBlockEntry(
     /// Catalog id of its label.
     label: &'static str,
-    /// Characters that it takes.
-    max: usize,
     /// Its text.
     value: impl Fn() -> String + Send + 'static,
     /// Takes another text.
@@ -191,7 +187,7 @@ fn TitleBlockEntry(
         change(event_target_value(&event));
         page.view.exporting.set(true);
     };
-    view! { <label>{t(label)}<input type="text" maxlength=max.to_string() prop:value=value on:change=change /></label> }
+    view! { <label>{t(label)}<input type="text" maxlength=ENTRY_LENGTH.to_string() prop:value=value on:change=change /></label> }
 }
 
 /// Why nothing is exported.
@@ -242,28 +238,6 @@ fn PrintButton(
     }
 }
 
-/// Catalog id of what a file is.
-fn about(name: &str) -> &'static str {
-    match name {
-        SUMMARY => "page.file.summary",
-        REPORT => "page.file.report",
-        "report.md" => "page.file.report-text",
-        "project.json" => "page.file.project",
-        "bill.csv" => "sheet.bill",
-        "terminals.csv" => "sheet.terminals",
-        "parameters.csv" => "sheet.parameters",
-        "interface.csv" => "sheet.interface",
-        "ladder.csv" | "ladder.svg" => "page.file.ladder",
-        "stops.csv" => "sheet.stops",
-        _ => match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
-            "csv" => "page.file.table",
-            "svg" => "page.file.drawing",
-            "dxf" => "page.file.outline",
-            _ => "page.file.program",
-        },
-    }
-}
-
 /// Size of a file in words: bytes, or kilobytes from 1000 on.
 fn size(bytes: usize) -> String {
     match bytes {
@@ -281,8 +255,8 @@ fn Offered(
     let files = Arc::clone(&export.files);
     let row = move |at: usize| {
         let files = Arc::clone(&files);
-        let (name, bytes) = files.get(at)?;
-        let (name, what, size) = (name.clone(), t(about(name)), size(bytes.len()));
+        let ExportFile { name, bytes, meaning } = files.get(at)?;
+        let (name, what, size) = (name.clone(), meaning.clone(), size(bytes.len()));
         Some(view! {
             <tr>
                 <th scope="row">{name}</th>
@@ -297,8 +271,8 @@ fn Offered(
     let files = Arc::clone(&export.files);
     let all = move |_| save_all(page, Arc::clone(&files));
     let printed = |id: &'static str, words: &'static str, document: &str| {
-        let (_, html) = export.files.iter().find(|(name, _)| name == document)?;
-        let html = String::from_utf8_lossy(html).into_owned();
+        let file = export.files.iter().find(|file| file.name == document)?;
+        let html = String::from_utf8_lossy(&file.bytes).into_owned();
         Some(view! { <PrintButton id=id words=words html=html /> })
     };
     let summary = printed("print-summary", "page.print-summary", SUMMARY);
@@ -311,25 +285,26 @@ fn Offered(
         view! { <li class="fail"><b><i aria-hidden="true">"✕ "</i>{words}</b></li> }
     });
     view! {
+        <div class="prints">{report} {summary}</div>
         <p>{t("page.export-about")}</p>
         <ul class="remarks" tabindex="0">{failing} {remarks.collect_view()}</ul>
         <div class="files" tabindex="0" role="group" aria-label=t("page.export-files")>
             <table class="exported"><tbody>{rows}</tbody></table>
         </div>
         <footer>
-            {summary}
-            {report}
             <button type="button" class="primary" id="save-all" on:click=all>{t("page.save-all")}</button>
         </footer>
     }
 }
 
 /// Saves all files as one archive.
-fn save_all(page: Page, files: Arc<[NamedBytes]>) {
+fn save_all(page: Page, files: Arc<[ExportFile]>) {
     let name = page.project.with_untracked(Project::archive_name);
     wasm_bindgen_futures::spawn_local(async move {
         let list = table(
-            files.iter().map(|(name, bytes)| vec![name.into(), js_sys::Uint8Array::from(bytes.as_slice()).into()]),
+            files
+                .iter()
+                .map(|file| vec![file.name.as_str().into(), js_sys::Uint8Array::from(file.bytes.as_slice()).into()]),
         );
         let archive = load(ARCHIVE).await.and_then(|module| call(&module, "zip", &[&list]));
         match archive.and_then(|archive| archive.dyn_into::<js_sys::Uint8Array>()) {
@@ -341,20 +316,53 @@ fn save_all(page: Page, files: Arc<[NamedBytes]>) {
     });
 }
 
+/// A tab of its own; a notice if the browser allows none.
+fn new_tab(page: Page) -> Option<Window> {
+    let tab = window().open_with_url_and_target("", "_blank").ok().flatten();
+    if tab.is_none() {
+        page.notices.notify(Tone::Warn, t("page.no-tab").to_owned());
+    }
+    tab
+}
+
+/// The report to print, or its draft. The tab opens at once, for the browser allows it only at a press.
+pub(super) fn show_report(page: Page, worker: Client) {
+    let Some(tab) = new_tab(page) else { return };
+    let take = move |response: Option<Response>| {
+        let report = match response {
+            Some(Response::Export(ExportDocuments { files, draft, .. })) => {
+                files.into_iter().find(|file| file.name == REPORT).map(|file| file.text).or(draft)
+            }
+            _ => None,
+        };
+        match report {
+            Some(html) => show_in(page, &tab, &html),
+            None => {
+                let _ = tab.close();
+                page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
+            }
+        }
+    };
+    page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
+}
+
 /// Shows a document in a tab of its own and prints it; a notice if the browser allows neither.
 fn show(page: Page, html: &str) {
-    let Some(tab) = window().open_with_url_and_target("", "_blank").ok().flatten() else {
-        return page.notices.notify(Tone::Warn, t("page.no-tab").to_owned());
-    };
-    if let Err(error) = print(&tab, html) {
+    if let Some(tab) = new_tab(page) {
+        show_in(page, &tab, html);
+    }
+}
+
+fn show_in(page: Page, tab: &Window, html: &str) {
+    if let Err(error) = print(tab, html) {
         let _ = tab.close();
         page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-print", reason = dom::error_text(&error))));
     }
 }
 
-fn save(files: &[NamedBytes], at: usize) {
-    if let Some((name, bytes)) = files.get(at) {
-        dom::download(name, "text/plain", bytes);
+fn save(files: &[ExportFile], at: usize) {
+    if let Some(file) = files.get(at) {
+        dom::download(&file.name, "text/plain", &file.bytes);
     }
 }
 
@@ -363,14 +371,18 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::machines::form::Value;
     use crate::text::{FileId, Span};
     use crate::ui::testing::{ViewBench, field, mount, settled};
-    use crate::ui::worker::messages::ExportDocuments;
 
     fn documents(_: &crate::project::Project, _: Request) -> Option<Response> {
         Some(Response::Export(ExportDocuments {
             programs: Vec::new(),
-            files: vec![("report.html".to_owned(), "<p>".to_owned())],
+            files: vec![ExportedDocument {
+                name: "report.html".to_owned(),
+                meaning: "Report".to_owned(),
+                text: "<p>".to_owned(),
+            }],
             draft: None,
             remarks: Vec::new(),
         }))
@@ -408,6 +420,22 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn long_customer_is_whole_in_the_block_and_cut_in_the_program() {
+        const LONG: &str = "Shanghai Ribbon & Label Printing Works";
+        let bench = mount(|| view! { <ExportDialog /> }).await;
+        bench.worker.answer_here(documents);
+        asked(&bench).await;
+        let entry = ".title-block label:first-of-type input";
+        bench.choose(entry, LONG).await;
+        assert_eq!(bench.value(entry), LONG);
+        assert_eq!(bench.setting("customer"), Some(Value::Text("Shanghai Ribbon & Labe".to_owned())));
+        assert!(bench.text(".in-program").contains("Shanghai Ribbon & Labe"));
+        bench.page.set("customer", Value::Text("Another".to_owned()));
+        settled().await;
+        assert_eq!((bench.value(entry).as_str(), bench.text(".in-program").as_str()), ("Another", ""));
+    }
+
+    #[wasm_bindgen_test]
     async fn export_offers_programs_and_documents() {
         let bench = mount(|| view! { <ExportDialog /> }).await;
         assert!(!bench.has("dialog[open]"));
@@ -417,6 +445,8 @@ mod tests {
         assert!(bench.has("dialog[open] #save-all"));
         assert_eq!(bench.all(".exported tr").len(), programs + 1);
         assert_eq!(bench.text(".exported tr:last-child th"), "report.html");
+        assert_eq!(bench.text(".exported tr:last-child .what"), "Report");
+        assert!(bench.has(".prints #print-report") && !bench.has("footer #print-report"));
     }
 
     #[wasm_bindgen_test]

@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use super::export::show_report;
 use super::gallery::NewButton;
 use super::open::OpenButton;
 use super::projects::ProjectsButton;
@@ -14,6 +15,7 @@ use crate::ui::parts::{ContrastButton, Glyph, IconButton, LanguageButtons, Later
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
 use crate::ui::words::t;
+use crate::ui::worker::client::Client;
 
 /// The header.
 #[component]
@@ -39,6 +41,7 @@ pub(crate) fn Header() -> impl IntoView {
                     <OpenButton />
                     <button type="button" class="quiet save" title=t("page.save-about") on:click=move |_| share::save(page)>{t("page.save")}</button>
                     <ShareButton />
+                    <ReportButton />
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
                     <LanguageButtons />
                     <LengthsButton />
@@ -48,6 +51,17 @@ pub(crate) fn Header() -> impl IntoView {
                 </div>
             </Later>
         </header>
+    }
+}
+
+/// Opens the report to print; only where the header has room, for the export offers it too.
+#[component]
+fn ReportButton() -> impl IntoView {
+    let (page, worker) = (Page::here(), Client::here());
+    view! {
+        <button type="button" class="quiet report" title=t("page.print-about") on:click=move |_| show_report(page, worker)>
+            {t("page.report")}
+        </button>
     }
 }
 

@@ -1,8 +1,11 @@
 //! Documents of a project for the page: its sheets by tabs, its sizing, comparisons, and the documents of an export.
 
-use super::messages::{ExportDocuments, FoundRepairs, Range, ReadParts, Remark, Sheets, ShownSection};
+use super::messages::{
+    ExportDocuments, ExportedDocument, FoundRepairs, Range, ReadParts, Remark, Sheets, ShownSection,
+};
 use super::sheet_html::{html, section_html, table, tagged};
 use crate::controls::options::CommentCharacters;
+use crate::nc::File;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
 use crate::project::parts;
@@ -183,6 +186,11 @@ pub(super) fn documents(project: &Project) -> ExportDocuments {
         field: found.field.unwrap_or_default().to_owned(),
         place: found.place.map(Range::from),
     };
+    let document = |(file, meaning): (&File, &'static str)| ExportedDocument {
+        name: file.name.clone(),
+        meaning: t(meaning).to_owned(),
+        text: file.text.clone(),
+    };
     let programs = match project.characters() {
         CommentCharacters::Gbk => {
             written.files.0.iter().map(|file| encode::bytes(&file.text, CommentCharacters::Gbk)).collect()
@@ -191,7 +199,7 @@ pub(super) fn documents(project: &Project) -> ExportDocuments {
     };
     ExportDocuments {
         programs,
-        files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),
+        files: export.explained_documents().map(document).collect(),
         remarks: export.diagnostics.iter().map(remark).collect(),
         draft: export.draft,
     }

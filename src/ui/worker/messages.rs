@@ -349,12 +349,23 @@ pub(crate) struct ReadParts {
 pub(crate) struct ExportDocuments {
     /// Bytes of the programs, in their order, where the control reads them in GBK.
     pub programs: Vec<Vec<u8>>,
-    /// Name and text: report, sheets, drawings, the project itself.
-    pub files: Vec<(String, String)>,
+    /// Report, sheets, drawings, the project itself.
+    pub files: Vec<ExportedDocument>,
     /// The report without programs, as HTML, where the export is refused.
     pub draft: Option<String>,
     /// Findings about fields and program.
     pub remarks: Vec<Remark>,
+}
+
+/// A document of an export.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct ExportedDocument {
+    /// Name of the file.
+    pub name: String,
+    /// What it is, in words.
+    pub meaning: String,
+    /// The file.
+    pub text: String,
 }
 
 /// A finding as the export dialog shows it.
