@@ -114,7 +114,7 @@ test('alarm on a phone is a bar that opens to its whole text', () =>
     }
     const remedy = screen.getByRole('button', { name: /^Set \d+ r\/min$/ });
     assert.ok(!(await remedy.isVisible()));
-    await screen.getByRole('button', { name: 'More' }).click();
+    await screen.getByRole('button', { name: 'Why' }).click();
     assert.ok(await remedy.isVisible());
     const [, open] = await boxes();
     assert.ok(open.y >= stage.y && open.y + open.height <= stage.y + stage.height);

@@ -24,7 +24,7 @@ export async function covered(page) {
       const part = 0.15 * (right - left);
       return { words: 'lens', label: rim.dataset.label, area: { left: left + part, top: top + part, right: right - part, bottom: bottom - part } };
     });
-    const over = [...document.querySelectorAll('.drawing .mode, .band .icon')].map((one) => ({ words: one.textContent, label: '', area: area(one) }));
+    const over = [...document.querySelectorAll('.drawing .mode, .band .icon, .alarm-screen:not(.open)')].map((one) => ({ words: one.textContent, label: '', area: area(one) }));
     const faults = [];
     labels.forEach((one, at) => {
       const others = [...labels.slice(at + 1), ...lenses.filter(({ label }) => label !== one.label), ...over];

@@ -12,11 +12,12 @@ const say = words('en');
 const focused = (page) => page.evaluate(() => document.activeElement.id);
 const arrives = (page, id) => page.waitForFunction((id) => document.activeElement.id === `help-${id}`, id);
 
-test('alarm on the control screen leads to help in one click', () =>
+test('alarm on the control screen leads to help', () =>
   withPage(app, {}, async ({ page, requests }) => {
     assert.ok(!requests.some((request) => request.includes('help-')), 'help is loaded at the opening of the page');
     await page.selectOption('select.control', 'gsk-980tdc');
     await takeExample(page, PAPER);
+    await page.locator('.alarm-screen .unfold').click();
     await page.locator('.alarm-screen .more').click();
     await arrives(page, 'alarm.5900');
     assert.match(await page.locator('#help-alarm\\.5900').innerText(), /The program raises this alarm itself/);

@@ -119,6 +119,8 @@ for (const [width, height] of [[1440, 900], [1366, 768], [1024, 768], [390, 844]
       await page.selectOption('select.control', 'gsk-980tdc');
       await page.locator('.alarm-screen').waitFor();
       assert.deepEqual(await cutOff(page), []);
+      // A drawing that pans fills its room; any other leaves the band of the alarm free.
+      if (!(await page.locator('.stage.pans').count())) await legible(page, '980TDc');
     }));
 }
 

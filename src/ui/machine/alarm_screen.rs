@@ -3,12 +3,13 @@
 use leptos::prelude::*;
 
 use crate::machines::MachineVariable;
-use crate::motion::RunEnd;
+use crate::motion::{Action, Event, Mode, RunEnd};
 use crate::project::check::reported;
 use crate::project::run;
 use crate::text::catalog::of_program;
 use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};
 use crate::ui::state::Page;
+use crate::ui::state::operator::remove;
 use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, value_of};
 use crate::view::Advice;
@@ -130,7 +131,7 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
 pub(super) fn AlarmScreen() -> impl IntoView {
     let page = Page::here();
     let text = Memo::new(move |_| screen_text(page));
-    // On a phone it is a bar over the edge of the drawing until opened.
+    // A bar over the lower edge of the drawing until opened: labels stay in sight.
     let open = RwSignal::new(false);
     move || {
         let ScreenText { tone, headline, translation, meaning, alarm, place, way_out } = text.get()?;
@@ -143,6 +144,13 @@ pub(super) fn AlarmScreen() -> impl IntoView {
         });
         let rows = rows.collect_view();
         let remedy = page.outlook.stopped.get().and_then(|stopped| stopped.remedy);
+        let forget = emergency_stop(page).map(|at| {
+            view! {
+                <p class="act">
+                    <button type="button" class="forget" on:click=move |_| remove(page, at)>{t("page.forget-action")}</button>
+                </p>
+            }
+        });
         let way_out = (!way_out.is_empty() && remedy.is_none()).then(|| view! { <p class="way-out">{t(way_out)}</p> });
         let block = place.and_then(|place| Some((place, page.place_words(place)?)));
         let block = block.map(|(place, words)| {
@@ -165,9 +173,18 @@ pub(super) fn AlarmScreen() -> impl IntoView {
                 <dl>{rows}</dl>
                 {way_out}
                 {remedy.map(|advice| view! { <Remedy advice=advice /> })}
+                {forget}
             </section>
         })
     }
+}
+
+/// Place of the operator's emergency stop that ended the run, in the list of actions.
+fn emergency_stop(page: Page) -> Option<usize> {
+    let ended = page.player.now.with(|now| now.mode == Mode::EmergencyStop);
+    let (at, _) = page.player.planned.get();
+    let is_stop = |event: &Event| event.action == Action::EmergencyStop && event.t <= at;
+    page.project.with(|project| project.panel.events().iter().rposition(is_stop)).filter(|_| ended)
 }
 
 /// The entries of the form with which the run moves.
@@ -179,8 +196,8 @@ fn Remedy(
     let page = Page::here();
     let (words, why) = (advice.button.as_ref().map(sentence), sentence(&advice.message));
     view! {
-        <p class="way-out">
-            {t("page.way-remedy")} " "
+        <p class="way-out act">
+            <span>{t("page.way-remedy")} " "</span>
             <button type="button" class="primary remedy" title=why on:click=move |_| page.take_entries(&advice.sets)>
                 {words}
             </button>
@@ -194,7 +211,6 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::motion::Action;
     use crate::project::Project;
     use crate::text::catalog::{self, Language};
     use crate::ui::state::operator::act;
@@ -225,7 +241,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn bar_of_the_phone_opens_and_folds() {
+    async fn bar_opens_and_folds() {
         let bench = screen("gsk-980tdc").await;
         assert_eq!(bench.attribute(".unfold", "aria-expanded"), "false");
         bench.press(".unfold").await;
@@ -297,5 +313,8 @@ mod tests {
         bench.drawn().await;
         assert!(bench.text(".alarm-screen p").contains(t("motion.emergency-stop")));
         assert!(!bench.has(".way-out"));
+        bench.press(".forget").await;
+        bench.run().await;
+        assert!(bench.actions().is_empty() && !bench.has(".alarm-screen"));
     }
 }

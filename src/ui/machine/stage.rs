@@ -107,6 +107,7 @@ fn shown_state(page: Page) -> (String, Tone) {
     let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
     let (words, tone) = match player.playing.get() {
         _ if page.program.has_errors() => ("page.mode-errors", Tone::Fail),
+        _ if mode == Mode::EmergencyStop => (mode_words(mode), Tone::Fail),
         _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", Tone::Fail),
         false if moves && begun => ("page.mode-paused", Tone::Info),
         false if !begun => ("page.mode-ready", Tone::Info),
@@ -249,6 +250,17 @@ mod tests {
         bench.seek(1.5).await;
         assert_eq!(bench.text(".mode"), t("page.mode-estop"));
         assert!(bench.has(".mode.fail"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn emergency_stop_at_the_beginning_is_never_ready() {
+        let bench = stage().await;
+        crate::ui::state::operator::act(bench.page, crate::motion::Action::EmergencyStop);
+        bench.run().await;
+        bench.drawn().await;
+        assert_eq!(bench.page.player.head(), 0.0);
+        assert_eq!(bench.text(".mode"), t("page.mode-estop"));
+        assert!(bench.has(".mode.fail") && bench.has(".alarm-screen .forget"));
     }
 
     #[wasm_bindgen_test]

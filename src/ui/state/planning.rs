@@ -48,6 +48,7 @@ impl Player {
         if self.state.with_value(|state| state.id != id) {
             self.speed.set(0.0);
             self.zoom.set(None);
+            self.changed.set(String::new());
         }
         self.state.update_value(|state| {
             state.planner = Some(run);
