@@ -9,7 +9,7 @@ use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
 use crate::ui::state::planning::HORIZON;
 use crate::ui::state::player::SPEEDS;
-use crate::ui::words::{clock, speed_text, t};
+use crate::ui::words::{clock, sentence, speed_text, t};
 
 /// The transport.
 #[component]
@@ -49,8 +49,16 @@ pub(super) fn Transport() -> impl IntoView {
 fn Clock() -> impl IntoView {
     let player = Page::here().player;
     let place: NodeRef<html::B> = NodeRef::new();
+    let rate: NodeRef<html::Span> = NodeRef::new();
     let mut last = String::new();
+    let mut last_rate = None;
     player.paint(move |moment| {
+        let now = Some(moment.speed).filter(|_| player.speed.get_untracked() == 0.0);
+        if let Some(rate) = rate.get_untracked().filter(|_| now != last_rate) {
+            let words = now.map(|now| sentence(&crate::msg!("page.rate-now", rate = speed_text(now))));
+            rate.set_text_content(Some(&words.unwrap_or_default()));
+            last_rate = now;
+        }
         let text = clock(moment.now.t);
         if let Some(place) = place.get_untracked().filter(|_| text != last) {
             place.set_text_content(Some(&text));
@@ -65,6 +73,7 @@ fn Clock() -> impl IntoView {
         <span class="time">
             <b id="clock" node_ref=place>"00:00.0000"</b>
             <span class="total">{total}</span>
+            <span class="rate" node_ref=rate></span>
         </span>
     }
 }
@@ -108,18 +117,16 @@ fn GoTo() -> impl IntoView {
 /// Machine seconds per second.
 #[component]
 fn Speed() -> impl IntoView {
-    let page = Page::here();
-    let player = page.player;
+    let player = Page::here().player;
     let value = |speed: f64| number_text(speed, 6);
     let options = move || {
-        page.machine.track();
-        let visible = page.project.with_untracked(|project| project.machine.info().speed);
-        let automatic = ("0".to_owned(), format!("{} {}", t("page.automatic"), speed_text(visible)));
+        let automatic = ("0".to_owned(), t("page.automatic").to_owned());
         core::iter::once(automatic).chain(SPEEDS.map(|speed| (value(speed), speed_text(speed)))).collect::<Vec<_>>()
     };
     let choose = move |speed: String| {
         if let Ok(speed) = speed.parse() {
             player.speed.set(speed);
+            player.ask();
         }
     };
     view! {
@@ -202,6 +209,18 @@ mod tests {
         bench.page.change_machine(crate::machines::ALL[1].id());
         settled().await;
         assert_eq!(bench.value(".speed"), "0");
+    }
+
+    #[wasm_bindgen_test]
+    async fn automatic_rate_is_told_beside_the_clock() {
+        let bench = transport().await;
+        bench.seek(3.0).await;
+        let visible = bench.page.project.with_untracked(|project| project.machine.info().speed);
+        let told = |speed| sentence(&crate::msg!("page.rate-now", rate = speed_text(speed)));
+        assert!([visible, 2.0].map(told).contains(&bench.text(".rate")), "{}", bench.text(".rate"));
+        bench.choose(".speed", "0.1").await;
+        bench.drawn().await;
+        assert_eq!(bench.text(".rate"), "");
     }
 
     #[wasm_bindgen_test]

@@ -43,6 +43,8 @@ pub(crate) struct RunMoment<'a> {
     pub axis: (f64, f64),
     /// Viewing conditions of the frame.
     pub frame: Frame,
+    /// Machine seconds per second at the play head.
+    pub speed: f64,
     /// Whether this frame also writes figures that only change some times a second.
     pub slow: bool,
     /// Counts the changes of the plan.
@@ -435,8 +437,9 @@ impl Player {
         let time = dom::now();
         let (planned, _) = self.planned.get_untracked();
         let playing = self.playing.get_untracked();
+        let speed = self.speed_now();
         // A machine that stands on the page is sharp.
-        let step = if playing { self.speed_now() / 60.0 } else { 0.0 };
+        let step = if playing { speed / 60.0 } else { 0.0 };
         let frame = Frame { step, drawing_option: self.drawing_option.get_untracked() };
         let plans = self.plans.get_untracked();
         let shown = self.state.try_update_value(|state| {
@@ -455,7 +458,7 @@ impl Player {
                 timeline.at(state.head.min(timeline.end()))
             });
             let axis = self.axis(now.t, planned.max(state.expected));
-            let moment = RunMoment { run, machine, now: &now, axis, frame, slow, plans };
+            let moment = RunMoment { run, machine, now: &now, axis, frame, speed, slow, plans };
             self.painters.update_value(|painters| painters.iter_mut().for_each(|paint| paint(&moment)));
             let message = run.timeline().message_at(now.t);
             if self.message.with_untracked(|shown| shown.as_deref() != message) {
