@@ -26,9 +26,12 @@ pub(super) fn decisive_facts() -> RwSignal<Vec<String>> {
     let ask = move || {
         page.project.with_untracked(|project| {
             worker.ask(project, Request::Flips, move |response| {
-                if let Some(Response::Flips(ids)) = response
+                if let Some(Response::Flips(mut ids)) = response
                     && !found.is_disposed()
                 {
+                    // Product fields are the customer's own, and stand in front.
+                    let fields = page.project.with_untracked(|project| project.machine.fields());
+                    ids.retain(|id| !fields.iter().any(|field| field.essential && field.id == *id));
                     put(found, ids);
                 }
             });
@@ -128,6 +131,27 @@ mod tests {
         bench.page.edit("", |project| project.name = "Changed".to_owned());
         pause(600).await;
         assert!(found.get().unwrap().get_untracked().is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn product_fields_are_not_listed() {
+        let fields = crate::ui::testing::project().machine.fields();
+        let ids = || fields.iter().filter(|field| field.role.is_fact());
+        let machine: Vec<String> = ids().filter(|field| !field.essential).map(|field| field.id.to_owned()).collect();
+        assert!(machine.len() < ids().count());
+        let found = Rc::new(Cell::new(None));
+        let facts = Rc::clone(&found);
+        let _bench = mount(move || {
+            Client::here().answer_here(|project, _| {
+                let fields = project.machine.fields().into_iter().filter(|field| field.role.is_fact());
+                Some(Response::Flips(fields.map(|field| field.id.to_owned()).collect()))
+            });
+            facts.set(Some(decisive_facts()));
+        })
+        .await;
+        let found = found.get().unwrap();
+        until(move || !found.with_untracked(Vec::is_empty)).await;
+        assert_eq!(found.get_untracked(), machine);
     }
 
     #[wasm_bindgen_test]
