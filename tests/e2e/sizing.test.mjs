@@ -38,6 +38,8 @@ test('table parts join the choice, wrong row is told with line', () =>
     await page.setInputFiles('#open', { name: 'own.csv', mimeType: 'text/csv', buffer: Buffer.from(`${rows.join('\n')}\n`) });
     await page.getByText('own.csv: ').first().waitFor();
     await openSizing(page);
+    // Behind the first five.
+    await page.getByText(/^\d+ more$/).first().click();
     await page.getByRole('button', { name: /Works M1$/ }).first().waitFor();
   }));
 

@@ -1,10 +1,11 @@
 //! Sheets as HTML for the page.
 
+use crate::msg;
 use crate::project::Project;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::size::sections::SizingSection;
 use crate::text::{Grade, columns};
-use crate::ui::words::t;
+use crate::ui::words::{sentence, t};
 use crate::view::svg::escape;
 use crate::view::{Column, Row, Sheet, SheetKind};
 
@@ -23,6 +24,9 @@ pub(super) fn section_html(section: &SizingSection, project: &Project) -> String
 
 /// Rows of a list that repeats a drawing above which it is folded.
 const FOLDED: usize = 12;
+
+/// Products of a choice that are shown, suitable ones first; more than one below them are folded.
+const OFFERED: usize = 5;
 
 /// Opens a tag with the title of a sheet as its name.
 fn titled(out: &mut String, tag: &str, sheet: &Sheet) {
@@ -54,9 +58,24 @@ pub(super) fn table(out: &mut String, sheet: &Sheet, project: &Project) {
         out.push_str("</div>");
     }
     if !sheet.drawing.is_empty() && sheet.rows.len() > FOLDED {
-        folded(out, t("page.as-table"), |out| rows(out, sheet, project));
+        folded(out, t("page.as-table"), |out| rows(out, sheet, &sheet.rows, project));
     } else {
-        rows(out, sheet, project);
+        offered(out, sheet, project);
+    }
+}
+
+/// Writes the rows of a sheet; of a choice the first products, and the others folded.
+fn offered(out: &mut String, sheet: &Sheet, project: &Project) {
+    let lead = sheet.rows.iter().take_while(|row| row.sets.is_empty()).count();
+    let shown = match sheet.kind {
+        SheetKind::Choice if sheet.rows.len() > lead + OFFERED + 1 => lead + OFFERED,
+        _ => sheet.rows.len(),
+    };
+    let (first, others) = sheet.rows.split_at(shown);
+    rows(out, sheet, first, project);
+    if !others.is_empty() {
+        let words = sentence(&msg!("page.more-products", count = others.len() as u32));
+        folded(out, &words, |out| rows(out, sheet, others, project));
     }
 }
 
@@ -85,8 +104,8 @@ fn bill(out: &mut String, sheet: &Sheet) {
     out.push_str("</ul>");
 }
 
-/// Writes the rows of a sheet.
-fn rows(out: &mut String, sheet: &Sheet, project: &Project) {
+/// Writes rows of a sheet.
+fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
     if sheet.kind == SheetKind::Bill {
         return bill(out, sheet);
     }
@@ -115,7 +134,7 @@ fn rows(out: &mut String, sheet: &Sheet, project: &Project) {
         out.push_str("</th>");
     }
     out.push_str("</tr></thead><tbody>");
-    for row in &sheet.rows {
+    for row in listed {
         let cells: Vec<(Option<&Column>, &String)> =
             shown.iter().filter_map(|at| Some((sheet.columns.get(*at), row.cells.get(*at)?))).collect();
         match cells.as_slice() {
@@ -219,4 +238,43 @@ pub(super) fn tagged(out: &mut String, tag: &str, text: &str) {
     out.push_str(&format!("<{tag}>"));
     escape(out, text);
     out.push_str(&format!("</{tag}>"));
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::machines::sheets::row;
+    use crate::text::Citation;
+    use crate::ui::testing::project;
+
+    fn choice(products: usize) -> String {
+        let cite = Citation::new("catalogue", Grade::Manual);
+        let asked = row(["asked".to_owned(), "1 Nm".to_owned()], cite);
+        let product = |at: usize| Row {
+            sets: vec![("motor-x", format!("M{at}"))],
+            ..row([format!("M{at}"), format!("{at} Nm")], cite)
+        };
+        let sheet = Sheet {
+            id: "motors",
+            kind: SheetKind::Choice,
+            title: "sheet.motors",
+            columns: vec![Column::Product("sheet.motor"), Column::Plain("sheet.effective-load")],
+            rows: core::iter::once(asked).chain((0..products).map(product)).collect(),
+            drawing: String::new(),
+        };
+        let mut out = String::new();
+        table(&mut out, &sheet, &project());
+        out
+    }
+
+    #[wasm_bindgen_test]
+    fn choice_shows_its_first_products_and_folds_the_others() {
+        let html = choice(9);
+        let (first, others) = html.split_once("<details>").unwrap();
+        assert_eq!([first, others].map(|part| part.matches("data-sets").count()), [OFFERED, 4]);
+        assert!(others.contains(&sentence(&msg!("page.more-products", count = 4_u32))) && !others.contains("asked"));
+        assert!(!choice(OFFERED + 1).contains("<details>"), "a single one is not folded");
+    }
 }
