@@ -22,6 +22,8 @@ mod run_up;
 
 mod cooling;
 
+mod variables;
+
 mod program;
 
 mod gears;

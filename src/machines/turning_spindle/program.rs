@@ -5,6 +5,11 @@
 
 use super::params::{Direction, Path};
 use super::resolved::TurningSpindle;
+use super::variables::{
+    ALLOWANCE, ANGLE, BEGUN, CHUCK_LIMIT, CLEARANCE, CUTTING_SPEED, DEPTH, DRIVEN_SPEED, FEED, FINISHED, KEYWAY_DEPTH,
+    KEYWAY_FEED, KEYWAY_INFEED, KEYWAY_LENGTH, KEYWAY_START, KEYWAY_WIDTH, LEFT, LENGTH, LOWEST_SPEED, REACH, ROOM,
+    SPEED, SPEED_LIMIT, START_X, START_Z, STOCK, TAPER_END,
+};
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
 use crate::machines::machine::MachineVariable;
@@ -18,37 +23,29 @@ pub(super) const RUN: u32 = 9201;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9202;
 
-/// Stock that remains after the pass: in diameter, on a face along Z.
-const LEFT: u32 = 110;
 /// Sequence numbers of the blocks that cut; the second on a taper.
 pub(super) const CUTS: [u32; 2] = [36, 37];
-/// 1 from the first cut of a part to its end: a start after a reset stops with a message until the operator has retracted the tool.
-const BEGUN: u32 = 124;
-/// Greatest length behind the face that may be cut: no cut goes further toward the chuck.
-const REACH: u32 = 125;
-/// Room that the turret needs beside the work to turn.
-const ROOM: u32 = 126;
-/// Variable of the speed at the largest diameter: kept through the cut, or set after it.
-const SPEED: u32 = 109;
 
 /// The operator's variables, all above zero.
 fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
-    let end = (lathe.p.path == Path::Taper).then_some(104);
-    let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
+    let end = (lathe.p.path == Path::Taper).then_some(TAPER_END);
+    let part = [CUTTING_SPEED, FEED, STOCK].into_iter().chain(end);
+    let all = part.chain([way(lathe), DEPTH, SPEED_LIMIT, CLEARANCE, START_X, START_Z]);
     let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
-    let keyway = lathe.keyway().map(|_| [117, 118, 121, 122]).into_iter().flatten();
+    let keyway = lathe.keyway().map(|_| [KEYWAY_DEPTH, KEYWAY_LENGTH, DRIVEN_SPEED, KEYWAY_FEED]).into_iter().flatten();
     all.chain(limits).chain(keyway).chain([ROOM]).map(OperatorVariable::any).collect()
 }
 
 /// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
 fn speed_limits(lathe: &TurningSpindle) -> [Option<(Code, u32)>; 2] {
     let has = lathe.p.has_speed_limits(lathe.control);
-    [has.then_some((Code::UpperLimits, 115)), (has && lathe.p.lower_limit > 0.0).then_some((Code::LowerLimits, 116))]
+    let has_lowest = has && lathe.p.lower_limit > 0.0;
+    [has.then_some((Code::UpperLimits, CHUCK_LIMIT)), has_lowest.then_some((Code::LowerLimits, LOWEST_SPEED))]
 }
 
 /// Variable of the length, or of the allowance of a face.
 fn way(lathe: &TurningSpindle) -> u32 {
-    if lathe.p.path == Path::Facing { 114 } else { 105 }
+    if lathe.p.path == Path::Facing { ALLOWANCE } else { LENGTH }
 }
 
 /// Variables that the operator reads and sets.
@@ -56,35 +53,35 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<MachineVariable> {
     let variable = MachineVariable::new;
     let face = lathe.p.path == Path::Facing;
     let mut all = vec![
-        variable(100, "turning.cutting-speed", "m/min"),
-        variable(101, "turning.feed", "mm/rev"),
-        variable(102, "turning.stock-diameter", "mm"),
-        variable(103, "turning.finished-diameter", "mm"),
+        variable(CUTTING_SPEED, "turning.cutting-speed", "m/min"),
+        variable(FEED, "turning.feed", "mm/rev"),
+        variable(STOCK, "turning.stock-diameter", "mm"),
+        variable(FINISHED, "turning.finished-diameter", "mm"),
     ];
     if lathe.p.path == Path::Taper {
-        all.push(variable(104, "turning.large-diameter", "mm"));
+        all.push(variable(TAPER_END, "turning.large-diameter", "mm"));
     }
     all.extend([
         variable(way(lathe), if face { "turning.allowance" } else { "turning.length" }, "mm"),
-        variable(106, "turning.depth", "mm"),
-        variable(107, "turning.upper-limit", "r/min"),
-        variable(108, "turning.clearance", "mm"),
-        variable(111, "turning.start-x", "mm"),
-        variable(112, "turning.start-z", "mm"),
+        variable(DEPTH, "turning.depth", "mm"),
+        variable(SPEED_LIMIT, "turning.upper-limit", "r/min"),
+        variable(CLEARANCE, "turning.clearance", "mm"),
+        variable(START_X, "turning.start-x", "mm"),
+        variable(START_Z, "turning.start-z", "mm"),
         variable(LEFT, "turning.variable.left", "mm"),
     ]);
     if lathe.positions() {
-        all.push(variable(113, "turning.keyway-angle", "°"));
+        all.push(variable(ANGLE, "turning.keyway-angle", "°"));
     }
     if lathe.keyway().is_some() {
         all.extend([
-            variable(117, "turning.keyway-depth", "mm"),
-            variable(118, "turning.keyway-length", "mm"),
-            variable(119, "turning.keyway-start", "mm"),
-            variable(120, "turning.keyway-width", "mm"),
-            variable(121, "turning.driven-speed", "r/min"),
-            variable(122, "turning.keyway-feed", "mm/min"),
-            variable(123, "turning.keyway-infeed", "mm/min"),
+            variable(KEYWAY_DEPTH, "turning.keyway-depth", "mm"),
+            variable(KEYWAY_LENGTH, "turning.keyway-length", "mm"),
+            variable(KEYWAY_START, "turning.keyway-start", "mm"),
+            variable(KEYWAY_WIDTH, "turning.keyway-width", "mm"),
+            variable(DRIVEN_SPEED, "turning.driven-speed", "r/min"),
+            variable(KEYWAY_FEED, "turning.keyway-feed", "mm/min"),
+            variable(KEYWAY_INFEED, "turning.keyway-infeed", "mm/min"),
         ]);
     }
     let labels = ["turning.chuck-limit", "turning.lower-limit"];
@@ -128,7 +125,7 @@ fn block(lathe: &TurningSpindle, code: Code, words: impl IntoIterator<Item = New
 
 /// Diameter at which the tool is clear of the stock.
 fn clear() -> Formula {
-    v(102) + v(108) * 2
+    v(STOCK) + v(CLEARANCE) * 2
 }
 
 /// O9201.
@@ -141,7 +138,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     b.if_goto(v(way(lathe)).gt(v(REACH)), alarm_block(length_alarm(lathe)));
     if lathe.keyway().is_some() {
-        b.if_goto((v(119) + v(118)).gt(v(REACH)), alarm_block(keyway_alarm(lathe)));
+        b.if_goto((v(KEYWAY_START) + v(KEYWAY_LENGTH)).gt(v(REACH)), alarm_block(keyway_alarm(lathe)));
     }
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     call_tool(b, lathe);
@@ -158,7 +155,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
-    b.words([z(v(108))]);
+    b.words([z(v(CLEARANCE))]);
     // A reset at the angle leaves the spindle locked.
     release_spindle(b, lathe);
     start(b, lathe);
@@ -167,14 +164,14 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     let face = lathe.p.path == Path::Facing;
     let (whole, step) = match lathe.p.path {
-        Path::Facing => (v(way(lathe)), v(106)),
-        Path::Turning => (v(102) - v(103), v(106) * 2),
-        Path::Taper => (v(102) - v(103), v(106) * 2),
+        Path::Facing => (v(way(lathe)), v(DEPTH)),
+        Path::Turning => (v(STOCK) - v(FINISHED), v(DEPTH) * 2),
+        Path::Taper => (v(STOCK) - v(FINISHED), v(DEPTH) * 2),
     };
     b.n(30).assign(LEFT, whole).note(if face { "LEFT TO CUT, Z" } else { "LEFT TO CUT, DIAMETER" });
     if lathe.p.path == Path::Taper {
-        b.if_goto(v(103).le(v(104)), 31);
-        b.assign(LEFT, v(102) - v(104)).note("SMALL AT THE END");
+        b.if_goto(v(FINISHED).le(v(TAPER_END)), 31);
+        b.assign(LEFT, v(STOCK) - v(TAPER_END)).note("SMALL AT THE END");
     }
     b.n(31).while_do(v(LEFT).gt(0), 1);
     b.n(32).assign(LEFT, v(LEFT) - step);
@@ -182,13 +179,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(34).assign(LEFT, 0).note("LAST PASS TAKES LESS");
     pass(b, lathe);
     b.n(44).end_do(1);
-    b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, v(111)), z(v(112))]));
+    b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, v(START_X)), z(v(START_Z))]));
     b.n(51).words([m(5)]);
     if lathe.surface() {
         b.n(52).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]));
     }
     if lathe.positions() {
-        b.n(53).words([word(Address::Spos, v(113))]).note("FOR THE KEYWAY");
+        b.n(53).words([word(Address::Spos, v(ANGLE))]).note("FOR THE KEYWAY");
         let lock = lathe.p.lock_code as u32;
         if lock > 0 {
             b.words([m(lock)]).note("LOCKS THE SPINDLE");
@@ -220,7 +217,8 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some((_, text)) = core_guard(lathe) {
         writing::alarm(b, lathe.control, core_alarm(lathe), &text);
     }
-    let [way, start, long, reach] = [way(lathe), 119, 118, REACH].map(|number| lathe.control.variable(number));
+    let [way, start, long, reach] =
+        [way(lathe), KEYWAY_START, KEYWAY_LENGTH, REACH].map(|number| lathe.control.variable(number));
     writing::alarm(b, lathe.control, length_alarm(lathe), &format!("{way} IS MORE THAN {reach}"));
     if lathe.keyway().is_some() {
         writing::alarm(b, lathe.control, keyway_alarm(lathe), &format!("{start}+{long} IS MORE THAN {reach}"));
@@ -236,7 +234,7 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
         Some(place) => {
             writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
             // Beside the work or in front of it the turret has room to turn.
-            b.if_goto(v(place.0).ge(size(lathe, v(102) + v(ROOM) * 2)), 18);
+            b.if_goto(v(place.0).ge(size(lathe, v(STOCK) + v(ROOM) * 2)), 18);
             b.if_goto(v(place.1).lt(v(ROOM)), alarm_block(away_alarm(lathe)));
         }
         None => {
@@ -272,22 +270,30 @@ fn no_keyway(lathe: &TurningSpindle) -> &'static str {
 /// The keyway: the driven tool goes into the work at feed, along it, and back. The spindle is locked at its angle, by a code or by hand.
 fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
     let p = &lathe.p;
-    let surface = || v(if p.path == Path::Facing { 102 } else { 103 });
-    let clear = || surface() + v(108) * 2;
+    let surface = || v(if p.path == Path::Facing { STOCK } else { FINISHED });
+    let clear = || surface() + v(CLEARANCE) * 2;
     let (start, stop) = (p.driven_code as u32, p.driven_stop as u32);
     let driven = |own: u32, sign: u32| if own > 0 { m(own) } else { indexed(Address::M, DRIVEN, sign) };
     if p.lock_code <= 0.0 {
         b.n(54).words([m(0)]).note("LOCK THE SPINDLE BY HAND");
     }
     b.n(56).words(writing::tool(lathe.control, p.driven_number as u32)).note("DRIVEN TOOL AND ITS OFFSET");
-    b.n(57).words([indexed(Address::S, DRIVEN, v(121)), driven(start, 3)]);
-    b.n(58).words(codes(lathe, [Code::FeedPerMinute, Code::Rapid]).into_iter().chain([z(-(v(119) + v(120) / 2))]));
+    b.n(57).words([indexed(Address::S, DRIVEN, v(DRIVEN_SPEED)), driven(start, 3)]);
+    b.n(58).words(
+        codes(lathe, [Code::FeedPerMinute, Code::Rapid])
+            .into_iter()
+            .chain([z(-(v(KEYWAY_START) + v(KEYWAY_WIDTH) / 2))]),
+    );
     b.n(59).words([cross(lathe, clear())]);
-    b.n(KEYWAY[0]).words(block(lathe, Code::Linear, [cross(lathe, surface() - v(117) * 2), f(v(123))]));
-    b.n(KEYWAY[1]).words([z(-(v(119) + v(118) - v(120) / 2)), f(v(122))]);
+    b.n(KEYWAY[0]).words(block(
+        lathe,
+        Code::Linear,
+        [cross(lathe, surface() - v(KEYWAY_DEPTH) * 2), f(v(KEYWAY_INFEED))],
+    ));
+    b.n(KEYWAY[1]).words([z(-(v(KEYWAY_START) + v(KEYWAY_LENGTH) - v(KEYWAY_WIDTH) / 2)), f(v(KEYWAY_FEED))]);
     b.n(62).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
-    b.n(63).words([cross(lathe, v(111))]);
-    b.n(64).words([z(v(112))]);
+    b.n(63).words([cross(lathe, v(START_X))]);
+    b.n(64).words([z(v(START_Z))]);
     if start == 0 || stop > 0 {
         b.n(65).words([driven(stop, 5)]);
     }
@@ -338,11 +344,11 @@ fn keyway_alarm(lathe: &TurningSpindle) -> u32 {
 /// Condition of a finished diameter that leaves nothing of the work, and the text of its alarm. A face ends at the centre or behind it, and a
 /// taper may begin there.
 fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
-    let name = lathe.control.variable(103);
+    let name = lathe.control.variable(FINISHED);
     match lathe.p.path {
         Path::Facing => None,
-        Path::Turning => Some((v(103).le(0), format!("{name} MUST BE ABOVE ZERO"))),
-        Path::Taper => Some((v(103).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
+        Path::Turning => Some((v(FINISHED).le(0), format!("{name} MUST BE ABOVE ZERO"))),
+        Path::Taper => Some((v(FINISHED).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
     }
 }
 
@@ -351,7 +357,7 @@ fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
 fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
     let at = place(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
     let held = at.into_iter().flat_map(|(across, along)| [x(v(across)), z(v(along))]);
-    held.chain([s(v(107))]).collect()
+    held.chain([s(v(SPEED_LIMIT))]).collect()
 }
 
 /// The code of the gear stage, if there are several.
@@ -365,15 +371,15 @@ fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
 fn start(b: &mut Builder, lathe: &TurningSpindle) {
     let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
-    b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * v(102))).fix());
-    b.n(25).if_goto(v(SPEED).le(v(107)), 27);
-    b.n(26).assign(SPEED, v(107).fix()).note("AT MOST THE LIMIT");
+    b.n(24).assign(SPEED, (v(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * v(STOCK))).fix());
+    b.n(25).if_goto(v(SPEED).le(v(SPEED_LIMIT)), 27);
+    b.n(26).assign(SPEED, v(SPEED_LIMIT).fix()).note("AT MOST THE LIMIT");
     let mut words = match lathe.surface() {
-        true => block(lathe, Code::SurfaceSpeed, [s(v(100))]),
+        true => block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))]),
         false => block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]),
     };
     // The speed limit as a word of its own, where no block before sets it.
-    words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(107))));
+    words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(SPEED_LIMIT))));
     words.push(turn);
     b.n(27).words(words);
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
@@ -390,8 +396,8 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
 /// and would begin this one with the highest speed of the one before.
 fn wait(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(per_speed) = lathe.dwell_of_passes() {
-        b.words(block(lathe, Code::SurfaceSpeed, [s(v(100))]));
-        let words = writing::dwell_of(lathe.control, v(107) * real((1e6 * per_speed).ceil() / 1e6, 6));
+        b.words(block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))]));
+        let words = writing::dwell_of(lathe.control, v(SPEED_LIMIT) * real((1e6 * per_speed).ceil() / 1e6, 6));
         b.words(words).note("SPINDLE COMES TO ITS SPEED");
     }
 }
@@ -400,29 +406,29 @@ fn wait(b: &mut Builder, lathe: &TurningSpindle) {
 fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
-    let away = || v(103) + v(LEFT) + v(106);
+    let away = || v(FINISHED) + v(LEFT) + v(DEPTH);
     match lathe.p.path {
         Path::Facing => {
             b.n(35);
             wait(b, lathe);
             b.words(rapid(vec![z(v(LEFT))]));
-            b.n(CUTS[0]).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
-            b.n(37).words(rapid(vec![z(v(LEFT) + v(106))]));
+            b.n(CUTS[0]).words(cut(vec![cross(lathe, v(FINISHED)), f(v(FEED))]));
+            b.n(37).words(rapid(vec![z(v(LEFT) + v(DEPTH))]));
             b.n(38).words([cross(lathe, clear())]);
         }
         Path::Turning => {
-            b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
-            b.n(CUTS[0]).words(cut(vec![z(-v(105)), f(v(101))]));
+            b.n(35).words(rapid(vec![cross(lathe, v(FINISHED) + v(LEFT))]));
+            b.n(CUTS[0]).words(cut(vec![z(-v(LENGTH)), f(v(FEED))]));
             b.n(37).words(rapid(vec![cross(lathe, away())]));
-            b.n(38).words([z(v(108))]);
+            b.n(38).words([z(v(CLEARANCE))]);
         }
         Path::Taper => {
-            b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
+            b.n(35).words(rapid(vec![cross(lathe, v(FINISHED) + v(LEFT))]));
             wait(b, lathe);
-            b.n(CUTS[0]).words(cut(vec![z(real(0.0, 0)), f(v(101))]));
-            b.n(CUTS[1]).words([cross(lathe, v(104) + v(LEFT)), z(-v(105))]);
+            b.n(CUTS[0]).words(cut(vec![z(real(0.0, 0)), f(v(FEED))]));
+            b.n(CUTS[1]).words([cross(lathe, v(TAPER_END) + v(LEFT)), z(-v(LENGTH))]);
             b.n(38).words(rapid(vec![cross(lathe, clear())]));
-            b.n(39).words([z(v(108))]);
+            b.n(39).words([z(v(CLEARANCE))]);
         }
     }
 }
@@ -432,43 +438,36 @@ fn setup(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(SETUP, "TURNING - SET VALUES ONCE");
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     let p = &lathe.p;
-    let face = p.path == Path::Facing;
+    let (is_face, is_taper, has_keyway) = (p.path == Path::Facing, p.path == Path::Taper, lathe.keyway().is_some());
+    let [highest, lowest] = speed_limits(lathe).map(|limit| limit.is_some());
+    // Variable, value, decimals, comment, and whether this machine has it.
     let values = [
-        (100, p.cutting_speed, 2, "CUTTING SPEED M/MIN"),
-        (101, p.feed, 3, "FEED MM/REV"),
-        (102, p.stock_diameter, 3, "STOCK DIAMETER"),
-        (103, p.finished_diameter, 3, if p.path == Path::Taper { "DIAMETER AT THE FACE" } else { "FINISHED DIAMETER" }),
-        (104, p.large_diameter, 3, "DIAMETER AT THE END"),
-        (way(lathe), p.cut_length(), 3, if face { "ALLOWANCE" } else { "LENGTH" }),
-        (106, p.depth, 3, "DEPTH OF CUT"),
-        (107, p.upper_limit, 0, "SPEED LIMIT"),
-        (108, p.clearance, 3, "CLEARANCE"),
-        (111, p.start_x, 3, "START X, DIAMETER"),
-        (112, p.start_z, 3, "START Z"),
-        (REACH, p.reach(), 3, "LONGEST CUT BEHIND THE FACE"),
-        (ROOM, p.turret_room, 3, "ROOM FOR THE TURRET TO TURN"),
-        (113, p.keyway_angle, 3, "ANGLE OF THE KEYWAY"),
-        (115, p.chuck_limit, 0, "HIGHEST SPEED OF THE CHUCK"),
-        (116, p.lower_limit, 0, "LOWEST SPEED OF THE SPINDLE"),
-        (117, p.keyway_depth, 3, "DEPTH OF THE KEYWAY"),
-        (118, p.keyway_length, 3, "LENGTH OF THE KEYWAY"),
-        (119, p.keyway_start, 3, "KEYWAY BEHIND THE FACE"),
-        (120, p.keyway_width, 3, "DIAMETER OF THE DRIVEN TOOL"),
-        (121, p.driven_speed, 0, "SPEED OF THE DRIVEN TOOL"),
-        (122, p.keyway_feed, 0, "FEED ALONG THE KEYWAY MM/MIN"),
-        (123, p.keyway_infeed, 0, "FEED INTO THE WORK MM/MIN"),
+        (CUTTING_SPEED, p.cutting_speed, 2, "CUTTING SPEED M/MIN", true),
+        (FEED, p.feed, 3, "FEED MM/REV", true),
+        (STOCK, p.stock_diameter, 3, "STOCK DIAMETER", true),
+        (FINISHED, p.finished_diameter, 3, if is_taper { "DIAMETER AT THE FACE" } else { "FINISHED DIAMETER" }, true),
+        (TAPER_END, p.large_diameter, 3, "DIAMETER AT THE END", is_taper),
+        (way(lathe), p.cut_length(), 3, if is_face { "ALLOWANCE" } else { "LENGTH" }, true),
+        (DEPTH, p.depth, 3, "DEPTH OF CUT", true),
+        (SPEED_LIMIT, p.upper_limit, 0, "SPEED LIMIT", true),
+        (CLEARANCE, p.clearance, 3, "CLEARANCE", true),
+        (START_X, p.start_x, 3, "START X, DIAMETER", true),
+        (START_Z, p.start_z, 3, "START Z", true),
+        (REACH, p.reach(), 3, "LONGEST CUT BEHIND THE FACE", true),
+        (ROOM, p.turret_room, 3, "ROOM FOR THE TURRET TO TURN", true),
+        (ANGLE, p.keyway_angle, 3, "ANGLE OF THE KEYWAY", lathe.positions()),
+        (CHUCK_LIMIT, p.chuck_limit, 0, "HIGHEST SPEED OF THE CHUCK", highest),
+        (LOWEST_SPEED, p.lower_limit, 0, "LOWEST SPEED OF THE SPINDLE", lowest),
+        (KEYWAY_DEPTH, p.keyway_depth, 3, "DEPTH OF THE KEYWAY", has_keyway),
+        (KEYWAY_LENGTH, p.keyway_length, 3, "LENGTH OF THE KEYWAY", has_keyway),
+        (KEYWAY_START, p.keyway_start, 3, "KEYWAY BEHIND THE FACE", has_keyway),
+        (KEYWAY_WIDTH, p.keyway_width, 3, "DIAMETER OF THE DRIVEN TOOL", has_keyway),
+        (DRIVEN_SPEED, p.driven_speed, 0, "SPEED OF THE DRIVEN TOOL", has_keyway),
+        (KEYWAY_FEED, p.keyway_feed, 0, "FEED ALONG THE KEYWAY MM/MIN", has_keyway),
+        (KEYWAY_INFEED, p.keyway_infeed, 0, "FEED INTO THE WORK MM/MIN", has_keyway),
     ];
-    for (at, (number, value, decimals, text)) in (1..).zip(values) {
-        let needed = match number {
-            104 => p.path == Path::Taper,
-            113 => lathe.positions(),
-            117..=123 => lathe.keyway().is_some(),
-            115 | 116 => speed_limits(lathe).into_iter().flatten().any(|(_, limit)| limit == number),
-            _ => true,
-        };
-        if needed {
-            b.n(at).assign(number, real(value, decimals)).note(text);
-        }
+    for (at, (number, value, decimals, text, _)) in (1..).zip(values).filter(|(_, (.., has))| *has) {
+        b.n(at).assign(number, real(value, decimals)).note(text);
     }
-    b.n(if lathe.keyway().is_some() { 30 } else { 20 }).words([m(30)]);
+    b.n(if has_keyway { 30 } else { 20 }).words([m(30)]);
 }
