@@ -1,7 +1,7 @@
 //! Typed quantities: a number with a unit of its own, `4.5 in` or `15 m/min`, converted to the unit of its field.
 
 use super::number;
-use super::units;
+use super::units::{self, FOOT, INCH};
 
 /// A typed number.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,15 +22,16 @@ pub fn read(text: &str, metric: &str) -> Option<Typed> {
     if text.len() > LONGEST {
         return None;
     }
-    let sizes = SIZES.iter().find(|quantity| size_of(quantity, &spelled(metric)).is_some());
+    let (own, shown) = (spelled(metric), spelled(units::unit(metric)));
+    let known = SIZES.iter().find_map(|quantity| Some((quantity, size_of(quantity, &own)?)));
     text.char_indices().find_map(|(at, _)| {
         let (number, unit) = text.split_at_checked(at)?;
         let (number, unit) = (number::read(number)?, spelled(unit));
-        if unit == spelled(units::unit(metric)) {
+        if unit == shown {
             return Some(Typed::Shown(number));
         }
-        let quantity = sizes?;
-        Some(Typed::Converted(number * size_of(quantity, &unit)? / size_of(quantity, &spelled(metric))?))
+        let (quantity, own_size) = known?;
+        Some(Typed::Converted(number * size_of(quantity, &unit)? / own_size))
     })
 }
 
@@ -56,9 +57,7 @@ fn size_of(quantity: &[(&str, f64)], spelled: &str) -> Option<f64> {
     quantity.iter().find(|(unit, _)| *unit == spelled).map(|(_, size)| *size)
 }
 
-/// Length of an inch in millimetres and of a foot in metres, mass of a pound in kilograms: exact by the international agreement of 1959.
-const INCH: f64 = 25.4;
-const FOOT: f64 = 0.3048;
+/// Mass of a pound in kilograms, exact by the international agreement of 1959.
 const POUND: f64 = 0.453_592_37;
 /// Standard acceleration of free fall in m/s², exact (3rd CGPM, 1901).
 const FREE_FALL: f64 = 9.806_65;
