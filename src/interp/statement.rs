@@ -35,14 +35,18 @@ impl RunState {
                 }
             }
             Stmt::Assigns { first, count } => {
-                for pair in cx.deck.pairs_of(first, count) {
-                    self.assign(cx, block, pair.left, pair.right)?;
+                for assignment in cx.deck.assignments_at(first, count) {
+                    self.assign(cx, block, assignment.to, assignment.value)?;
                 }
             }
             Stmt::Ifs { first, count } => {
-                for pair in cx.deck.pairs_of(first, count) {
-                    if self.number(cx, pair.left)? != 0.0 {
-                        self.go_to(cx, at, pair.right)?;
+                for jump in cx.deck.jumps_at(first, count) {
+                    let jumps = match jump.cond {
+                        Some(cond) => self.number(cx, cond)? != 0.0,
+                        None => true,
+                    };
+                    if jumps {
+                        self.go_to(cx, at, jump.target)?;
                         break;
                     }
                 }

@@ -22,7 +22,7 @@ impl LeftOut {
     pub fn find(&self, parsed: &Parsed) -> Option<Diagnostic> {
         let deck = parsed.deck();
         let is_it = |to| matches!(deck.expr(to), Expr::Var(number) if number == self.variable);
-        if deck.blocks.iter().any(|block| deck.assigned_in(block.stmt).any(|(to, _)| is_it(to))) {
+        if deck.blocks.iter().any(|block| deck.assignments_of(block.stmt).any(|one| is_it(one.to))) {
             return None;
         }
         let (program, block) = deck.programs.iter().find_map(|program| {

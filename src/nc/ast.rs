@@ -35,8 +35,10 @@ pub struct Deck {
     pub words: Vec<Word>,
     /// Expressions; children come before their parents.
     pub exprs: Vec<Expr>,
-    /// Assignments and jumps of blocks that have several of them, a block's side by side.
-    pub pairs: Vec<Pair>,
+    /// Assignments of blocks with several of them, a block's side by side.
+    pub assignments: Vec<Assignment>,
+    /// Jumps of blocks with several of them, a block's side by side.
+    pub jumps: Vec<Jump>,
     /// Comments and messages without brackets, names of programs and labels.
     pub texts: Vec<Box<str>>,
 }
@@ -116,7 +118,7 @@ pub enum Stmt {
         /// Its new value.
         value: ExprId,
     },
-    /// Several assignments `pairs[first..first + count]`, executed from left to right.
+    /// Several assignments `assignments[first..first + count]`, executed from left to right.
     Assigns {
         /// First assignment.
         first: u32,
@@ -134,7 +136,7 @@ pub enum Stmt {
         /// Bytes of `GOTOF` or `GOTOB`; none of `GOTO`.
         keyword: Extent,
     },
-    /// Several conditions with jumps `pairs[first..first + count]`; the first true condition jumps.
+    /// Several jumps with conditions `jumps[first..first + count]`; the first true condition jumps.
     Ifs {
         /// First jump.
         first: u32,
@@ -254,17 +256,13 @@ impl JumpDirection {
     }
 }
 
-/// One of several assignments or jumps of a block.
+/// An assignment of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
-    /// The variable, or the condition.
-    pub left: ExprId,
-    /// New value of the variable, or target of the jump.
-    pub right: ExprId,
-    /// Direction of the search for the target.
-    pub way: JumpDirection,
-    /// Bytes of `GOTOF` or `GOTOB`; none in an assignment.
-    pub keyword: Extent,
+pub struct Assignment {
+    /// The variable: [`Expr::Var`] or [`Expr::Indirect`].
+    pub to: ExprId,
+    /// Its new value.
+    pub value: ExprId,
 }
 
 /// A jump of a block.
@@ -420,7 +418,8 @@ impl Deck {
         self.blocks.shrink_to_fit();
         self.words.shrink_to_fit();
         self.exprs.shrink_to_fit();
-        self.pairs.shrink_to_fit();
+        self.assignments.shrink_to_fit();
+        self.jumps.shrink_to_fit();
         self.texts.shrink_to_fit();
     }
 
@@ -514,9 +513,14 @@ impl Deck {
         TextId(NonZeroU32::new(self.texts.len() as u32).unwrap_or(NonZeroU32::MIN))
     }
 
-    /// Assignments or jumps of a block with several of them.
-    pub fn pairs_of(&self, first: u32, count: u16) -> &[Pair] {
-        self.pairs.get(first as usize..first as usize + count as usize).unwrap_or_default()
+    /// The assignments of [`Stmt::Assigns`].
+    pub fn assignments_at(&self, first: u32, count: u16) -> &[Assignment] {
+        several(&self.assignments, first, count)
+    }
+
+    /// The jumps of [`Stmt::Ifs`].
+    pub fn jumps_at(&self, first: u32, count: u16) -> &[Jump] {
+        several(&self.jumps, first, count)
     }
 
     /// Jumps of a block.
@@ -527,27 +531,23 @@ impl Deck {
             _ => None,
         };
         let several = match stmt {
-            Stmt::Ifs { first, count } => self.pairs_of(first, count),
+            Stmt::Ifs { first, count } => self.jumps_at(first, count),
             _ => &[],
         };
-        let jump = |pair: &Pair| {
-            let Pair { left, right: target, way, keyword } = *pair;
-            Jump { cond: Some(left), target, way, keyword }
-        };
-        one.into_iter().chain(several.iter().map(jump))
+        one.into_iter().chain(several.iter().copied())
     }
 
-    /// Unconditional assignments of a block, each variable with its value.
-    pub fn assigned_in(&self, stmt: Stmt) -> impl Iterator<Item = (ExprId, ExprId)> {
+    /// Unconditional assignments of a block.
+    pub fn assignments_of(&self, stmt: Stmt) -> impl Iterator<Item = Assignment> {
         let one = match stmt {
-            Stmt::Assign { to, value } => Some((to, value)),
+            Stmt::Assign { to, value } => Some(Assignment { to, value }),
             _ => None,
         };
         let several = match stmt {
-            Stmt::Assigns { first, count } => self.pairs_of(first, count),
+            Stmt::Assigns { first, count } => self.assignments_at(first, count),
             _ => &[],
         };
-        one.into_iter().chain(several.iter().map(|pair| (pair.left, pair.right)))
+        one.into_iter().chain(several.iter().copied())
     }
 
     /// Index of the first program with a name, ignoring case.
@@ -561,4 +561,10 @@ impl Deck {
     pub fn program(&self, number: u32) -> Option<&Program> {
         self.programs.iter().find(|program| program.number == number)
     }
+}
+
+/// `list[first..first + count]`; empty beyond the end.
+fn several<T>(list: &[T], first: u32, count: u16) -> &[T] {
+    let first = first as usize;
+    list.get(first..first + usize::from(count)).unwrap_or_default()
 }

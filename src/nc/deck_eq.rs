@@ -1,88 +1,75 @@
 //! Equality of decks, ignoring places, the order in the arenas, and blank blocks.
 
-use super::ast::{Block, Deck, Expr, ExprId, Pair, Stmt, TextId, WordValue};
+use super::ast::{Assignment, Block, Deck, Expr, ExprId, Jump, Program, Stmt, TextId, Word, WordValue};
 
 impl Deck {
     /// Whether both contain the same programs, block by block.
     pub fn same_as(&self, other: &Deck) -> bool {
-        self.programs.len() == other.programs.len()
-            && self.programs.iter().zip(&other.programs).all(|(a, b)| {
-                let said = |deck: &Deck, text: Option<TextId>| text.map(|_| deck.text(text).to_owned());
-                let mut left = self.blocks_of(a).iter().filter(|block| has_text(block));
-                let mut right = other.blocks_of(b).iter().filter(|block| has_text(block));
-                let titles = said(self, a.title) == said(other, b.title);
-                let names = said(self, a.name) == said(other, b.name);
-                (a.number, a.sub) == (b.number, b.sub)
-                    && titles
-                    && names
-                    && loop {
-                        match (left.next(), right.next()) {
-                            (None, None) => break true,
-                            (Some(x), Some(y)) if self.same_block(x, other, y) => {}
-                            _ => break false,
-                        }
-                    }
-            })
+        let same = |a: &Program, b: &Program| self.same_program(a, other, b);
+        are_alike(self.programs.iter(), other.programs.iter(), same)
+    }
+
+    fn same_program(&self, a: &Program, other: &Deck, b: &Program) -> bool {
+        let written = |block: &&Block| has_text(block);
+        let (left, right) = (self.blocks_of(a).iter().filter(written), other.blocks_of(b).iter().filter(written));
+        (a.number, a.sub) == (b.number, b.sub)
+            && self.same_text(a.title, other, b.title)
+            && self.same_text(a.name, other, b.name)
+            && are_alike(left, right, |x, y| self.same_block(x, other, y))
     }
 
     fn same_block(&self, x: &Block, other: &Deck, y: &Block) -> bool {
+        self.same_statement(x, other, y)
+            && self.same_text(x.comment, other, y.comment)
+            && self.same_text(x.label, other, y.label)
+            && (x.number, x.skip, x.main) == (y.number, y.skip, y.main)
+    }
+
+    fn same_statement(&self, x: &Block, other: &Deck, y: &Block) -> bool {
         let same = |a: ExprId, b: ExprId| self.same_expr(a, other, b);
-        let stmts = match (x.stmt, y.stmt) {
+        let both = |a: Option<ExprId>, b: Option<ExprId>| are_alike(a.into_iter(), b.into_iter(), same);
+        match (x.stmt, y.stmt) {
             (Stmt::Empty, Stmt::Empty) => true,
             (Stmt::Words { .. }, Stmt::Words { .. }) => {
-                let (a, b) = (self.words_of(x), other.words_of(y));
-                a.len() == b.len()
-                    && a.iter().zip(b).all(|(a, b)| {
-                        (a.letter, a.index, a.form) == (b.letter, b.index, b.form)
-                            && match (a.value, b.value) {
-                                (WordValue::Number(a), WordValue::Number(b)) => a == b,
-                                (WordValue::Expr(a), WordValue::Expr(b)) => same(a, b),
-                                _ => false,
-                            }
-                    })
+                let word = |a: &Word, b: &Word| {
+                    (a.letter, a.index, a.form) == (b.letter, b.index, b.form)
+                        && match (a.value, b.value) {
+                            (WordValue::Number(a), WordValue::Number(b)) => a == b,
+                            (WordValue::Expr(a), WordValue::Expr(b)) => same(a, b),
+                            _ => false,
+                        }
+                };
+                are_alike(self.words_of(x).iter(), other.words_of(y).iter(), word)
             }
-            (Stmt::Assign { to, value }, Stmt::Assign { to: to2, value: value2 }) => {
-                same(to, to2) && same(value, value2)
+            (Stmt::Assign { .. } | Stmt::Assigns { .. }, Stmt::Assign { .. } | Stmt::Assigns { .. }) => {
+                let assignment = |a: Assignment, b: Assignment| same(a.to, b.to) && same(a.value, b.value);
+                are_alike(self.assignments_of(x.stmt), other.assignments_of(y.stmt), assignment)
             }
-            (Stmt::Assigns { first, count }, Stmt::Assigns { first: first2, count: count2 })
-            | (Stmt::Ifs { first, count }, Stmt::Ifs { first: first2, count: count2 }) => {
-                let (a, b) = (self.pairs_of(first, count), other.pairs_of(first2, count2));
-                let pair = |a: &Pair, b: &Pair| a.way == b.way && same(a.left, b.left) && same(a.right, b.right);
-                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| pair(a, b))
-            }
-            (Stmt::If { cond, target, way, .. }, Stmt::If { cond: cond2, target: target2, way: way2, .. }) => {
-                way == way2 && same(cond, cond2) && same(target, target2)
+            (
+                Stmt::If { .. } | Stmt::Ifs { .. } | Stmt::Goto { .. },
+                Stmt::If { .. } | Stmt::Ifs { .. } | Stmt::Goto { .. },
+            ) => {
+                let jump = |a: Jump, b: Jump| a.way == b.way && both(a.cond, b.cond) && same(a.target, b.target);
+                are_alike(self.jumps_of(x.stmt), other.jumps_of(y.stmt), jump)
             }
             (Stmt::IfThen { cond, to, value }, Stmt::IfThen { cond: cond2, to: to2, value: value2 }) => {
                 same(cond, cond2) && same(to, to2) && same(value, value2)
             }
-            (Stmt::Goto { target, way, .. }, Stmt::Goto { target: target2, way: way2, .. }) => {
-                way == way2 && same(target, target2)
-            }
             (Stmt::Call { name, repeats }, Stmt::Call { name: name2, repeats: repeats2 }) => {
-                self.text(Some(name)) == other.text(Some(name2))
-                    && match (repeats, repeats2) {
-                        (None, None) => true,
-                        (Some(a), Some(b)) => same(a, b),
-                        _ => false,
-                    }
+                self.same_text(Some(name), other, Some(name2)) && both(repeats, repeats2)
             }
-            (Stmt::Message(a), Stmt::Message(b)) => a.is_some() == b.is_some() && self.text(a) == other.text(b),
+            (Stmt::Message(a), Stmt::Message(b)) => self.same_text(a, other, b),
             (Stmt::While { cond, label, .. }, Stmt::While { cond: cond2, label: label2, .. }) => {
-                label == label2
-                    && match (cond, cond2) {
-                        (None, None) => true,
-                        (Some(a), Some(b)) => same(a, b),
-                        _ => false,
-                    }
+                label == label2 && both(cond, cond2)
             }
             (Stmt::End { label, .. }, Stmt::End { label: label2, .. }) => label == label2,
             (Stmt::Bad(a), Stmt::Bad(b)) => a.alarm == b.alarm,
             _ => false,
-        };
-        let texts = x.comment.map(|_| self.text(x.comment)) == y.comment.map(|_| other.text(y.comment));
-        let labels = x.label.map(|_| self.text(x.label)) == y.label.map(|_| other.text(y.label));
-        stmts && texts && labels && (x.number, x.skip, x.main) == (y.number, y.skip, y.main)
+        }
+    }
+
+    fn same_text(&self, a: Option<TextId>, other: &Deck, b: Option<TextId>) -> bool {
+        a.map(|_| self.text(a)) == b.map(|_| other.text(b))
     }
 
     fn same_expr(&self, a: ExprId, other: &Deck, b: ExprId) -> bool {
@@ -107,4 +94,19 @@ fn has_text(block: &Block) -> bool {
         || block.label.is_some()
         || block.comment.is_some()
         || block.skip != 0
+}
+
+/// Whether two lists have the same length and items that are pairwise the same.
+fn are_alike<T: Copy>(
+    mut a: impl Iterator<Item = T>,
+    mut b: impl Iterator<Item = T>,
+    same: impl Fn(T, T) -> bool,
+) -> bool {
+    loop {
+        match (a.next(), b.next()) {
+            (None, None) => return true,
+            (Some(a), Some(b)) if same(a, b) => {}
+            _ => return false,
+        }
+    }
 }

@@ -28,8 +28,8 @@ mod write;
 pub mod symbols;
 
 pub use ast::{
-    BadBlock, Block, Deck, Dimensioning, Expr, ExprId, Extent, Jump, JumpDirection, Op, Pair, Program, Stmt, TextId,
-    Word, WordValue,
+    Assignment, BadBlock, Block, Deck, Dimensioning, Expr, ExprId, Extent, Jump, JumpDirection, Op, Program, Stmt,
+    TextId, Word, WordValue,
 };
 pub use codes::Codes;
 pub use dec::Dec;

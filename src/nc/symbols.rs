@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::ast::{Block, Deck, Expr, ExprId, Jump, JumpDirection, Program, Stmt, TextId, Word, WordValue};
+use super::ast::{Assignment, Block, Deck, Expr, ExprId, Jump, JumpDirection, Program, Stmt, TextId, Word, WordValue};
 use super::lex::tokens::{TokenKind, tokens};
 use super::parsed::Parsed;
 use super::program_names::ProgramNames;
@@ -256,7 +256,7 @@ impl<'a> Reader<'a> {
                 }
                 Stmt::While { cond: Some(cond), .. } => self.read(here, cond),
                 stmt => {
-                    for (to, value) in deck.assigned_in(stmt) {
+                    for Assignment { to, value } in deck.assignments_of(stmt) {
                         self.read(here, value);
                         self.write(here, to);
                     }

@@ -2,7 +2,7 @@
 
 use super::check::Precheck;
 use crate::controls::{Alarm, VarKind};
-use crate::nc::{Block, Expr, ExprId, Jump, Stmt, WordValue};
+use crate::nc::{Assignment, Block, Expr, ExprId, Jump, Stmt, WordValue};
 
 /// Alarms of writing to a variable, without the alarms that programs raise on purpose.
 const WRITES: [Alarm; 4] = [Alarm::VariableRange, Alarm::ReadOnly, Alarm::VacantWritten, Alarm::VariableSide];
@@ -31,7 +31,7 @@ impl Precheck<'_> {
             Stmt::While { cond, .. } => cond.into_iter().for_each(|id| self.formula(block, id)),
             Stmt::Call { repeats, .. } => repeats.into_iter().for_each(|id| self.formula(block, id)),
             stmt => {
-                for (to, value) in deck.assigned_in(stmt) {
+                for Assignment { to, value } in deck.assignments_of(stmt) {
                     self.formula(block, value);
                     self.assigned(block, to, value);
                 }

@@ -172,9 +172,10 @@ impl Check<'_> {
         let tail = after.get(..line).unwrap_or("");
         // A `;` may end the block, and another program may begin after it in the same line.
         let more = tail.trim_ascii_start().strip_prefix(';').is_some_and(|rest| !rest.trim_ascii().is_empty());
-        let at = match more && self.control.syntax.names().is_none() {
-            true => span.end,
-            false => span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32,
+        let at = if more && self.control.syntax.names().is_none() {
+            span.end
+        } else {
+            span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32
         };
         let place = Place { file: self.program.file, span };
         let insert = Place { file: self.program.file, span: Span::at(at) };

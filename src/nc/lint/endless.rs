@@ -76,7 +76,7 @@ fn stays(flow: &Flow, (start, end): (u32, u32), numbers: &BTreeSet<u32>) -> bool
         let ends = match block.stmt {
             Stmt::Bad(_) | Stmt::Call { .. } => true,
             Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } => changes(to),
-            Stmt::Assigns { first, count } => flow.deck.pairs_of(first, count).iter().any(|pair| changes(pair.left)),
+            Stmt::Assigns { first, count } => flow.deck.assignments_at(first, count).iter().any(|one| changes(one.to)),
             _ => flow.roles.block(words) & (CALL | SUB | RETURN | END | STOP) != 0,
         };
         let (jump, falls) = flow.step(at);

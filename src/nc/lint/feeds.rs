@@ -108,9 +108,10 @@ impl Feeds {
             let code = lint.control.code_name(row.id);
             let (place, word) = lint.written(at, span);
             let (feed, count) = ((dec.to_f64(), 6), self.lines.len() as u32);
-            let message = match revolution {
-                true => msg!("lint.feed-per-revolution", word, feed, code = code.as_str(), count),
-                false => msg!("lint.feed-per-minute", word, feed, code = code.as_str(), count),
+            let message = if revolution {
+                msg!("lint.feed-per-revolution", word, feed, code = code.as_str(), count)
+            } else {
+                msg!("lint.feed-per-minute", word, feed, code = code.as_str(), count)
             };
             lint.warn(place, message);
             lint.fix(msg!("nc.fix.unit", code = code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));

@@ -158,10 +158,8 @@ impl Check<'_, '_, '_> {
         }
         let (place, word) = self.lint.written(index, span);
         let error = (2.0 * offset, 4);
-        let message = match small {
-            true => msg!("lint.small-offset", word, error),
-            false => msg!("lint.offset-off-centre", word, error),
-        };
+        let message =
+            if small { msg!("lint.small-offset", word, error) } else { msg!("lint.offset-off-centre", word, error) };
         let finding = self.lint.warn(place, message);
         if let Some(finding) = finding.filter(|_| small) {
             finding.severity = Severity::Info;

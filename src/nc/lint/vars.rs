@@ -293,13 +293,13 @@ impl<'a> Vars<'a> {
             }
             Stmt::Goto { target, .. } => self.read(site, target, NONE),
             Stmt::Assigns { first, count } => {
-                for pair in self.deck.pairs_of(first, count) {
-                    self.assign(site, pair.left, pair.right);
+                for assignment in self.deck.assignments_at(first, count) {
+                    self.assign(site, assignment.to, assignment.value);
                 }
             }
             Stmt::Ifs { first, count } => {
-                for pair in self.deck.pairs_of(first, count) {
-                    self.compare(FormulaSite { id: pair.left, ..site });
+                for cond in self.deck.jumps_at(first, count).iter().filter_map(|jump| jump.cond) {
+                    self.compare(FormulaSite { id: cond, ..site });
                 }
             }
             Stmt::Call { repeats: Some(repeats), .. } => self.read(site, repeats, NONE),

@@ -106,7 +106,7 @@ impl Rewritten {
     }
 }
 
-/// Visits every reference to an expression from blocks, words and pairs.
+/// Visits every reference to an expression from blocks, words, assignments and jumps.
 fn each_expression(deck: &mut Deck, visit: &mut dyn FnMut(&mut ExprId)) {
     for block in &mut deck.blocks {
         match &mut block.stmt {
@@ -124,8 +124,12 @@ fn each_expression(deck: &mut Deck, visit: &mut dyn FnMut(&mut ExprId)) {
             visit(value);
         }
     }
-    for pair in &mut deck.pairs {
-        visit(&mut pair.left);
-        visit(&mut pair.right);
+    for assignment in &mut deck.assignments {
+        visit(&mut assignment.to);
+        visit(&mut assignment.value);
+    }
+    for jump in &mut deck.jumps {
+        jump.cond.iter_mut().for_each(&mut *visit);
+        visit(&mut jump.target);
     }
 }

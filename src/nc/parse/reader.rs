@@ -26,7 +26,8 @@ pub(super) const BYTE_ORDER_MARK: char = '\u{feff}';
 pub(super) struct Mark {
     pub(super) words: usize,
     pub(super) exprs: usize,
-    pub(super) pairs: usize,
+    pub(super) assignments: usize,
+    pub(super) jumps: usize,
     pub(super) texts: usize,
     pub(super) found: usize,
     pub(super) variables: usize,
@@ -243,7 +244,8 @@ impl<'a> Reader<'a> {
         Mark {
             words: self.deck.words.len(),
             exprs: self.deck.exprs.len(),
-            pairs: self.deck.pairs.len(),
+            assignments: self.deck.assignments.len(),
+            jumps: self.deck.jumps.len(),
             texts: self.deck.texts.len(),
             found: self.findings.list.len(),
             variables: self.findings.misused.len(),
@@ -256,7 +258,8 @@ impl<'a> Reader<'a> {
         self.deck.words.truncate(mark.words);
         self.deck.exprs.truncate(mark.exprs);
         self.places.exprs.truncate(mark.exprs);
-        self.deck.pairs.truncate(mark.pairs);
+        self.deck.assignments.truncate(mark.assignments);
+        self.deck.jumps.truncate(mark.jumps);
         self.deck.texts.truncate(mark.texts);
         self.places.texts.truncate(mark.texts);
         self.findings.list.truncate(mark.found);

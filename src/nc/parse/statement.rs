@@ -2,7 +2,7 @@
 
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Op, Pair, Stmt};
+use crate::nc::ast::{Assignment, Expr, ExprId, Extent, JumpDirection, Op, Stmt};
 use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::{meant, zero_as_letter};
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
@@ -139,7 +139,7 @@ impl Reader<'_> {
             return Err(failure);
         }
         let stmt = if self.cursor.peek() == b'#' {
-            let (to, value) = self.assigned()?;
+            let Assignment { to, value } = self.assigned()?;
             if self.next_byte() == b'#' && self.assigns_ahead() {
                 // In a block of its own it would no longer depend on the condition.
                 let end = self.cursor.line.len();
@@ -162,9 +162,10 @@ impl Reader<'_> {
             self.cursor.at = self.cursor.line.len();
             Stmt::Empty
         };
-        let message = match self.tables.rules.if_then {
-            true => msg!("nc.then-no-assignment"),
-            false => msg!("nc.no-if-then", control = self.control.name),
+        let message = if self.tables.rules.if_then {
+            msg!("nc.then-no-assignment")
+        } else {
+            msg!("nc.no-if-then", control = self.control.name)
         };
         let finding = self.finding(Alarm::IfSentence, then, if named { after } else { then + 1 }, message);
         let finding = self.jump_instead(finding, (then, after), &[]);
@@ -349,23 +350,23 @@ impl Reader<'_> {
 
     /// Reads `#… = expr`.
     pub(super) fn assignment(&mut self) -> Read<Stmt> {
-        let (to, value) = self.assigned()?;
+        let Assignment { to, value } = self.assigned()?;
         if !self.tables.rules.assignments || self.next_byte() != b'#' {
             self.end_of_macro()?;
             return Ok(Stmt::Assign { to, value });
         }
-        let first = self.deck.pairs.len();
-        self.deck.pairs.push(Pair { left: to, right: value, way: JumpDirection::Around, keyword: Extent::default() });
+        let first = self.deck.assignments.len();
+        self.deck.assignments.push(Assignment { to, value });
         while self.next_byte() == b'#' {
-            let (left, right) = self.assigned()?;
-            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
+            let assignment = self.assigned()?;
+            self.deck.assignments.push(assignment);
         }
         self.end_of_macro()?;
-        Ok(Stmt::Assigns { first: first as u32, count: (self.deck.pairs.len() - first) as u16 })
+        Ok(Stmt::Assigns { first: first as u32, count: (self.deck.assignments.len() - first) as u16 })
     }
 
     /// Reads the variable and the value of an assignment.
-    fn assigned(&mut self) -> Read<(ExprId, ExprId)> {
+    fn assigned(&mut self) -> Read<Assignment> {
         let start = self.cursor.at;
         let to = self.variable(VariableAccess::Write)?;
         let end = self.cursor.at;
@@ -381,7 +382,7 @@ impl Reader<'_> {
         if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
             self.user_alarm(number, value.to_f64(), start);
         }
-        Ok((to, value))
+        Ok(Assignment { to, value })
     }
 
     /// Reads the `=` of an assignment to the variable from `start` to `end`; `==` is read as one, with a fix, and so are more of them.

@@ -202,9 +202,12 @@ impl<'a> Reader<'a> {
                 continue;
             }
             if !self.tables.letters.contains(letter) && !seen.contains(letter) {
-                match self.deck.words.get(first..at).unwrap_or_default().iter().any(|word| self.calls_sub(word)) {
-                    true if word.letter == Address::O => self.letter_for_p(Alarm::Format, start),
-                    _ => self.odd_letter(word.letter, start),
+                if self.deck.words.get(first..at).unwrap_or_default().iter().any(|word| self.calls_sub(word))
+                    && word.letter == Address::O
+                {
+                    self.letter_for_p(Alarm::Format, start)
+                } else {
+                    self.odd_letter(word.letter, start)
                 }
             } else if self.tables.once.and(seen).contains(letter) && twice.insert(letter) {
                 self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", address = letter.to_string()));

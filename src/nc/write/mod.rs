@@ -74,9 +74,9 @@ impl Writer<'_> {
             // `lower` has removed these.
             Stmt::Empty | Stmt::Bad(_) | Stmt::Ifs { .. } => {}
             Stmt::Assigns { first, count } => {
-                for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
+                for (at, assignment) in self.deck.assignments_at(first, count).iter().enumerate() {
                     self.text.push_str(if at > 0 { " " } else { "" });
-                    self.assignment(pair.left, pair.right);
+                    self.assignment(assignment.to, assignment.value);
                 }
             }
             Stmt::Call { .. } | Stmt::Message(_) => {}

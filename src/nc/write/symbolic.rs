@@ -33,9 +33,9 @@ impl Writer<'_> {
             }
             Stmt::Assign { to, value } => self.assignment(to, value),
             Stmt::Assigns { first, count } => {
-                for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
+                for (at, assignment) in self.deck.assignments_at(first, count).iter().enumerate() {
                     self.gap(at);
-                    self.assignment(pair.left, pair.right);
+                    self.assignment(assignment.to, assignment.value);
                 }
             }
             stmt @ (Stmt::If { .. } | Stmt::Ifs { .. } | Stmt::Goto { .. }) => {

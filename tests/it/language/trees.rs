@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use macroline::controls::Address;
 use macroline::controls::CodeId;
-use macroline::nc::{Deck, Dimensioning, Expr, ExprId, Jump, JumpDirection, Parsed, Stmt, WordValue};
+use macroline::nc::{Assignment, Deck, Dimensioning, Expr, ExprId, Jump, JumpDirection, Parsed, Stmt, WordValue};
 
 use super::{findings, read};
 
@@ -54,8 +54,9 @@ pub(super) fn tree(parsed: &Parsed) -> String {
                 Stmt::Assign { to, value } => format!("{} = {}", say(to), say(value)),
                 Stmt::If { cond, target, way, .. } => format!("if {} goto {}{}", say(cond), say(target), to(way)),
                 Stmt::Assigns { first, count } => {
-                    let pairs = deck.pairs_of(first, count).iter();
-                    pairs.map(|pair| format!("{} = {}", say(pair.left), say(pair.right))).collect::<Vec<_>>().join(", ")
+                    let assignments = deck.assignments_at(first, count).iter();
+                    let say_one = |one: &Assignment| format!("{} = {}", say(one.to), say(one.value));
+                    assignments.map(say_one).collect::<Vec<_>>().join(", ")
                 }
                 Stmt::Ifs { .. } => {
                     let jumps = deck.jumps_of(block.stmt);

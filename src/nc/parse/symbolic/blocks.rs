@@ -13,7 +13,7 @@
 
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::ast::{Expr, ExprId, Extent, JumpDirection, Pair, Stmt};
+use crate::nc::ast::{Assignment, Expr, ExprId, Extent, Jump, JumpDirection, Stmt};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, SYMBOLIC_STATEMENTS};
 use crate::nc::lex::names::{begins_as_name, meant_name};
@@ -44,7 +44,8 @@ impl<'a> Reader<'a> {
             Ok(stmt) => stmt,
             Err(failure) => {
                 self.deck.words.truncate(mark.words);
-                self.deck.pairs.truncate(mark.pairs);
+                self.deck.assignments.truncate(mark.assignments);
+                self.deck.jumps.truncate(mark.jumps);
                 self.symbolic_failure(*failure);
                 Stmt::Empty
             }
@@ -448,7 +449,7 @@ impl<'a> Reader<'a> {
 
     /// Reads `IF cond GOTOF label`, once or several times.
     fn conditions(&mut self) -> Read<Stmt> {
-        let first = self.deck.pairs.len();
+        let first = self.deck.jumps.len();
         while self.take_word("IF") {
             let start = self.cursor.at;
             self.pass_blanks();
@@ -456,7 +457,7 @@ impl<'a> Reader<'a> {
                 let message = msg!("nc.no-condition-before-jump");
                 return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message));
             }
-            let left = self.symbolic_condition()?;
+            let cond = self.symbolic_condition()?;
             self.pass_blanks();
             if !self.symbolic_jump_ahead() {
                 let end = self.cursor.line.len();
@@ -465,15 +466,15 @@ impl<'a> Reader<'a> {
                 }
                 return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), end, msg!("nc.if-without-jump")));
             }
-            let (right, way, keyword) = self.jump()?;
-            self.deck.pairs.push(Pair { left, right, way, keyword });
+            let (target, way, keyword) = self.jump()?;
+            self.deck.jumps.push(Jump { cond: Some(cond), target, way, keyword });
             self.pass_blanks();
         }
         self.end_of_symbolic_statement()?;
-        let count = self.deck.pairs.len() - first;
-        match self.deck.pairs.last().copied() {
-            Some(Pair { left: cond, right: target, way, keyword }) if count == 1 => {
-                self.deck.pairs.pop();
+        let count = self.deck.jumps.len() - first;
+        match self.deck.jumps.last().copied() {
+            Some(Jump { cond: Some(cond), target, way, keyword }) if count == 1 => {
+                self.deck.jumps.pop();
                 Ok(Stmt::If { cond, target, way, keyword })
             }
             _ => Ok(Stmt::Ifs { first: first as u32, count: count as u16 }),
@@ -561,18 +562,18 @@ impl<'a> Reader<'a> {
 
     /// Reads `R1=… R2=…` to the end of the block.
     fn assignments(&mut self) -> Read<Stmt> {
-        let first = self.deck.pairs.len();
+        let first = self.deck.assignments.len();
         loop {
             let start = self.cursor.at;
-            let left = if self.cursor.peek() == b'#' {
+            let to = if self.cursor.peek() == b'#' {
                 self.hash_variable(VariableAccess::Write)?
             } else {
                 self.variable(VariableAccess::Write)?
             };
             let end = self.cursor.at;
             self.equals_sign(start, end)?;
-            let right = self.symbolic_formula()?;
-            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around, keyword: Extent::default() });
+            let value = self.symbolic_formula()?;
+            self.deck.assignments.push(Assignment { to, value });
             self.pass_blanks();
             if !(self.parameter_ahead() || self.cursor.peek() == b'#') {
                 break;
@@ -591,10 +592,10 @@ impl<'a> Reader<'a> {
             self.cursor.at = end;
         }
         self.end_of_symbolic_statement()?;
-        let count = self.deck.pairs.len() - first;
-        match self.deck.pairs.last().copied() {
-            Some(Pair { left: to, right: value, .. }) if count == 1 => {
-                self.deck.pairs.pop();
+        let count = self.deck.assignments.len() - first;
+        match self.deck.assignments.last().copied() {
+            Some(Assignment { to, value }) if count == 1 => {
+                self.deck.assignments.pop();
                 Ok(Stmt::Assign { to, value })
             }
             _ => Ok(Stmt::Assigns { first: first as u32, count: count as u16 }),
