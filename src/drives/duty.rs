@@ -444,9 +444,10 @@ pub fn counted_pause(run: f64, pause: f64) -> f64 {
 /// Source: sizing facts 2.2 (7-9) and 2.8.
 pub fn with_pause(effective: f64, run: f64, pause: f64, hold: f64) -> f64 {
     let counted = counted_pause(run, pause);
-    let over_both = match counted > 0.0 {
-        true => ((effective * effective * run + hold * hold * counted) / (run + counted)).sqrt(),
-        false => effective,
+    let over_both = if counted > 0.0 {
+        ((effective * effective * run + hold * hold * counted) / (run + counted)).sqrt()
+    } else {
+        effective
     };
     if pause >= LONGEST_CYCLE { over_both.max(hold.abs()) } else { over_both }
 }

@@ -53,9 +53,8 @@ impl Fraction {
 
 /// The one of two fractions nearer to a ratio; a zero term excludes a fraction.
 fn nearer(ratio: f64, one: (u64, u64), other: (u64, u64)) -> (u64, u64) {
-    let error = |(over, under): (u64, u64)| match over > 0 && under > 0 {
-        true => (over as f64 / under as f64 - ratio).abs(),
-        false => f64::INFINITY,
+    let error = |(over, under): (u64, u64)| {
+        if over > 0 && under > 0 { (over as f64 / under as f64 - ratio).abs() } else { f64::INFINITY }
     };
     if error(other) < error(one) { other } else { one }
 }

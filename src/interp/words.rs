@@ -175,9 +175,10 @@ impl RunState {
     #[inline]
     fn f_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<()> {
         let lead = self.cuts_threads() && !cx.control.syntax.lead_by_axis;
-        let value = match lead {
-            true => self.lead_word(cx, block, word, self.modal.inch)?,
-            false => self.feed_word(cx, block, word, self.modal.inch_feed)?,
+        let value = if lead {
+            self.lead_word(cx, block, word, self.modal.inch)?
+        } else {
+            self.feed_word(cx, block, word, self.modal.inch_feed)?
         };
         if let Some(value) = value {
             *(if lead { &mut self.modal.lead } else { &mut self.modal.feed }) = Some(value);
@@ -208,10 +209,13 @@ impl RunState {
     ) -> BlockResult<bool> {
         let inch = self.modal.inch;
         let lead = match word.letter {
-            letter if cx.control.syntax.threads_per_inch == Some(letter) => match cx.shared.rules.numbers.fine_lead {
-                true => self.lead_word(cx, block, word, inch)?,
-                false => self.threads_word(cx, block, word)?,
-            },
+            letter if cx.control.syntax.threads_per_inch == Some(letter) => {
+                if cx.shared.rules.numbers.fine_lead {
+                    self.lead_word(cx, block, word, inch)?
+                } else {
+                    self.threads_word(cx, block, word)?
+                }
+            }
             Address::I | Address::J | Address::K if cx.control.syntax.lead_by_axis => {
                 values.leads |= 1 << word.letter.after(Address::I).unwrap_or(0);
                 self.lead_word(cx, block, word, inch)?

@@ -90,9 +90,10 @@ impl EncoderParams {
     pub(super) fn finding(&self, control: &Control) -> Option<Diagnostic> {
         let powers = control.param(ParamRole::SpindleEncoderHigh).is_some();
         let ratio = (self.ratio(), 4);
-        let message = match powers {
-            true => msg!("encoder.not-a-power-of-two", ratio),
-            false => msg!("encoder.not-direct", ratio, control = control.name),
+        let message = if powers {
+            msg!("encoder.not-a-power-of-two", ratio)
+        } else {
+            msg!("encoder.not-direct", ratio, control = control.name)
         };
         let of_ratio = (!self.is_known(control)).then(|| Diagnostic::warning(message).about("encoder-turns"));
         of_ratio.or_else(|| {

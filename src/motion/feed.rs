@@ -143,9 +143,10 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Warns once that a feed per revolution waits for a spindle at rest or without encoder.
     fn warn_spindle_at_rest(&mut self) {
         if self.waits_for_spindle() {
-            let (once, message) = match self.plant.spindle.encoder {
-                true => (Once::SpindleAtRest, msg!("motion.spindle-at-rest")),
-                false => (Once::NoEncoder, msg!("motion.no-encoder")),
+            let (once, message) = if self.plant.spindle.encoder {
+                (Once::SpindleAtRest, msg!("motion.spindle-at-rest"))
+            } else {
+                (Once::NoEncoder, msg!("motion.no-encoder"))
             };
             self.warn(once, || message);
         }

@@ -15,9 +15,10 @@ pub fn changes_in_words(before: &Project, after: &Project) -> String {
     let all = changes(before, after);
     let rest = all.len().saturating_sub(NAMED);
     let more = (rest > 0).then(|| sentence(&msg!("changes.more", count = rest as u32)));
-    match all.is_empty() {
-        true => words("changes.none").to_owned(),
-        false => crate::text::clauses(all.into_iter().take(NAMED).chain(more)),
+    if all.is_empty() {
+        words("changes.none").to_owned()
+    } else {
+        crate::text::clauses(all.into_iter().take(NAMED).chain(more))
     }
 }
 

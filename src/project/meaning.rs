@@ -178,9 +178,10 @@ fn beside_code(control: &Control, line: &str, meaning: &Meaning) -> Option<Messa
         control.code(id).map(|row| row.code)
     };
     let codes: Vec<Code> = tokens(line, control).into_iter().filter_map(code).collect();
-    let lead = match control.syntax.lead_by_axis {
-        true => matches!(address, Address::I | Address::J | Address::K),
-        false => address == Address::F,
+    let lead = if control.syntax.lead_by_axis {
+        matches!(address, Address::I | Address::J | Address::K)
+    } else {
+        address == Address::F
     };
     if codes.contains(&Code::Dwell) && control.syntax.dwell_addresses.contains(address) && address != Address::S {
         return Some(msg!("meaning.dwell-time"));
@@ -279,9 +280,10 @@ fn of_address(control: &Control, text: &str) -> Option<Meaning> {
         let row = control.axes.get(at)?;
         let axis = row.letter.to_string();
         let unit = if row.rotary { "°" } else { "mm" };
-        let mut says = match row.letter == address {
-            true => vec![msg!("meaning.axis", axis)],
-            false => vec![msg!("meaning.axis-incremental", axis)],
+        let mut says = if row.letter == address {
+            vec![msg!("meaning.axis", axis)]
+        } else {
+            vec![msg!("meaning.axis-incremental", axis)]
         };
         if row.diameter {
             says.push(msg!("meaning.diameters"));

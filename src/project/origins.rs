@@ -102,9 +102,10 @@ pub fn shorten(project: &Project, list: &mut [Diagnostic]) {
         let label = |flip: &Flip| fields.iter().find(|field| field.id == flip.field).map(|field| words(field.label));
         let first: Vec<&str> = flips.iter().take(NAMED).filter_map(label).collect();
         let others = (assumed - first.len()) as u32;
-        let fields = match first.is_empty() {
-            true => words("project.assumed-listed").to_owned(),
-            false => sentence(&msg!("project.assumed-first", fields = listed(first), count = others)),
+        let fields = if first.is_empty() {
+            words("project.assumed-listed").to_owned()
+        } else {
+            sentence(&msg!("project.assumed-first", fields = listed(first), count = others))
         };
         found.message = msg!("form.assumed", count = assumed as u32, fields);
     }

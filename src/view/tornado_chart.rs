@@ -48,9 +48,8 @@ impl TornadoChart<'_> {
         let ends = || bars.iter().flat_map(|bar| [bar.ends.0, bar.ends.1]).chain([self.value]);
         let (low, high) =
             ends().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
-        let place = |value: f64| match high > low {
-            true => SIDE + (WIDTH - 2.0 * SIDE) * (value - low) / (high - low),
-            false => 0.5 * WIDTH,
+        let place = |value: f64| {
+            if high > low { SIDE + (WIDTH - 2.0 * SIDE) * (value - low) / (high - low) } else { 0.5 * WIDTH }
         };
         let height = HEAD + ROW * bars.len() as f64 + 6.0;
         let mut out = String::with_capacity(1024 + 700 * bars.len());

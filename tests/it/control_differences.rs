@@ -26,9 +26,10 @@ fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> St
         return String::new();
     }
     let lines = lines.replace("; ", "\n");
-    let source = match names {
-        true => format!("%_N_MAIN_MPF\n{lines}\nM30\n{NAMED_SUBPROGRAMS}"),
-        false => format!("O1\n{lines}\nM30\n{SUBPROGRAMS}"),
+    let source = if names {
+        format!("%_N_MAIN_MPF\n{lines}\nM30\n{NAMED_SUBPROGRAMS}")
+    } else {
+        format!("O1\n{lines}\nM30\n{SUBPROGRAMS}")
     };
     let parsed = nc::parse(&Files::one("test.nc", source), control);
     if let Some(finding) = parsed.diagnostics().iter().find(|finding| finding.severity == Severity::Error) {

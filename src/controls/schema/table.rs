@@ -87,12 +87,13 @@ pub const fn extended_rows(family: &[Key], own: &[Key]) -> usize {
 pub const fn extended_order<const N: usize>(family: &[Key], own: &[Key], sorted: bool) -> [usize; N] {
     let (mut order, mut len, mut at) = ([0; N], 0, 0);
     while at < family.len() + own.len() {
-        let row = match at < family.len() {
-            true => match meets(own, family[at]) {
+        let row = if at < family.len() {
+            match meets(own, family[at]) {
                 Some(row) => family.len() + row,
                 None => at,
-            },
-            false => at,
+            }
+        } else {
+            at
         };
         let mut known = 0;
         while known < len && order[known] != row {

@@ -235,9 +235,10 @@ impl<'a> Book<'a> {
             }
             Bit::Output(output) => {
                 let number = places.outputs.get(&output).copied().unwrap_or(0);
-                let (name, reader) = match output.is_message() {
-                    true => (message_device(language, number), PlcSide::Control),
-                    false => (output_device(language, number), PlcSide::Machine),
+                let (name, reader) = if output.is_message() {
+                    (message_device(language, number), PlcSide::Control)
+                } else {
+                    (output_device(language, number), PlcSide::Machine)
                 };
                 open(name, (PlcSide::Plc, reader), output_meaning(output))
             }

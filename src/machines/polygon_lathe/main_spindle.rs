@@ -130,9 +130,10 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let set = down(FIELDS, field, end.depth * share);
     let depth = set.value;
     let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(p.stock_diameter);
-    advice.push(match depth >= cutting::LEAST_DEPTH && !is_endless {
-        true => weak.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set]),
-        false => weak,
+    advice.push(if depth >= cutting::LEAST_DEPTH && !is_endless {
+        weak.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
+    } else {
+        weak
     });
     fail(AtMost(most), advice)
 }

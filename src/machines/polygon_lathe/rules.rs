@@ -238,15 +238,16 @@ fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
     let size = p.size(d.relief_pass);
     let limit = AtMost(p.relief);
     if lacks_relief(lathe) {
-        let fact = match d.relief_needed >= 90.0 {
-            true => msg!("polygon.cannot-cut", pass = d.relief_pass, size = (size, 3)),
-            false => msg!(
+        let fact = if d.relief_needed >= 90.0 {
+            msg!("polygon.cannot-cut", pass = d.relief_pass, size = (size, 3))
+        } else {
+            msg!(
                 "polygon.little-relief",
                 needed = (d.relief_needed, 2),
                 relief = (p.relief, 1),
                 pass = d.relief_pass,
                 size = (size, 3)
-            ),
+            )
         };
         return fail(limit, remedies(lathe, Fault::Relief, fact));
     }

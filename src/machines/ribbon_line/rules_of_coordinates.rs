@@ -78,9 +78,10 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
     if can_roll && line.pull_words() == 1 {
         let advice = Advice::from(msg!("ribbon.range-roll-over", parameters = roll_parameters(line)));
         let [rolls, in_degrees] = [("endless", "roll-over".to_owned()), ("y-unit", "degrees".to_owned())];
-        return vec![match needs_degrees {
-            true => advice.setting(msg!("advice.roll-over-in-degrees"), [rolls, in_degrees]),
-            false => advice.setting(msg!("advice.roll-over"), [rolls]),
+        return vec![if needs_degrees {
+            advice.setting(msg!("advice.roll-over-in-degrees"), [rolls, in_degrees])
+        } else {
+            advice.setting(msg!("advice.roll-over"), [rolls])
         }];
     }
     if shifts && line.p.endless != Endless::Shift {
@@ -104,9 +105,10 @@ pub(super) fn range(line: &RibbonLine) -> Option<Judgement> {
     if products < 1.0 {
         let pitches = (max / travel).floor();
         let advice = Advice::from(msg!("ribbon.range-product", axis, limit = max, count = (pitches, 0)));
-        let set = match line.p.is_length(line.control) {
-            true => down(FIELDS, "product-length", pitches * line.p.pitch),
-            false => down(FIELDS, "pitch-count", pitches),
+        let set = if line.p.is_length(line.control) {
+            down(FIELDS, "product-length", pitches * line.p.pitch)
+        } else {
+            down(FIELDS, "pitch-count", pitches)
         };
         let button = msg!("advice.shorter-product", count = pitches);
         return fail(None, with(if pitches >= 1.0 { advice.setting(button, [set]) } else { advice }, false));

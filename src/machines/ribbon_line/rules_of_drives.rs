@@ -141,9 +141,10 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     let force = set.value;
     let tautest = line.mechanics.tautest;
     let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.p.web.tension_before;
-    let said = match is_taut {
-        true => msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (fast, 1), force = (force, 1)),
-        false => msg!("ribbon.nip-slips", percent = (fast, 1), force = (force, 1)),
+    let said = if is_taut {
+        msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (fast, 1), force = (force, 1))
+    } else {
+        msg!("ribbon.nip-slips", percent = (fast, 1), force = (force, 1))
     };
     let mut advice = vec![Advice::from(said).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
     if is_taut {
@@ -176,12 +177,11 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
     let brake = at_roller / (p.press_roller_diameter / 2e3);
     let weaker = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));
-    advice.push(match brake > 0.0 {
-        true => {
-            let set = down(FIELDS, "reel-brake", brake);
-            weaker.setting(msg!("advice.set-brake", force = (set.value, 2)), [set])
-        }
-        false => weaker,
+    advice.push(if brake > 0.0 {
+        let set = down(FIELDS, "reel-brake", brake);
+        weaker.setting(msg!("advice.set-brake", force = (set.value, 2)), [set])
+    } else {
+        weaker
     });
     fail(limit, advice)
 }
@@ -225,12 +225,11 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     }
     let advice = Advice::from(msg!("ribbon.unwinder-ramp-torque", torque = (torque, 2), limit = (most, 2)));
     let ramp = p.inverter_ramp * (torque - steady) / (most - steady);
-    let advice = match most > steady && ramp <= maximum(FIELDS, "inverter-ramp") {
-        true => {
-            let set = up(FIELDS, "inverter-ramp", ramp);
-            advice.setting(msg!("advice.set-ramp", time = (set.value, 2)), [set])
-        }
-        false => advice,
+    let advice = if most > steady && ramp <= maximum(FIELDS, "inverter-ramp") {
+        let set = up(FIELDS, "inverter-ramp", ramp);
+        advice.setting(msg!("advice.set-ramp", time = (set.value, 2)), [set])
+    } else {
+        advice
     };
     fail(limit, [advice])
 }

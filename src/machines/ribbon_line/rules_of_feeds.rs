@@ -239,16 +239,18 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
             let wanted = if turned.is_infinite() { needed } else { turned };
             let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
             let (lacks, time, count) = (if steady { turned } else { needed }, (lasts, 1), (set.value, 0));
-            let sentence = match steady {
-                true => msg!("ribbon.more-pitches-to-turn", needed = (lacks, 1), time, percent = knob, count),
-                false => msg!("ribbon.more-pitches", needed = (lacks, 1), time, percent = knob, count),
+            let sentence = if steady {
+                msg!("ribbon.more-pitches-to-turn", needed = (lacks, 1), time, percent = knob, count)
+            } else {
+                msg!("ribbon.more-pitches", needed = (lacks, 1), time, percent = knob, count)
             };
             Advice::from(sentence).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set])
         }
         Variant::Published | Variant::Precomputed => {
-            let sentence = match steady {
-                true => msg!("ribbon.published-to-turn", needed = (turned, 1), time = (lasts, 1)),
-                false => msg!("ribbon.published-too-slow", needed = (needed, 1), time = (lasts, 1)),
+            let sentence = if steady {
+                msg!("ribbon.published-to-turn", needed = (turned, 1), time = (lasts, 1))
+            } else {
+                msg!("ribbon.published-too-slow", needed = (needed, 1), time = (lasts, 1))
             };
             Advice::from(sentence).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())])
         }

@@ -224,11 +224,10 @@ pub(super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     if up > low {
         let laid = queued * (highest / low - 1.0);
         let (of_queue, all) = ((queued, 0), (laid, 0));
-        let said = match up < highest {
-            true => {
-                msg!("ribbon.knob-queue", queued = of_queue, low = ends.0, high = ends.1, laid = all, least = (up, 1))
-            }
-            false => msg!("ribbon.knob-queue-never", queued = of_queue, low = ends.0, high = ends.1, laid = all),
+        let said = if up < highest {
+            msg!("ribbon.knob-queue", queued = of_queue, low = ends.0, high = ends.1, laid = all, least = (up, 1))
+        } else {
+            msg!("ribbon.knob-queue-never", queued = of_queue, low = ends.0, high = ends.1, laid = all)
         };
         advice.push(with_loop(said.into(), laid_so_far(line) + laid, Vec::new()));
     }

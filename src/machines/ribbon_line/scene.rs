@@ -138,9 +138,10 @@ fn ribbon(drawing: &mut Drawing, line: &RibbonLine) {
         drawing.within_hidden(group::DOTS, |drawing| {
             let look = Look::line(Paint::Black, wide);
             // Dots too close for the eye are drawn as a grey line.
-            let look = match line.p.pitch > 0.6 * layout.scale {
-                true => look.dashed(long, line.p.pitch - long),
-                false => look.faint(0.5),
+            let look = if line.p.pitch > 0.6 * layout.scale {
+                look.dashed(long, line.p.pitch - long)
+            } else {
+                look.faint(0.5)
             };
             drawing.path(start, look).id = Some(node::DOTS);
         });

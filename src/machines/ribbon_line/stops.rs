@@ -37,16 +37,12 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
             count = (left / each).max(0.0).floor()
         ),
     };
-    let goes_on = match line.in_step() {
-        true => msg!("ribbon.stops.start-in-step"),
-        false => msg!("ribbon.stops.start"),
-    };
+    let goes_on = if line.in_step() { msg!("ribbon.stops.start-in-step") } else { msg!("ribbon.stops.start") };
     // After a broken-off product a head has to be brought to the ribbon again.
     let program_sets_phase = phase::program_sets_phase(line);
     let variable = line.control.variable(PHASE);
-    let anew = |by_program: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| match program_sets_phase {
-        true => by_program(print.as_str()),
-        false => by_hand(print.as_str(), variable.as_str()),
+    let anew = |by_program: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| {
+        if program_sets_phase { by_program(print.as_str()) } else { by_hand(print.as_str(), variable.as_str()) }
     };
     let row = |at, axes: Message, material, operator| Reaction {
         at,
@@ -134,9 +130,10 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             "ribbon.stops.loop-full",
             hold(),
             msg!("ribbon.stops.room", length = (room_below_sensor(line), 0)),
-            match program_sets_phase {
-                true => msg!("ribbon.stops.shorten", axis),
-                false => msg!("ribbon.stops.shorten-by-hand", axis, variable),
+            if program_sets_phase {
+                msg!("ribbon.stops.shorten", axis)
+            } else {
+                msg!("ribbon.stops.shorten-by-hand", axis, variable)
             },
         ),
         row(
@@ -144,29 +141,24 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             "ribbon.stops.web-tight",
             hold(),
             laid(d.slack_hold),
-            match in_step {
-                true => msg!("ribbon.stops.hangs-in-step"),
-                false => msg!("ribbon.stops.hangs"),
-            },
+            if in_step { msg!("ribbon.stops.hangs-in-step") } else { msg!("ribbon.stops.hangs") },
         ),
         row(
             Interruption::Hold,
             "ribbon.stops.reel-empty",
             hold(),
             msg!("ribbon.stops.left", length = (left_at_reel_end(line), 0)),
-            match in_step {
-                true => msg!("ribbon.stops.splice-in-step"),
-                false => msg!("ribbon.stops.splice"),
-            },
+            if in_step { msg!("ribbon.stops.splice-in-step") } else { msg!("ribbon.stops.splice") },
         ),
         row(
             Interruption::InverterFault,
             "ribbon.stops.not-ready",
             msg!("ribbon.stops.axes-reset", axis),
             laid(coasting::laid(line, d)),
-            match program_sets_phase {
-                true => msg!("ribbon.stops.make-ready", axis),
-                false => msg!("ribbon.stops.make-ready-by-hand", axis, variable),
+            if program_sets_phase {
+                msg!("ribbon.stops.make-ready", axis)
+            } else {
+                msg!("ribbon.stops.make-ready-by-hand", axis, variable)
             },
         ),
     ]

@@ -155,9 +155,10 @@ fn inertia(slide: &ServoSlide) -> Option<Judgement> {
         return fail(AtMost(most), [msg!("slides.inertia-burns-brake", ratio = shown, brakes, limit).into()]);
     }
     // The limit of the form, or that of many starts.
-    let said = match most < slide.form_inertia_limit {
-        true => msg!("slides.inertia-at-starts", ratio = shown, starts = (slide.starts_per_minute, 0), limit),
-        false => msg!("slides.inertia-ratio", ratio = shown, limit),
+    let said = if most < slide.form_inertia_limit {
+        msg!("slides.inertia-at-starts", ratio = shown, starts = (slide.starts_per_minute, 0), limit)
+    } else {
+        msg!("slides.inertia-ratio", ratio = shown, limit)
     };
     warn(AtMost(most), [said.into()])
 }

@@ -155,9 +155,10 @@ impl ServoSlide {
     /// Torque in the cut at its feed, Nm: force of the cut, friction and weight. The other force of the cut, on a slide that stands, counts
     /// like that against the feed.
     pub(super) fn cut_torque(&self) -> f64 {
-        match self.cuts_downhill {
-            true => self.slide.downhill(self.feed_force).abs(),
-            false => self.steady() + self.slide.torque(self.feed_force),
+        if self.cuts_downhill {
+            self.slide.downhill(self.feed_force).abs()
+        } else {
+            self.steady() + self.slide.torque(self.feed_force)
         }
     }
 
@@ -179,9 +180,10 @@ impl ServoSlide {
     /// Seconds of the shortest ramp to rapid traverse; infinite where friction and weight take all torque.
     pub(super) fn shortest_ramp(&self) -> f64 {
         let left = self.rapid_torque_limit() - self.steady();
-        match left > 0.0 {
-            true => self.slide.load().accelerating(self.motor.rotor, self.rapid_speed() * RPM, 1.0) / left,
-            false => f64::INFINITY,
+        if left > 0.0 {
+            self.slide.load().accelerating(self.motor.rotor, self.rapid_speed() * RPM, 1.0) / left
+        } else {
+            f64::INFINITY
         }
     }
 

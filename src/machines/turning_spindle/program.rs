@@ -374,9 +374,10 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(24).assign(SPEED, (v(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * v(STOCK))).fix());
     b.n(25).if_goto(v(SPEED).le(v(SPEED_LIMIT)), 27);
     b.n(26).assign(SPEED, v(SPEED_LIMIT).fix()).note("AT MOST THE LIMIT");
-    let mut words = match lathe.surface() {
-        true => block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))]),
-        false => block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]),
+    let mut words = if lathe.surface() {
+        block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))])
+    } else {
+        block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))])
     };
     // The speed limit as a word of its own, where no block before sets it.
     words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(SPEED_LIMIT))));

@@ -66,9 +66,10 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             anew(Interruption::InverterFault),
         ),
     ];
-    let unpowered = match gears::has_gears(lathe) {
-        true => msg!("turning.stops.coasts-in-gear", time = coasts),
-        false => msg!("lathe.stops.work-coasts", time = coasts),
+    let unpowered = if gears::has_gears(lathe) {
+        msg!("turning.stops.coasts-in-gear", time = coasts)
+    } else {
+        msg!("lathe.stops.work-coasts", time = coasts)
     };
     rows.push(Reaction {
         cite: if sinks.is_some() { CLOSING } else { DESIGN },

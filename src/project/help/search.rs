@@ -86,9 +86,10 @@ impl HelpPlace<'_> {
 /// Part of a text with the character at a place, from the beginning of a word; `…` stands for what is left out.
 fn clipped(text: &str, at: usize, most: usize) -> String {
     let letters: Vec<char> = text.chars().collect();
-    let from = match at + most / 3 > most {
-        true => (at - most / 3..at).find(|at| letters.get(*at - 1) == Some(&' ')).unwrap_or(at),
-        false => 0,
+    let from = if at + most / 3 > most {
+        (at - most / 3..at).find(|at| letters.get(*at - 1) == Some(&' ')).unwrap_or(at)
+    } else {
+        0
     };
     let part: String = letters.iter().skip(from).take(most).collect();
     let [before, behind] = [from > 0, from + most < letters.len()].map(|is_cut| if is_cut { "…" } else { "" });

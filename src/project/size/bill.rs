@@ -143,9 +143,10 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
         devices.push(BillRow { quantity, ..open(item, None, &asked) });
     }
     if devices.iter().any(|row| row.item == BillItem::EmergencyStop) {
-        let asked = match prepared.coasts_at_emergency_stop() {
-            true => msg!("size.bill.safety-relay-coasting"),
-            false => msg!("size.bill.safety-relay"),
+        let asked = if prepared.coasts_at_emergency_stop() {
+            msg!("size.bill.safety-relay-coasting")
+        } else {
+            msg!("size.bill.safety-relay")
         };
         devices.push(open(BillItem::SafetyRelay, None, &asked));
     }

@@ -214,9 +214,10 @@ impl Sizing {
         let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
         let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
         let (torque, time) = (units::text(work.peak.torque, 3, "Nm"), (work.peak.t, 2));
-        let peak_at = match axis.peak_is_at_knob {
-            true => msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str()),
-            false => msg!("size.peak-at", torque = torque.as_str(), time),
+        let peak_at = if axis.peak_is_at_knob {
+            msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str())
+        } else {
+            msg!("size.peak-at", torque = torque.as_str(), time)
         };
         let heat = self.heat(axis);
         let beyond = if heat.is_some_and(|heat| heat.verdict >= Verdict::Warn) { "✕ " } else { "" };

@@ -42,9 +42,12 @@ fn take() {
 
 /// Announces a newer build. It is taken only after the project is stored, so that nothing is lost.
 fn announce(page: Page, take: fn()) {
-    let act = move |()| match store::store_before_reload(page) {
-        true => take(),
-        false => page.notices.notify(Tone::Warn, t("page.version-unkept").to_owned()),
+    let act = move |()| {
+        if store::store_before_reload(page) {
+            take()
+        } else {
+            page.notices.notify(Tone::Warn, t("page.version-unkept").to_owned())
+        }
     };
     let offer = Some(("page.version-take", Callback::new(act)));
     page.notices.show(Notice { offer, ..Notice::new(Tone::Info, t("page.version-ready").to_owned()) });

@@ -152,9 +152,12 @@ fn Group(
 fn WrongFields() -> impl IntoView {
     let page = Page::here();
     let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
-    let words = move || match page.is_stale() {
-        true => t("page.stale").to_owned(),
-        false => sentence(&crate::msg!("page.refused-values", count = count.get() as u32)),
+    let words = move || {
+        if page.is_stale() {
+            t("page.stale").to_owned()
+        } else {
+            sentence(&crate::msg!("page.refused-values", count = count.get() as u32))
+        }
     };
     view! {
         <p class="stale" class:shown=move || { count.get() > 0 }>

@@ -42,9 +42,10 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
     if !dialog && event.key() == "F1" {
         let id = target.as_ref().map(Element::id).unwrap_or_default();
         let is_field = |project: &Project| project.machine.fields().iter().any(|field| field.id == id);
-        match page.project.with_untracked(is_field) {
-            true => page.view.explain(format!("field.{id}")),
-            false => page.view.helping.set(true),
+        if page.project.with_untracked(is_field) {
+            page.view.explain(format!("field.{id}"))
+        } else {
+            page.view.helping.set(true)
         }
         return true;
     }

@@ -98,9 +98,10 @@ impl Drawn {
         let unit = if pans { down.max(self.unit) } else { across.max(down) };
         let style = picture.style();
         let _ = style.set_property("--u", &format!("{unit:.4}"));
-        let _ = match pans {
-            true => style.set_property("width", &format!("{:.0}px", wide / unit)),
-            false => style.remove_property("width").map(drop),
+        let _ = if pans {
+            style.set_property("width", &format!("{:.0}px", wide / unit))
+        } else {
+            style.remove_property("width").map(drop)
         };
         untangle(picture, unit);
         pans

@@ -124,9 +124,12 @@ fn shown_state(page: Page) -> (String, Tone) {
 fn WrongValues() -> impl IntoView {
     let page = Page::here();
     let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
-    let words = move || match page.is_stale() {
-        true => t("page.stale-short").to_owned(),
-        false => sentence(&crate::msg!("page.wrong-values", count = count.get() as u32)),
+    let words = move || {
+        if page.is_stale() {
+            t("page.stale-short").to_owned()
+        } else {
+            sentence(&crate::msg!("page.wrong-values", count = count.get() as u32))
+        }
     };
     view! {
         <button

@@ -157,9 +157,10 @@ impl Navigation {
             self.page.notices.confirm(t(empty).to_owned());
             return JsValue::NULL;
         }
-        let title = match count > rows.len() {
-            true => sentence(&msg!("page.list-cut", title = t(title), shown = rows.len() as u32, all = count as u32)),
-            false => t(title).to_owned(),
+        let title = if count > rows.len() {
+            sentence(&msg!("page.list-cut", title = t(title), shown = rows.len() as u32, all = count as u32))
+        } else {
+            t(title).to_owned()
         };
         let (rows, choices): (Vec<Row>, Vec<Choice>) = rows.into_iter().unzip();
         self.choices.set_value(choices);

@@ -69,10 +69,8 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     });
     let results = Signal::derive(move || {
         let wanted = seen.with(|seen| seen.results.clone());
-        let is_wanted = |readout: &Readout| match wanted.is_empty() {
-            true => readout.headline,
-            false => wanted.contains(&readout.id),
-        };
+        let is_wanted =
+            |readout: &Readout| if wanted.is_empty() { readout.headline } else { wanted.contains(&readout.id) };
         readouts.get().into_iter().filter(is_wanted).collect::<Vec<_>>()
     });
     let knobs = move || {

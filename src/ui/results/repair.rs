@@ -59,16 +59,20 @@ fn Ways(
     ways: RwSignal<Vec<FoundRepairs>>,
 ) -> impl IntoView {
     let page = Page::here();
-    let lead = move || match ways.with(|ways| ways.iter().all(|way| way.still_failing == 0)) {
-        true => t("page.repair-ways"),
-        false => t("page.repair-ways-but"),
+    let lead = move || {
+        if ways.with(|ways| ways.iter().all(|way| way.still_failing == 0)) {
+            t("page.repair-ways")
+        } else {
+            t("page.repair-ways-but")
+        }
     };
     let row = move |way: FoundRepairs| {
         let (changes, name) =
             (clauses(&way.changes), sentence(&crate::msg!("page.repair-way", changes = clauses(&way.changes))));
-        let consequences = match way.consequences.is_empty() {
-            true => t("page.repair-nothing-else").to_owned(),
-            false => clauses(&way.consequences),
+        let consequences = if way.consequences.is_empty() {
+            t("page.repair-nothing-else").to_owned()
+        } else {
+            clauses(&way.consequences)
         };
         view! {
             <li>

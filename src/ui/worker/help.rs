@@ -72,9 +72,10 @@ pub(in crate::ui) fn found(project: &Project, texts: &Texts, query: &str) -> Fou
             text: place.excerpt(query, SHOWN),
         };
         let hits: Vec<Hit> = help.search(query).iter().map(hit).collect();
-        match hits.is_empty() {
-            true => FoundHelp { has_all_words: false, hits: help.nearest(query).iter().map(hit).collect() },
-            false => FoundHelp { has_all_words: true, hits },
+        if hits.is_empty() {
+            FoundHelp { has_all_words: false, hits: help.nearest(query).iter().map(hit).collect() }
+        } else {
+            FoundHelp { has_all_words: true, hits }
         }
     })
 }

@@ -604,12 +604,11 @@ impl<'a> Writer<'a> {
             2 => {
                 let rows = self.control.vars.iter().filter(|row| matches!(row.kind, VarKind::WorkOffset(_)));
                 let rows: Vec<_> = rows.filter(|row| row.kind.writable()).map(|row| row.first).collect();
-                match rows.is_empty() {
-                    true => g(self.control, system).unwrap_or_default(),
-                    false => {
-                        let (first, axis) = (self.dice.pick(&rows), self.dice.below(3) as u32);
-                        format!("#{}={}", first + axis, self.small())
-                    }
+                if rows.is_empty() {
+                    g(self.control, system).unwrap_or_default()
+                } else {
+                    let (first, axis) = (self.dice.pick(&rows), self.dice.below(3) as u32);
+                    format!("#{}={}", first + axis, self.small())
                 }
             }
             _ => g(self.control, system).unwrap_or_default(),

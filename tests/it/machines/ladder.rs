@@ -257,9 +257,10 @@ fn press(ladder: &Ladder, image: &mut Image, key: MachineContact) -> [[bool; 2];
 
 /// Whether the PLC holds the program: cycle start is refused.
 fn is_held(ladder: &Ladder, image: &Image) -> bool {
-    match ladder.drives(Bit::Signal(SignalRole::HoldRequest)) {
-        true => image.is_on(Bit::Signal(SignalRole::HoldRequest)),
-        false => !image.is_on(Bit::Signal(SignalRole::HoldReleased)),
+    if ladder.drives(Bit::Signal(SignalRole::HoldRequest)) {
+        image.is_on(Bit::Signal(SignalRole::HoldRequest))
+    } else {
+        !image.is_on(Bit::Signal(SignalRole::HoldReleased))
     }
 }
 
@@ -474,9 +475,12 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
             assert!(!image.is_on(forward), "{name}: {opens:?} is over, and nothing restarts");
             let alarm = Bit::Output(MachineOutput::InverterAlarm);
             assert_eq!(image.is_on(alarm), opens == MachineContact::InverterReady, "{name}: alarm until reset");
-            let held = |image: &Image| match ladder.drives(Bit::Signal(SignalRole::HoldRequest)) {
-                true => image.is_on(Bit::Signal(SignalRole::HoldRequest)),
-                false => !image.is_on(Bit::Signal(SignalRole::HoldReleased)),
+            let held = |image: &Image| {
+                if ladder.drives(Bit::Signal(SignalRole::HoldRequest)) {
+                    image.is_on(Bit::Signal(SignalRole::HoldRequest))
+                } else {
+                    !image.is_on(Bit::Signal(SignalRole::HoldReleased))
+                }
             };
             assert_eq!(held(&image), image.is_on(alarm), "{name}: no cycle start goes on after a fault");
             reset(&ladder, &mut image);

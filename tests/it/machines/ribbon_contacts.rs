@@ -37,9 +37,12 @@ fn open_contact_takes_the_feed_hold_of_every_control_away() {
             image.set(Bit::Input(contact), true);
         }
         let settle = |image: &mut Image| (0..12).for_each(|_| ladder.scan(0.0, image));
-        let held = |image: &Image| match ladder.drives(Bit::Signal(SignalRole::HoldReleased)) {
-            true => !image.is_on(Bit::Signal(SignalRole::HoldReleased)),
-            false => image.is_on(Bit::Signal(SignalRole::HoldRequest)),
+        let held = |image: &Image| {
+            if ladder.drives(Bit::Signal(SignalRole::HoldReleased)) {
+                !image.is_on(Bit::Signal(SignalRole::HoldReleased))
+            } else {
+                image.is_on(Bit::Signal(SignalRole::HoldRequest))
+            }
         };
         for contact in HOLDING {
             let message = Bit::Output(MachineOutput::Message(contact));

@@ -305,9 +305,10 @@ fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
             let reel = mass * 0.002 * 0.002 / 0.7;
             let inertia = inertia.parse::<f64>().unwrap() * 1e-4 + reel;
             // J ω / T, with the torque of web and friction; from 0.1 s on, when it has closed, also with that of the brake.
-            let coasts = match brake > 0.0 {
-                true => 0.1 + (inertia * speed - torque * 0.1) / (torque + brake),
-                false => inertia * speed / torque,
+            let coasts = if brake > 0.0 {
+                0.1 + (inertia * speed - torque * 0.1) / (torque + brake)
+            } else {
+                inertia * speed / torque
             };
             assert!((value("coasting-time") - coasts).abs() < 1e-9 * coasts, "{name}: {coasts}");
             // The run has one slope, in which the unwinder turns as far.

@@ -25,10 +25,7 @@ const NO_END_POINTS: [&str; 10] = ["G7.1", "G10", "G12.1", "G16", "G22", "G30", 
 /// Runs a motion to 1, then `block`, then `behind`; returns the effect of the axis words.
 fn run(control: &'static Control, block: &str, behind: &str) -> Does {
     let named = control.syntax.names.is_some();
-    let (head, feed) = match named {
-        true => ("", "G94 F100 S100 M3 G0 X1 Z1"),
-        false => ("O1\n", "F100. S100 M3\nG00 X1. Z1."),
-    };
+    let (head, feed) = if named { ("", "G94 F100 S100 M3 G0 X1 Z1") } else { ("O1\n", "F100. S100 M3\nG00 X1. Z1.") };
     let mut interp = start_on(control, &format!("{head}{feed}\n{block}\n{behind}\nM30\n"), &[]);
     let told = interp.parsed().diagnostics().iter().any(|finding| {
         matches!(

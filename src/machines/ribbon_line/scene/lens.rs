@@ -98,9 +98,8 @@ fn inside(drawing: &mut Drawing, own: &Lens, p: &Params) {
         drawing.rect([-90.0, NEAR, 180.0, thick, 0.0], Look::fill(Paint::RibbonShade));
     });
     drawing.within_hidden(group::LENS_DOTS, |drawing| {
-        let row = |look: Look, long: f64| match own.pitch > CLOSEST {
-            true => look.dashed(long, (own.pitch - long).max(0.0)),
-            false => look.faint(0.5),
+        let row = |look: Look, long: f64| {
+            if own.pitch > CLOSEST { look.dashed(long, (own.pitch - long).max(0.0)) } else { look.faint(0.5) }
         };
         if own.smear > 0.0 {
             let smear = row(Look::line(Paint::Black, own.dot).faint(0.5), own.smear);
