@@ -6,6 +6,7 @@ use web_sys::{Element, KeyboardEvent};
 
 use crate::project::Project;
 use crate::ui::dom;
+use crate::ui::state::stepping::SteppingCommand;
 use crate::ui::state::{Page, operator, stepping};
 
 /// Key in the browser's store that turns single-key shortcuts off, as speech input may require.
@@ -75,7 +76,10 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
         "g" => stepping::show_block(page),
         "Home" if tag != "INPUT" => player.seek(0.0),
         "?" | "/" => page.view.helping.set(true),
-        key => return stepping::press(page, key),
+        key => match SteppingCommand::of_key(key) {
+            Some(command) => command.run(page),
+            None => return false,
+        },
     }
     true
 }

@@ -11,7 +11,7 @@ use crate::ui::help::keys;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{ContrastButton, LanguageButtons, LengthsButton, ThemeButton};
 use crate::ui::state::Page;
-use crate::ui::state::stepping::COMMANDS;
+use crate::ui::state::stepping::SteppingCommand;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{FoundHelp, HelpPageHtml, Hit, Request, Response};
@@ -278,7 +278,11 @@ fn Shortcuts() -> impl IntoView {
         view! { <tr><th scope="row"><kbd>{key}</kbd></th><td>{t(what)}</td></tr> }
     };
     let editor = EDITOR_KEYS.map(row).collect_view();
-    let rows = KEYS.into_iter().chain(COMMANDS.into_iter().map(|(key, _, what)| (key, what))).map(row).collect_view();
+    let stepping = SteppingCommand::ALL.map(|command| {
+        let (key, _, words) = command.shown();
+        (key, words)
+    });
+    let rows = KEYS.into_iter().chain(stepping).map(row).collect_view();
     let keys_on = RwSignal::new(keys::on());
     let turn = move |on| {
         keys::turn(on);
@@ -350,7 +354,7 @@ mod tests {
         bench.page.view.helping.set(true);
         settled().await;
         assert_eq!(focused().map(|element| element.id()).as_deref(), Some("help-search"));
-        assert_eq!(bench.all(".shortcuts tr").len(), KEYS.len() + COMMANDS.len() + EDITOR_KEYS.len());
+        assert_eq!(bench.all(".shortcuts tr").len(), KEYS.len() + SteppingCommand::ALL.len() + EDITOR_KEYS.len());
         let first = bench.all(".help-body nav button").into_iter().next().and_then(|one| one.text_content());
         assert_eq!(first.as_deref(), Some(t("ribbon.name")));
         bench.press_button(t("page.close")).await;

@@ -10,7 +10,7 @@ use crate::ui::parts::input::EntryField;
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
 use crate::ui::state::stepper::Stepper;
-use crate::ui::state::stepping::{COMMANDS, press, set_point};
+use crate::ui::state::stepping::{SteppingCommand, set_point};
 use crate::ui::words::{clock, sentence, sentence_with_hints, short, t, value_of};
 
 /// Whether the debugger is in use: a stop, a step under way, a watch or a breakpoint.
@@ -29,20 +29,19 @@ pub(super) fn DebuggerBar() -> impl IntoView {
             example = page.spelled(if signs { "#1<3" } else { "#1 LT 3" })
         ))
     });
-    let button = move |(key, sign, words): (&'static str, &'static str, &'static str)| {
+    let button = move |command: SteppingCommand| {
+        let (key, sign, words) = command.shown();
         let words = t(words);
         view! {
             <button
                 type="button" class="icon" title=format!("{words} ({key})") aria-label=words
-                on:click=move |_| {
-                    press(page, key);
-                }
+                on:click=move |_| command.run(page)
             >
                 {sign}
             </button>
         }
     };
-    let buttons = move || COMMANDS.into_iter().map(button).collect_view();
+    let buttons = move || SteppingCommand::ALL.map(button).collect_view();
     view! {
         <Show when=move || page.view.stepping.get() || page.player.stepper.with(is_used)>
             <div class="bar tools stepping" role="group" aria-label=t("page.stepping")>
@@ -239,7 +238,7 @@ mod tests {
         assert!(!bench.has(".stepping") && bench.has(".seen.gone"));
         bench.page.view.stepping.set(true);
         settled().await;
-        assert_eq!(bench.all(".stepping button").len(), COMMANDS.len());
+        assert_eq!(bench.all(".stepping button").len(), SteppingCommand::ALL.len());
         assert!(!bench.has(".seen.gone"));
     }
 

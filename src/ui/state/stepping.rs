@@ -36,7 +36,7 @@ impl Player {
     }
 
     /// Steps to a goal: from the block of the last stop, or from the play head.
-    pub(crate) fn step_to(self, goal: Goal) {
+    pub(super) fn step_to(self, goal: Goal) {
         self.playing.set(false);
         self.set_goal(self.head(), goal);
         self.continue_stepping();
@@ -49,8 +49,8 @@ impl Player {
         });
     }
 
-    /// Steps back by a block. Always returns true, like the other commands of a key.
-    pub(crate) fn step_back(self) -> bool {
+    /// Steps back by a block.
+    fn step_back(self) {
         let back = self.stepper.update_untracked(|stepper| {
             let debugger = stepper.debugger.as_mut().filter(|_| stepper.at_stop)?;
             self.ask_planner(|main| debugger.back(main))
@@ -58,17 +58,15 @@ impl Player {
         if back == Some(true) {
             self.continue_stepping();
         }
-        true
     }
 
     /// Stops the stepping under way and keeps its place; ends the debugger at a stop.
-    pub(crate) fn stop_stepping(self) -> bool {
+    fn stop_stepping(self) {
         if self.stepper.with_untracked(|stepper| stepper.going) {
             self.arrive(Stop::Reached);
         } else {
             self.end_stepping();
         }
-        true
     }
 
     fn continue_stepping(self) {
@@ -135,40 +133,71 @@ const KEPT: &str = "macroline.stepping";
 /// The key under which former versions of the page kept them.
 const FORMER: &str = "macroline.walk";
 
-/// Key, sign and words of each command.
-pub(crate) const COMMANDS: [(&str, &str, &str); 8] = [
-    ("i", "↓", "page.stepping-into"),
-    ("o", "↷", "page.stepping-over"),
-    ("u", "↑", "page.stepping-out"),
-    ("r", "←", "page.stepping-back"),
-    ("t", "⇥", "page.stepping-to"),
-    ("c", "▶", "page.stepping-go"),
-    ("x", "■", "page.stepping-stop"),
-    ("b", "●", "page.stepping-point"),
-];
+/// A command of the debugger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SteppingCommand {
+    Into,
+    Over,
+    Out,
+    Back,
+    ToCursor,
+    Continue,
+    Stop,
+    Breakpoint,
+}
 
-/// Carries out the command of a key; returns whether the key has one.
-pub(crate) fn press(page: Page, key: &str) -> bool {
-    let player = page.player;
-    let goal = match key {
-        "i" => Goal::Into,
-        "o" => Goal::Over,
-        "u" => Goal::Out,
-        "c" => Goal::Continue,
-        "t" => match cursor(page) {
-            Some((_, place)) => Goal::To(place),
-            None => return true,
-        },
-        "r" => return player.step_back(),
-        "x" => return player.stop_stepping(),
-        "b" => {
-            set_point(page, None);
-            return true;
+impl SteppingCommand {
+    /// In the order of their buttons.
+    pub(crate) const ALL: [SteppingCommand; 8] = [
+        SteppingCommand::Into,
+        SteppingCommand::Over,
+        SteppingCommand::Out,
+        SteppingCommand::Back,
+        SteppingCommand::ToCursor,
+        SteppingCommand::Continue,
+        SteppingCommand::Stop,
+        SteppingCommand::Breakpoint,
+    ];
+
+    /// Key, sign, and catalog id of the words.
+    pub(crate) const fn shown(self) -> (&'static str, &'static str, &'static str) {
+        match self {
+            SteppingCommand::Into => ("i", "↓", "page.stepping-into"),
+            SteppingCommand::Over => ("o", "↷", "page.stepping-over"),
+            SteppingCommand::Out => ("u", "↑", "page.stepping-out"),
+            SteppingCommand::Back => ("r", "←", "page.stepping-back"),
+            SteppingCommand::ToCursor => ("t", "⇥", "page.stepping-to"),
+            SteppingCommand::Continue => ("c", "▶", "page.stepping-go"),
+            SteppingCommand::Stop => ("x", "■", "page.stepping-stop"),
+            SteppingCommand::Breakpoint => ("b", "●", "page.stepping-point"),
         }
-        _ => return false,
-    };
-    player.step_to(goal);
-    true
+    }
+
+    /// The command of a key.
+    pub(crate) fn of_key(key: &str) -> Option<SteppingCommand> {
+        SteppingCommand::ALL.into_iter().find(|command| command.shown().0 == key)
+    }
+
+    /// Carries it out.
+    pub(crate) fn run(self, page: Page) {
+        let player = page.player;
+        match self {
+            SteppingCommand::Into => player.step_to(Goal::Into),
+            SteppingCommand::Over => player.step_to(Goal::Over),
+            SteppingCommand::Out => player.step_to(Goal::Out),
+            SteppingCommand::Continue => player.step_to(Goal::Continue),
+            SteppingCommand::ToCursor => {
+                if let Some((_, place)) = cursor(page) {
+                    player.step_to(Goal::To(place));
+                }
+            }
+            SteppingCommand::Back => player.step_back(),
+            SteppingCommand::Stop => player.stop_stepping(),
+            SteppingCommand::Breakpoint => {
+                set_point(page, None);
+            }
+        }
+    }
 }
 
 /// The block at the cursor; follows the cursor.
