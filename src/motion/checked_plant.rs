@@ -1,7 +1,7 @@
 //! The plant with checked numbers: one entry for each possible axis of a control.
 
 use super::plant::{AxisPlant, Plant, SpindlePlant};
-use super::plc::{Stops, WordPart};
+use super::plc::{PlcSignals, WordPart};
 use super::setup::Budget;
 use crate::controls::vars::HALF_RANGE;
 use crate::controls::{Alarm, Control, VarRange};
@@ -133,8 +133,8 @@ impl CheckedPlant {
     }
 
     /// Whether the spindle's drive supplies no current at `t`.
-    pub(super) fn is_without_current(&self, t: f64, stops: &Stops) -> bool {
-        self.spindle.coasting.is_some() && (stops.inverter_fault || t >= self.power_fails)
+    pub(super) fn is_without_current(&self, t: f64, signals: &PlcSignals) -> bool {
+        self.spindle.coasting.is_some() && (signals.inverter_fault || t >= self.power_fails)
     }
 
     /// Least and largest value of an input, or of one of its halves.

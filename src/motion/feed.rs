@@ -43,9 +43,9 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn feeds_without_rotation(&self, motion: &ActiveMove) -> bool {
         let turning = &self.s.spindle;
         let per_minute = matches!(motion.pace, Pace::Feed(Feed::PerMinute(_)));
-        let turns = turning.direction != 0 && !(per_minute && self.s.plc.io.spindle_command == 0.0)
+        let turns = turning.direction != 0 && !(per_minute && self.s.plc.signals.spindle_command == 0.0)
             || turning.orienting.is_some()
-            || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+            || self.s.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let along = |letter: Address| {
             let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
             axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
@@ -162,16 +162,16 @@ impl<P: RunningProgram> Sim<'_, P> {
             && motion.speed == 0.0
             && !motion.again.is_finite()
             && !self.holding()
-            && !self.s.plc.io.stops.axes
+            && !self.s.plc.orders.axes_held
     }
 
     /// Path speed (mm/s) from override, spindle and hold at `t`, before clamps, and the time (s) of the next computation.
     fn asked_speed(&self, t: f64) -> (f64, f64) {
         let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
-        if self.holding() || self.s.plc.io.stops.axes {
+        if self.holding() || self.s.plc.orders.axes_held {
             return (0.0, f64::INFINITY);
         }
-        let is_fixed = self.s.suppressed.feed_override || self.s.plc.io.overrides.feed_off;
+        let is_fixed = self.s.suppressed.feed_override || self.s.plc.orders.feed_override_off;
         let cutting = if is_fixed { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };
         match motion.pace {
             Pace::Rapid | Pace::Return { .. } => {

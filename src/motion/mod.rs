@@ -82,7 +82,10 @@ pub use milestones::Milestone;
 pub use panel::{Action, ActionValue, Event, Panel};
 pub use plan::Planner;
 pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};
-pub use plc::{BenchPlc, GearShift, Io, Plc, PlcAlarm, PlcOverrides, ProgramState, Stops, Strobes, WordPart};
+pub use plc::{
+    BenchPlc, GearShift, OverrideKnobs, Plc, PlcAlarm, PlcOrders, PlcSignals, ProgramState, SpindleOrders, Strobes,
+    WordPart,
+};
 pub use program::RunningProgram;
 pub use setup::{Budget, PlanProgress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};

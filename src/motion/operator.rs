@@ -18,12 +18,12 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.operator.events_done += 1;
         match &event.action {
             Action::SpindleOverride(value) => {
-                self.s.plc.io.spindle_override = percent(*value);
+                self.s.plc.signals.knobs.spindle = percent(*value);
                 self.scan(t);
             }
             Action::FeedOverride(value) => {
                 self.s.operator.knobs.feed = *value;
-                self.s.plc.io.feed_override = percent(*value);
+                self.s.plc.signals.knobs.feed = percent(*value);
                 self.scan(t);
                 self.pace(t);
             }
@@ -34,7 +34,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             Action::Start => self.start(t),
             Action::Hold => {
                 if self.s.plc.program.reads_hold_key() {
-                    self.s.plc.io.stops.hold_key = true;
+                    self.s.plc.signals.hold_key = true;
                     self.scan(t);
                 } else {
                     self.hold(t);
@@ -49,7 +49,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Action::InverterFault(on) => {
                 if self.s.plc.program.watches_inverter() {
-                    self.s.plc.io.stops.inverter_fault = *on;
+                    self.s.plc.signals.inverter_fault = *on;
                     if *on {
                         // Without current from the inverter the spindle is not held at an angle.
                         self.s.spindle.orienting = None;
@@ -76,7 +76,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                         let message = msg!("interp.output-range", variable = name.as_str(), value = (*value, 9), taken);
                         self.out.report(Diagnostic::warning(message));
                     }
-                    self.s.plc.io.forced.insert(key, taken);
+                    self.s.plc.forced.insert(key, taken);
                     self.scan(t);
                 }
                 None => self.nothing_to_set(name),
@@ -117,9 +117,9 @@ impl<P: RunningProgram> Sim<'_, P> {
             return;
         }
         let wanted = sense(rpm);
-        self.s.plc.io.stops.spindle_key = Some(wanted);
+        self.s.plc.signals.spindle_key = Some(wanted);
         self.scan(t);
-        if self.s.plc.io.stops.turns.is_some_and(|turns| turns != wanted) {
+        if self.s.plc.orders.turns.is_some_and(|turns| turns != wanted) {
             self.out.report(Diagnostic::warning(msg!("motion.spindle-key-refused", speed = rpm)));
             return;
         }
@@ -147,7 +147,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if self.s.plc.follows && waits {
             self.read_contacts(t);
         }
-        if self.s.plc.io.stops.hold && waits {
+        if self.s.plc.orders.program_held && waits {
             self.out.report(Diagnostic::warning(msg!("motion.start-refused")));
             return;
         }
@@ -198,8 +198,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.s.spindle.speed = 0.0;
         }
         self.s.exec = then;
-        self.s.plc.io.clear_strobes();
-        (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (true, emergency);
+        self.s.plc.signals.clear_strobes();
+        (self.s.plc.signals.reset, self.s.plc.signals.emergency) = (true, emergency);
         self.scan(t);
     }
 

@@ -98,7 +98,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.s.spindle.synced = true;
                 let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
                 let command = SpeedCommand { sign: 0, stage: last.command.stage, ..SpeedCommand::default() };
-                self.s.plc.io.spindle_command = 0.0;
+                self.s.plc.signals.spindle_command = 0.0;
                 let control = SpindleMode::Held;
                 self.put(InverterRamp { t, start: 0.0, target: 0.0, rate: 0.0, turns: goal, command, control, ..last });
             }
@@ -114,7 +114,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let stage = last.command.stage;
         let command =
             SpeedCommand { from: start.abs(), to: target.abs(), span: seconds, sign, stage, ..SpeedCommand::default() };
-        self.s.plc.io.spindle_command = target;
+        self.s.plc.signals.spindle_command = target;
         self.put(InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Position, ..last });
         if t + seconds > t {
             self.s.spindle.reached_at = t + seconds;

@@ -80,7 +80,7 @@ impl<P: RunningProgram> Planner<P> {
 
     /// Whether the PLC holds the program at the end of the planned part.
     pub fn is_held_by_plc(&self) -> bool {
-        self.state.plc.io.stops.hold
+        self.state.plc.orders.program_held
     }
 
     /// Message of the PLC about its hold of the program at the end of the planned part.
@@ -297,7 +297,8 @@ impl<P: RunningProgram> Planner<P> {
             Some(change) => Some(change.value).filter(|value| !value.is_nan()),
             None => {
                 let state = base.map_or(&self.state, |checkpoint| &checkpoint.state);
-                let interface = || state.plc.shown.get(&number).or_else(|| state.plc.io.outputs.get(&number)).copied();
+                let interface =
+                    || state.plc.shown.get(&number).or_else(|| state.plc.signals.macro_outputs.get(&number)).copied();
                 state.program.variable(number).or_else(interface)
             }
         }

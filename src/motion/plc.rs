@@ -46,9 +46,24 @@ pub enum ProgramState {
     Alarm,
 }
 
-/// The part of the interface that stops and releases the machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Stops {
+/// Positions of the operator's override knobs, in percent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OverrideKnobs {
+    /// Spindle override.
+    pub spindle: f64,
+    /// Cutting feed override.
+    pub feed: f64,
+}
+
+impl Default for OverrideKnobs {
+    fn default() -> OverrideKnobs {
+        OverrideKnobs { spindle: 100.0, feed: 100.0 }
+    }
+}
+
+/// Signals of control, operator and machine to the PLC.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PlcSignals {
     /// State of the program.
     pub program: ProgramState,
     /// Reset or emergency stop was pressed; set for one scan.
@@ -61,27 +76,97 @@ pub struct Stops {
     pub spindle_key: Option<i8>,
     /// Key "feed hold" pressed by the operator; set for one scan.
     pub hold_key: bool,
+    /// The override knobs.
+    pub knobs: OverrideKnobs,
+    /// M code that waits for FIN.
+    pub m_strobe: Option<u32>,
+    /// S code that waits for FIN, in r/min.
+    pub s_strobe: Option<f64>,
+    /// T code that waits for FIN.
+    pub t_strobe: Option<u32>,
+    /// Gear stage that waits for FIN, from 1.
+    pub gear_wanted: Option<u8>,
+    /// Macro outputs by variable number, as written by the program.
+    pub macro_outputs: BTreeMap<u32, f64>,
+    /// Commanded spindle speed in r/min after override and clamps, signed.
+    pub spindle_command: f64,
+    /// Actual spindle speed in r/min, signed.
+    pub spindle_actual: f64,
     /// The position loop of the spindle is on: it turns to an angle or holds it.
     pub positions: bool,
+    /// Commanded turns of the axes moved by the PLC since the start of the run, before acceleration.
+    pub pmc_turns: [f64; PMC_AXES],
+}
+
+impl PlcSignals {
+    /// Whether a code waits for FIN.
+    pub(super) fn waits(&self) -> bool {
+        self.m_strobe.is_some() || self.s_strobe.is_some() || self.t_strobe.is_some()
+    }
+
+    /// Clears all codes that wait for FIN.
+    pub(super) fn clear_strobes(&mut self) {
+        (self.m_strobe, self.s_strobe, self.t_strobe, self.gear_wanted) = (None, None, None, None);
+    }
+}
+
+/// Orders of the PLC on the speed of the spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpindleOrders {
+    /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and direction stay in force.
+    pub held: bool,
+    /// Engaged gear stage, from 1.
+    pub gear: u8,
+    /// Volts in place of the speed's, during a gear change.
+    pub shift_volts: Option<f64>,
+    /// Spindle override in percent (register method).
+    pub percent: f64,
+}
+
+/// Orders of the PLC to the control.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlcOrders {
+    /// On the speed of the spindle.
+    pub spindle: SpindleOrders,
     /// Direction of the spindle by the run contacts of the PLC: 1, -1, or 0 for none; `None` for a PLC without such contacts.
     pub turns: Option<i8>,
     /// Direction in which the PLC turns a spindle without M03 and M04 while gears mesh: 1, or 0.
     pub shift_turns: i8,
-    /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and direction stay in force.
-    pub spindle: bool,
     /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it releases them.
-    pub axes: bool,
+    pub axes_held: bool,
     /// The PLC holds the program (FANUC: `*SP` at 0): feed hold until cycle start, which is refused as long as it lasts.
-    pub hold: bool,
+    pub program_held: bool,
+    /// The cutting feed override is fixed at 100 % (GSK: OVC at 1).
+    pub feed_override_off: bool,
+    /// Macro inputs by variable number, read by the program as `#1033` ….
+    pub macro_inputs: BTreeMap<u32, f64>,
+    /// The waiting codes are done.
+    pub fin: bool,
+    /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
+    pub alarm: Option<PlcAlarm>,
+    /// A remark of the PLC for the operator, shown once per run; with a hold of the PLC, once per block.
+    pub notice: Option<Message>,
+    /// Speeds in r/min, signed, of the axes moved by the PLC.
+    pub pmc_speed: [f64; PMC_AXES],
 }
 
-/// Overrides from the PLC to the control.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlcOverrides {
-    /// Spindle override in percent (register method).
-    pub spindle: f64,
-    /// The cutting feed override is fixed at 100 % (GSK: OVC at 1).
-    pub feed_off: bool,
+impl Default for PlcOrders {
+    /// At power-on: nothing held, the first gear stage, override 100 %.
+    fn default() -> PlcOrders {
+        PlcOrders {
+            spindle: SpindleOrders { held: false, gear: 1, shift_volts: None, percent: 100.0 },
+            turns: None,
+            shift_turns: 0,
+            axes_held: false,
+            program_held: false,
+            feed_override_off: false,
+            macro_inputs: BTreeMap::new(),
+            fin: false,
+            alarm: None,
+            notice: None,
+            pmc_speed: [0.0; PMC_AXES],
+        }
+    }
 }
 
 /// Alarms that a PLC raises.
@@ -95,94 +180,10 @@ pub enum PlcAlarm {
     InverterFault,
 }
 
-/// The interface between PLC and control at one moment.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Io {
-    /// Spindle override of the operator's knob in percent.
-    pub spindle_override: f64,
-    /// Cutting feed override of the operator's knob in percent.
-    pub feed_override: f64,
-    /// Stops of the program, and stops by the PLC.
-    pub stops: Stops,
-    /// Macro inputs by variable number, read by the program as `#1033` ….
-    pub inputs: BTreeMap<u32, f64>,
-    /// Macro outputs by variable number, as written by the program.
-    pub outputs: BTreeMap<u32, f64>,
-    /// Inputs forced by the operator; they replace the values of the PLC in `inputs`.
-    pub forced: BTreeMap<(u32, WordPart), f64>,
-    /// M code that waits for FIN.
-    pub m_strobe: Option<u32>,
-    /// S code that waits for FIN, in r/min.
-    pub s_strobe: Option<f64>,
-    /// T code that waits for FIN.
-    pub t_strobe: Option<u32>,
-    /// Gear stage that waits for FIN, from 1.
-    pub gear_wanted: Option<u8>,
-    /// The PLC's answer: the waiting codes are done.
-    pub fin: bool,
-    /// Overrides from the PLC to the control.
-    pub overrides: PlcOverrides,
-    /// Engaged gear stage, from 1, from the PLC to the control.
-    pub gear: u8,
-    /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
-    pub alarm: Option<PlcAlarm>,
-    /// A remark of the PLC for the operator, shown once per run; with a hold of the PLC, once per block.
-    pub notice: Option<Message>,
-    /// Volts from the PLC to the spindle in place of the speed's, during a gear change.
-    pub gear_volts: Option<f64>,
-    /// Commanded spindle speed in r/min after override and clamps, signed.
-    pub spindle_command: f64,
-    /// Actual spindle speed in r/min, signed.
-    pub spindle_actual: f64,
-    /// Speeds in r/min, signed, of the axes moved by the PLC.
-    pub pmc_speed: [f64; PMC_AXES],
-    /// Commanded turns of these axes since the start of the run, before acceleration.
-    pub pmc_turns: [f64; PMC_AXES],
-}
-
-impl Default for Io {
-    fn default() -> Io {
-        Io {
-            spindle_override: 100.0,
-            feed_override: 100.0,
-            stops: Stops::default(),
-            inputs: BTreeMap::new(),
-            outputs: BTreeMap::new(),
-            forced: BTreeMap::new(),
-            m_strobe: None,
-            s_strobe: None,
-            t_strobe: None,
-            gear_wanted: None,
-            fin: false,
-            overrides: PlcOverrides { spindle: 100.0, feed_off: false },
-            gear: 1,
-            alarm: None,
-            notice: None,
-            gear_volts: None,
-            spindle_command: 0.0,
-            spindle_actual: 0.0,
-            pmc_speed: [0.0; PMC_AXES],
-            pmc_turns: [0.0; PMC_AXES],
-        }
-    }
-}
-
-impl Io {
-    /// Inputs of the spindle speed from the PLC: spindle hold, gear stage, volts during a gear change, and override.
-    pub(super) fn spindle_orders(&self) -> (bool, u8, Option<f64>, f64) {
-        (self.stops.spindle, self.gear, self.gear_volts, self.overrides.spindle)
-    }
-
-    /// Clears all codes that wait for FIN.
-    pub(super) fn clear_strobes(&mut self) {
-        (self.m_strobe, self.s_strobe, self.t_strobe, self.gear_wanted) = (None, None, None, None);
-    }
-}
-
 /// The machine builder's PLC program. It is called when one of its inputs has changed, and at the time it requests.
 pub trait Plc {
-    /// Reads and writes the interface at time `t` (s); returns the time of the latest next call, if any.
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64>;
+    /// Answers the signals at time `t` (s) by orders, which last until it changes them; returns the time of the latest next call, if any.
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64>;
     /// Whether contacts of the machine follow its movers: see [`follow`](Plc::follow).
     fn follows_movers(&self) -> bool {
         false
@@ -224,19 +225,20 @@ pub struct GearShift {
 
 impl GearShift {
     /// Shifts to the stage wanted since `since` (s); returns the time of the next change, `None` when the shift is finished.
-    pub fn shift(&self, t: f64, since: f64, io: &mut Io) -> Option<f64> {
-        let wanted = io.gear_wanted.filter(|&wanted| wanted != io.gear || io.gear_volts.is_some())?;
+    pub fn shift(&self, t: f64, since: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        let SpindleOrders { gear, shift_volts, .. } = orders.spindle;
+        let wanted = signals.gear_wanted.filter(|&wanted| wanted != gear || shift_volts.is_some())?;
         let out = since + self.before;
         if let Some(patience) = self.patience.filter(|&patience| patience < self.meshing) {
             let late = out + patience;
-            io.gear_volts = (t < late).then_some(self.volts);
-            io.alarm = (t >= late).then_some(PlcAlarm::GearTimeout);
+            orders.spindle.shift_volts = (t < late).then_some(self.volts);
+            orders.alarm = (t >= late).then_some(PlcAlarm::GearTimeout);
             return Some(if t < out { out } else { late });
         }
         let done = out + self.meshing + self.after;
-        io.gear_volts = (t < done).then_some(self.volts);
+        orders.spindle.shift_volts = (t < done).then_some(self.volts);
         if t >= out {
-            io.gear = wanted;
+            orders.spindle.gear = wanted;
         }
         (t < done).then_some(if t < out { out } else { done })
     }
@@ -248,9 +250,9 @@ pub struct Strobes(Option<f64>);
 
 impl Strobes {
     /// Start (s) of the wait of the present codes. Without waiting codes it is `None` and switches FIN off.
-    pub fn since(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
-            (self.0, io.fin) = (None, false);
+    pub fn since(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        if !signals.waits() {
+            (self.0, orders.fin) = (None, false);
             return None;
         }
         Some(*self.0.get_or_insert(t))
@@ -291,25 +293,25 @@ impl BenchPlc {
 }
 
 impl Plc for BenchPlc {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        let percent = self.knob.map_or(io.spindle_override, |knob| knob.nearest(io.spindle_override));
-        io.overrides.spindle = percent;
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        let percent = self.knob.map_or(signals.knobs.spindle, |knob| knob.nearest(signals.knobs.spindle));
+        orders.spindle.percent = percent;
         if let Some(variable) = self.override_echo {
-            io.inputs.insert(variable, percent);
+            orders.macro_inputs.insert(variable, percent);
         }
-        let Some(since) = self.strobes.since(t, io) else {
-            io.gear_volts = None;
-            self.turns = sense(io.spindle_command);
+        let Some(since) = self.strobes.since(t, signals, orders) else {
+            orders.spindle.shift_volts = None;
+            self.turns = sense(signals.spindle_command);
             return None;
         };
-        if self.stop_between && matches!((io.m_strobe, self.turns), (Some(3), -1) | (Some(4), 1)) {
-            io.alarm = Some(PlcAlarm::SpindleReversal);
+        if self.stop_between && matches!((signals.m_strobe, self.turns), (Some(3), -1) | (Some(4), 1)) {
+            orders.alarm = Some(PlcAlarm::SpindleReversal);
             return None;
         }
-        let shifted = self.shift.shift(t, since, io);
+        let shifted = self.shift.shift(t, since, signals, orders);
         let due = since + self.fin_delay;
-        io.fin = t >= due && shifted.is_none();
-        (!io.fin).then_some(shifted.unwrap_or(due))
+        orders.fin = t >= due && shifted.is_none();
+        (!orders.fin).then_some(shifted.unwrap_or(due))
     }
 
     fn boxed(&self) -> Box<dyn Plc> {

@@ -44,7 +44,7 @@ impl<P> SimState<P> {
         look: impl FnOnce(&P, &mut dyn World) -> R,
     ) -> R {
         let mut eyes = ReaderWorld {
-            inputs: &self.plc.io.inputs,
+            inputs: &self.plc.orders.macro_inputs,
             position: Axes::Path(path),
             axes,
             power_on: t,
@@ -116,7 +116,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (running, waiting) = (self.s.run_time_at(t), self.s.waiting());
         let s = &mut *self.s;
         let mut eyes = ReaderWorld {
-            inputs: &s.plc.io.inputs,
+            inputs: &s.plc.orders.macro_inputs,
             position: Axes::Rest(&s.path.position),
             axes: &self.plant.axes,
             power_on: t,
@@ -165,10 +165,10 @@ impl<P: RunningProgram> Sim<'_, P> {
         match canon {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
-                if self.s.plc.io.outputs.get(&variable) != Some(&value) {
+                if self.s.plc.signals.macro_outputs.get(&variable) != Some(&value) {
                     self.out.timeline.changes.push(VariableChange { t, number: variable, value });
                 }
-                self.s.plc.io.outputs.insert(variable, value);
+                self.s.plc.signals.macro_outputs.insert(variable, value);
                 self.scan(t);
             }
             Canon::Suppress { hold, feed_override, exact } => {

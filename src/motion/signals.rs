@@ -1,7 +1,7 @@
-//! The PLC scan: exchanges [`Io`], applies forced inputs, handles FIN.
+//! The PLC scan: exchanges [`PlcSignals`] and [`PlcOrders`], applies forced inputs, handles FIN.
 
 use super::exec::Exec;
-use super::plc::{Io, PlcAlarm, ProgramState};
+use super::plc::{PlcAlarm, ProgramState};
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use super::timeline::VariableChange;
@@ -17,30 +17,31 @@ impl<P: RunningProgram> Sim<'_, P> {
         // The speed at a cut's diameter and its feed per revolution depend on each other; they settle before the PLC is scanned.
         (0..ROUNDS).all(|_| self.turn(t));
         self.show_pmc(t);
-        let waited = (self.s.plc.io.stops.axes, self.s.operator.held);
+        let waited = (self.s.plc.orders.axes_held, self.s.operator.held);
         // A PLC and a control that never agree are left to the next scan.
         for _ in 0..ROUNDS {
-            self.s.plc.io.spindle_actual =
+            self.s.plc.signals.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
-            let key = self.s.plc.io.stops.hold_key;
-            let (state, orders) = (self.program_state(), self.s.plc.io.spindle_orders());
-            self.s.plc.io.stops.program = state;
-            self.s.plc.io.stops.positions = self.s.spindle.orienting.is_some();
-            let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
-            (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
-            (self.s.plc.io.stops.spindle_key, self.s.plc.io.stops.hold_key) = (None, false);
+            let key = self.s.plc.signals.hold_key;
+            let (state, orders) = (self.program_state(), self.s.plc.orders.spindle);
+            self.s.plc.signals.program = state;
+            self.s.plc.signals.positions = self.s.spindle.orienting.is_some();
+            let plc = &mut self.s.plc;
+            let wish = plc.program.scan(t, &plc.signals, &mut plc.orders);
+            (self.s.plc.signals.reset, self.s.plc.signals.emergency) = (false, false);
+            (self.s.plc.signals.spindle_key, self.s.plc.signals.hold_key) = (None, false);
             // A PLC that requests an immediate scan gets it in its next cycle (1 ms).
             self.s.plc.next_scan = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
-            let Io { forced, inputs, .. } = &mut self.s.plc.io;
-            for ((number, part), value) in forced.iter() {
-                let word = inputs.entry(*number).or_insert(0.0);
+            let plc = &mut self.s.plc;
+            for ((number, part), value) in &plc.forced {
+                let word = plc.orders.macro_inputs.entry(*number).or_insert(0.0);
                 *word = part.put(*word, *value);
             }
-            if let Some(alarm) = self.s.plc.io.alarm.take() {
+            if let Some(alarm) = self.s.plc.orders.alarm.take() {
                 self.plc_alarm(t, alarm);
             }
-            let notice = self.s.plc.io.notice.take();
-            if self.s.plc.io.stops.hold {
+            let notice = self.s.plc.orders.notice.take();
+            if self.s.plc.orders.program_held {
                 self.hold(t);
                 if let Some(notice) = notice {
                     self.s.plc.hold = Some(notice.clone());
@@ -52,23 +53,22 @@ impl<P: RunningProgram> Sim<'_, P> {
                     self.warn(Once::Notice, || notice);
                 }
             }
-            let io = &mut self.s.plc.io;
-            let waiting = io.m_strobe.is_some() || io.s_strobe.is_some() || io.t_strobe.is_some();
-            let answered = waiting && io.fin;
+            let plc = &mut self.s.plc;
+            let answered = plc.signals.waits() && plc.orders.fin;
             if answered {
-                io.clear_strobes();
+                plc.signals.clear_strobes();
                 if matches!(self.s.exec, Exec::Fin) {
                     self.s.exec = Exec::Idle;
                 }
             }
-            let ordered = answered || self.s.plc.io.spindle_orders() != orders;
+            let ordered = answered || self.s.plc.orders.spindle != orders;
             let changed = ordered && self.turn(t) || self.program_state() != state;
             // The key is released before anything else happens.
             if !changed && !answered && !key {
                 break;
             }
         }
-        if (self.s.plc.io.stops.axes, self.s.operator.held) != waited {
+        if (self.s.plc.orders.axes_held, self.s.operator.held) != waited {
             self.pace(t);
         }
         self.turn_pmc(t);
@@ -87,7 +87,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Shows the PLC that the program has stopped or continued.
     pub(super) fn show_state(&mut self, t: f64) {
-        if self.program_state() != self.s.plc.io.stops.program {
+        if self.program_state() != self.s.plc.signals.program {
             self.scan(t);
         }
     }
@@ -108,7 +108,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             PlcAlarm::GearTimeout => (self.plant.gear_timeout, msg!("motion.gear-timeout")),
         };
-        self.s.plc.io.clear_strobes();
+        self.s.plc.signals.clear_strobes();
         self.stop_with(Diagnostic::error(message).alarm(shown));
         self.turn(t);
     }
@@ -123,7 +123,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Records changed macro inputs, for the screen.
     fn show_inputs(&mut self, t: f64) {
-        let inputs = &self.s.plc.io.inputs;
+        let inputs = &self.s.plc.orders.macro_inputs;
         if *inputs == self.s.plc.shown {
             return;
         }

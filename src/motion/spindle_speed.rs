@@ -51,11 +51,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (to, bound) = self.held(later);
         let from = if now == later { to } else { self.held(now).0 };
         let span = if from == to { 0.0 } else { span };
-        let without_current = self.plant.is_without_current(t, &self.s.plc.io.stops);
-        let stands = without_current || self.s.plc.io.stops.spindle;
-        let sign = match (self.s.spindle.direction, self.s.plc.io.gear_volts) {
+        let without_current = self.plant.is_without_current(t, &self.s.plc.signals);
+        let stands = without_current || self.s.plc.orders.spindle.held;
+        let sign = match (self.s.spindle.direction, self.s.plc.orders.spindle.shift_volts) {
             _ if stands => 0,
-            (0, Some(_)) => self.s.plc.io.stops.shift_turns,
+            (0, Some(_)) => self.s.plc.orders.shift_turns,
             (direction, _) => direction,
         };
         let last = self.out.timeline.ramps.last();
@@ -88,21 +88,21 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// The gear stage reported by the PLC; 1 if the spindle lacks it.
     fn gear(&self) -> u8 {
-        let gear = self.s.plc.io.gear;
+        let gear = self.s.plc.orders.spindle.gear;
         if gear <= self.plant.spindle.stage_count { gear.max(1) } else { 1 }
     }
 
     /// The spindle override as a factor.
     pub(super) fn override_share(&self) -> f64 {
         let whole = self.s.exec.threads() && !self.plant.spindle.rules.thread_override;
-        if whole { 1.0 } else { percent(self.s.plc.io.overrides.spindle) / 100.0 }
+        if whole { 1.0 } else { percent(self.s.plc.orders.spindle.percent) / 100.0 }
     }
 
     /// Speed (r/min) after override and limits, and the active limit.
     pub(super) fn held(&self, rpm: f64) -> (f64, Bound) {
         let (plant, turning) = (&self.plant.spindle, &self.s.spindle);
         let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
-        if let Some(volts) = self.s.plc.io.gear_volts {
+        if let Some(volts) = self.s.plc.orders.spindle.shift_volts {
             return (analog.speed(volts).min(FASTEST), Bound::Shift);
         }
         let mut set = turning.set;
@@ -144,7 +144,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             rate = rate.min((target - start).abs() / command.span);
         }
-        self.s.plc.io.spindle_command = target;
+        self.s.plc.signals.spindle_command = target;
         let diameter_axis = self.s.spindle.diameter_axis;
         let ramp = InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Speed, diameter_axis };
         self.put(ramp);

@@ -52,7 +52,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let spindle = ramp.map_or(0.0, |ramp| ramp.reached().max(ramp.t + ramp.command.span));
         let longest = if ramp.is_some_and(|ramp| ramp.command.coasts) { COASTING } else { SETTLING };
         // The PLC still slows down its axes.
-        let turning = self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+        let turning = self.s.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let plc = if turning && self.s.plc.next_scan.is_finite() { f64::INFINITY } else { 0.0 };
         let settled = axes.chain(pmc).fold(spindle.max(plc), f64::max);
         math::clamp(settled, ended_at, ended_at + longest)

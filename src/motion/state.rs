@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use super::exec::Exec;
-use super::plc::{Io, Plc};
+use super::plc::{Plc, PlcOrders, PlcSignals, WordPart};
 use super::snapshot::Mode;
 use super::spindle_control::SpindleControl;
 use crate::interp::canon::AXES;
@@ -115,7 +115,11 @@ pub(super) struct PlcState {
     /// Whether contacts follow the movers, and the time (s) at which they are read next.
     pub(super) follows: bool,
     pub(super) next_reading: f64,
-    pub(super) io: Io,
+    /// Signals to the PLC, and its orders.
+    pub(super) signals: PlcSignals,
+    pub(super) orders: PlcOrders,
+    /// Inputs forced by the operator; they replace the values of the PLC in its orders.
+    pub(super) forced: BTreeMap<(u32, WordPart), f64>,
     /// Message of the PLC about its hold of the program, as long as the hold lasts.
     pub(super) hold: Option<Message>,
     /// Macro inputs as last recorded.
@@ -129,7 +133,9 @@ impl Clone for PlcState {
             next_scan: self.next_scan,
             follows: self.follows,
             next_reading: self.next_reading,
-            io: self.io.clone(),
+            signals: self.signals.clone(),
+            orders: self.orders.clone(),
+            forced: self.forced.clone(),
             hold: self.hold.clone(),
             shown: self.shown.clone(),
         }
@@ -202,7 +208,9 @@ impl<P> SimState<P> {
                 program: plc,
                 next_scan: f64::INFINITY,
                 next_reading: f64::INFINITY,
-                io: Io::default(),
+                signals: PlcSignals::default(),
+                orders: PlcOrders::default(),
+                forced: BTreeMap::new(),
                 hold: None,
                 shown: BTreeMap::new(),
             },

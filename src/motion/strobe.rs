@@ -17,7 +17,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.strobe(next.canon);
             }
         }
-        self.s.plc.io.fin = false;
+        self.s.plc.orders.fin = false;
         if !self.s.suppressed.fin {
             self.s.exec = Exec::Fin;
         }
@@ -27,11 +27,11 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Whether a code can be put out beside the waiting ones.
     fn free(&self, canon: &Canon) -> bool {
         match canon {
-            Canon::SpindleSpeed { .. } => self.s.plc.io.s_strobe.is_none(),
+            Canon::SpindleSpeed { .. } => self.s.plc.signals.s_strobe.is_none(),
             Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } | Canon::Gear { .. } => {
-                self.s.plc.io.m_strobe.is_none()
+                self.s.plc.signals.m_strobe.is_none()
             }
-            Canon::Tool { .. } => self.s.plc.io.t_strobe.is_none(),
+            Canon::Tool { .. } => self.s.plc.signals.t_strobe.is_none(),
             _ => false,
         }
     }
@@ -43,24 +43,24 @@ impl<P: RunningProgram> Sim<'_, P> {
                 turning.surface = None;
                 turning.speed = rpm.max(0.0);
                 turning.commanded = true;
-                self.s.plc.io.s_strobe = Some(rpm);
+                self.s.plc.signals.s_strobe = Some(rpm);
                 if turning.automatic
-                    && let Some(stage) = stage_for(self.plant.spindle.stages(), self.s.plc.io.gear, rpm)
-                    && stage != self.s.plc.io.gear
+                    && let Some(stage) = stage_for(self.plant.spindle.stages(), self.s.plc.orders.spindle.gear, rpm)
+                    && stage != self.s.plc.orders.spindle.gear
                 {
-                    self.s.plc.io.gear_wanted = Some(stage);
+                    self.s.plc.signals.gear_wanted = Some(stage);
                 }
             }
             Canon::Gear { stage } => {
                 self.s.spindle.automatic = stage == 0;
-                self.s.plc.io.m_strobe = Some(40 + u32::from(stage));
+                self.s.plc.signals.m_strobe = Some(40 + u32::from(stage));
                 let count = self.plant.spindle.stage_count;
                 if stage > count {
                     self.warn(Once::NoStage, || {
                         msg!("motion.no-stage", stage = u32::from(stage), count = u32::from(count))
                     });
                 } else if stage > 0 {
-                    self.s.plc.io.gear_wanted = Some(stage);
+                    self.s.plc.signals.gear_wanted = Some(stage);
                 }
             }
             Canon::SpindleDirection { sign } => {
@@ -68,7 +68,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.s.spindle.direction = sign.signum();
                 self.s.spindle.locked = false;
                 self.s.spindle.commanded = true;
-                self.s.plc.io.m_strobe = Some(match sign.signum() {
+                self.s.plc.signals.m_strobe = Some(match sign.signum() {
                     1 => 3,
                     -1 => 4,
                     _ => 5,
@@ -80,9 +80,9 @@ impl<P: RunningProgram> Sim<'_, P> {
                 // The M codes of tool change and coolant (M6 to M9) lock nothing.
                 turning.locked |= rules.lock.map_or(!matches!(code, 6..=9), |lock| lock == code);
                 turning.driven |= rules.driven_tool == Some(code);
-                self.s.plc.io.m_strobe = Some(code);
+                self.s.plc.signals.m_strobe = Some(code);
             }
-            Canon::Tool { code } => self.s.plc.io.t_strobe = Some(code),
+            Canon::Tool { code } => self.s.plc.signals.t_strobe = Some(code),
             _ => {}
         }
     }

@@ -9,7 +9,7 @@ use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, SpindleRules};
 use crate::drives::speed::{self, Steps};
-use crate::motion::{Io, Plc, PlcAlarm, ProgramState, Strobes};
+use crate::motion::{Plc, PlcAlarm, PlcOrders, PlcSignals, ProgramState, Strobes};
 
 /// Time (s) from a code to the end of its block, at the least: strobe, a few scans, and the width of FIN.
 pub const ANSWER: f64 = 0.05;
@@ -60,7 +60,7 @@ impl Wiring {
 /// A named block of the ladder: a function whose instruction is not known.
 pub trait NamedBlock: Send + Sync {
     /// Acts at time `t` on the signals of the image that bear its name; returns when it wants to act again at the latest.
-    fn act(&mut self, t: f64, image: &mut Image, io: &mut Io) -> Option<f64>;
+    fn act(&mut self, t: f64, image: &mut Image, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64>;
     /// A copy with all its state.
     fn boxed(&self) -> Box<dyn NamedBlock>;
 }
@@ -88,8 +88,8 @@ pub struct LadderPlc {
     image: Image,
     /// Whether one more scan of the same signals would change nothing.
     settled: bool,
-    /// Settled state of a ladder without a named block: signals after its last scan, and time (s) of the next scan if none of them changes.
-    last_scan: Option<(Box<Io>, Option<f64>)>,
+    /// The last scan, if a ladder without a named block has settled in it.
+    last_scan: Option<Box<LastScan>>,
     /// When the next timer of the image closes its contact (s).
     due: Option<f64>,
     /// Whether a rung waits for a contact that follows the measured speed.
@@ -102,6 +102,15 @@ pub struct LadderPlc {
     tool: Option<u32>,
     /// The stage whose valve is on, and since when.
     gear: (u8, f64),
+}
+
+/// A scan after which nothing changes by itself.
+#[derive(Clone)]
+struct LastScan {
+    signals: PlcSignals,
+    orders: PlcOrders,
+    /// Time (s) of the next scan if none of them changes.
+    again: Option<f64>,
 }
 
 impl LadderPlc {
@@ -161,66 +170,67 @@ impl LadderPlc {
     }
 
     /// Reads control, keys and contacts.
-    fn read(&mut self, t: f64, io: &Io) {
+    fn read(&mut self, t: f64, signals: &PlcSignals, orders: &PlcOrders) {
         for bit in self.named.iter() {
-            if let Some(on) = self.state(*bit, io) {
+            if let Some(on) = self.state(*bit, signals, orders) {
                 self.image.set(*bit, on);
             }
         }
         let image = &mut self.image;
-        image.put(PlcNumber::Signal(SignalRole::MCode), io.m_strobe.map_or(0.0, f64::from));
+        image.put(PlcNumber::Signal(SignalRole::MCode), signals.m_strobe.map_or(0.0, f64::from));
         // Read only by ladders that use it: constant surface speed changes it in every scan.
         if self.reads_speed {
-            image.put(FINAL, final_speed(io));
+            image.put(FINAL, final_speed(signals));
         }
-        image.put(PlcNumber::Knob, self.wiring.knob.nearest(io.spindle_override));
-        image.put(PlcNumber::FeedKnob, io.feed_override);
-        for (&variable, &value) in &io.outputs {
+        image.put(PlcNumber::Knob, self.wiring.knob.nearest(signals.knobs.spindle));
+        image.put(PlcNumber::FeedKnob, signals.knobs.feed);
+        for (&variable, &value) in &signals.macro_outputs {
             image.set(Bit::Macro(variable), value != 0.0);
             image.put(PlcNumber::Signal(SignalRole::MacroOutput(variable)), value);
         }
         self.contacts(t);
-        (self.program, self.code, self.tool) = (io.stops.program, io.m_strobe, io.t_strobe);
+        (self.program, self.code, self.tool) = (signals.program, signals.m_strobe, signals.t_strobe);
     }
 
     /// State of a signal that control, keys or contacts of the machine switch.
-    fn state(&self, bit: Bit, io: &Io) -> Option<bool> {
-        let stops = &io.stops;
+    fn state(&self, bit: Bit, signals: &PlcSignals, orders: &PlcOrders) -> Option<bool> {
         Some(match bit {
-            Bit::Signal(SignalRole::Running) => stops.program == ProgramState::Running,
-            Bit::Signal(SignalRole::Idle) => stops.program == ProgramState::Idle,
+            Bit::Signal(SignalRole::Running) => signals.program == ProgramState::Running,
+            Bit::Signal(SignalRole::Idle) => signals.program == ProgramState::Idle,
             Bit::Signal(SignalRole::ProgramEnd) => {
-                stops.program == ProgramState::Idle && self.program == ProgramState::Running && !stops.reset
+                signals.program == ProgramState::Idle && self.program == ProgramState::Running && !signals.reset
             }
-            Bit::Signal(SignalRole::Alarm) => stops.program == ProgramState::Alarm,
-            Bit::Signal(SignalRole::Reset) => stops.reset,
+            Bit::Signal(SignalRole::Alarm) => signals.program == ProgramState::Alarm,
+            Bit::Signal(SignalRole::Reset) => signals.reset,
             // The control resets itself at an emergency stop: nobody presses the key.
-            Bit::Input(MachineContact::ResetKey) => stops.reset && !stops.emergency,
-            Bit::Signal(SignalRole::MStrobe) => io.m_strobe.is_some(),
-            Bit::Signal(SignalRole::SStrobe) => io.s_strobe.is_some(),
-            Bit::Signal(SignalRole::TStrobe) => io.t_strobe.is_some(),
-            Bit::Signal(SignalRole::TFunction) => io.t_strobe.is_some() && self.tool != io.t_strobe,
-            Bit::Signal(SignalRole::MFunction(code)) => io.m_strobe == Some(code) && self.code != Some(code),
-            Bit::Signal(SignalRole::GearChange) => {
-                io.gear_wanted.is_some_and(|stage| stage != io.gear || io.gear_volts.is_some())
-            }
+            Bit::Input(MachineContact::ResetKey) => signals.reset && !signals.emergency,
+            Bit::Signal(SignalRole::MStrobe) => signals.m_strobe.is_some(),
+            Bit::Signal(SignalRole::SStrobe) => signals.s_strobe.is_some(),
+            Bit::Signal(SignalRole::TStrobe) => signals.t_strobe.is_some(),
+            Bit::Signal(SignalRole::TFunction) => signals.t_strobe.is_some() && self.tool != signals.t_strobe,
+            Bit::Signal(SignalRole::MFunction(code)) => signals.m_strobe == Some(code) && self.code != Some(code),
+            Bit::Signal(SignalRole::GearChange) => signals
+                .gear_wanted
+                .is_some_and(|stage| stage != orders.spindle.gear || orders.spindle.shift_volts.is_some()),
             Bit::Signal(SignalRole::GearAsked(at)) => {
-                io.gear_wanted.is_some_and(|stage| u32::from(stage) >> at & 1 == 1)
+                signals.gear_wanted.is_some_and(|stage| u32::from(stage) >> at & 1 == 1)
             }
             Bit::Input(MachineContact::Emergency | MachineContact::EmergencyDelayed) => {
-                !(stops.reset && stops.emergency)
+                !(signals.reset && signals.emergency)
             }
-            Bit::Input(MachineContact::InverterReady | MachineContact::InverterEnabled) => !stops.inverter_fault,
+            Bit::Input(MachineContact::InverterReady | MachineContact::InverterEnabled) => !signals.inverter_fault,
             Bit::Input(MachineContact::AtSpeed) => {
-                io.spindle_actual.abs() >= self.wiring.at_speed * io.spindle_command.abs()
+                signals.spindle_actual.abs() >= self.wiring.at_speed * signals.spindle_command.abs()
             }
-            Bit::Input(MachineContact::AtShiftSpeed) => io.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0),
-            Bit::Input(MachineContact::AtStandstill) => io.spindle_actual.abs() <= STANDSTILL,
-            Bit::Signal(SignalRole::SpindlePositions) => stops.positions,
-            Bit::Input(MachineContact::ForwardKey) => stops.spindle_key == Some(1),
-            Bit::Input(MachineContact::ReverseKey) => stops.spindle_key == Some(-1),
-            Bit::Input(MachineContact::StopKey) => stops.spindle_key != Some(0),
-            Bit::Input(MachineContact::HoldKey) => !stops.hold_key,
+            Bit::Input(MachineContact::AtShiftSpeed) => {
+                signals.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0)
+            }
+            Bit::Input(MachineContact::AtStandstill) => signals.spindle_actual.abs() <= STANDSTILL,
+            Bit::Signal(SignalRole::SpindlePositions) => signals.positions,
+            Bit::Input(MachineContact::ForwardKey) => signals.spindle_key == Some(1),
+            Bit::Input(MachineContact::ReverseKey) => signals.spindle_key == Some(-1),
+            Bit::Input(MachineContact::StopKey) => signals.spindle_key != Some(0),
+            Bit::Input(MachineContact::HoldKey) => !signals.hold_key,
             _ => return None,
         })
     }
@@ -275,74 +285,74 @@ impl LadderPlc {
     }
 
     /// Hands the coils to control and machine.
-    fn write(&mut self, t: f64, io: &mut Io, alarms: [bool; 2]) {
+    fn write(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders, alarms: [bool; 2]) {
         let (ladder, image) = (&self.ladder, &self.image);
         let coil = |bit: Bit| ladder.drives(bit).then(|| image.is_on(bit));
         let signal = |role: SignalRole| coil(Bit::Signal(role));
         let output = |output: MachineOutput| coil(Bit::Output(output));
         let runs = RUNS.into_iter().filter_map(output).reduce(|a, b| a || b);
         let spindle = [signal(SignalRole::SpindleEnable), signal(SignalRole::SpindleHold).map(|held| !held), runs];
-        io.stops.spindle = spindle.into_iter().flatten().any(|on| !on);
-        io.stops.shift_turns = i8::from(image.is_on(SLOWED) && runs == Some(true));
+        orders.spindle.held = spindle.into_iter().flatten().any(|on| !on);
+        orders.shift_turns = i8::from(image.is_on(SLOWED) && runs == Some(true));
         let directions = TURNS.iter().all(|turns| ladder.drives(*turns));
-        io.stops.turns = directions.then(|| {
+        orders.turns = directions.then(|| {
             let [forward, reverse] = TURNS.map(|turns| i8::from(image.is_on(turns) && !image.is_on(STOPPED)));
             forward - reverse
         });
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];
-        io.stops.axes = axes.into_iter().flatten().any(|on| !on);
-        io.stops.hold =
+        orders.axes_held = axes.into_iter().flatten().any(|on| !on);
+        orders.program_held =
             signal(SignalRole::HoldReleased) == Some(false) || signal(SignalRole::HoldRequest) == Some(true);
         // An override that is not valid is 100 %, but 0 % stops the axes all the same.
-        let invalid = signal(SignalRole::FeedOverrideValid) == Some(false) && io.feed_override > 0.0;
-        io.overrides.feed_off = invalid || signal(SignalRole::FeedOverrideOff).unwrap_or(false);
+        let invalid = signal(SignalRole::FeedOverrideValid) == Some(false) && signals.knobs.feed > 0.0;
+        orders.feed_override_off = invalid || signal(SignalRole::FeedOverrideOff).unwrap_or(false);
         for rung in ladder.rungs.iter() {
             match rung.written() {
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverride)) => {
-                    io.overrides.spindle = image.number(word)
+                    orders.spindle.percent = image.number(word)
                 }
                 // The control keeps its override at a code that it does not know.
                 Some(word @ PlcNumber::Signal(SignalRole::SpindleOverrideCode)) => {
                     let known = self.wiring.rules.override_of_code(image.number(word));
-                    io.overrides.spindle = known.unwrap_or(io.overrides.spindle);
+                    orders.spindle.percent = known.unwrap_or(orders.spindle.percent);
                 }
                 Some(word @ PlcNumber::Signal(SignalRole::MacroInputLow(variable))) => {
-                    io.inputs.insert(variable, image.number(word));
+                    orders.macro_inputs.insert(variable, image.number(word));
                 }
                 _ => {}
             }
         }
         for (_, word, _) in self.written.iter() {
-            io.inputs.insert(*word, 0.0);
+            orders.macro_inputs.insert(*word, 0.0);
         }
         for (variable, word, bit) in self.written.iter() {
             if image.is_on(Bit::Macro(*variable)) {
-                *io.inputs.entry(*word).or_insert(0.0) += f64::from(1_u32 << bit);
+                *orders.macro_inputs.entry(*word).or_insert(0.0) += f64::from(1_u32 << bit);
             }
         }
-        io.gear = self.gear.0;
-        io.gear_volts = signal(SignalRole::ShiftSpeed).filter(|on| *on).map(|_| self.wiring.shift_volts);
+        orders.spindle.gear = self.gear.0;
+        orders.spindle.shift_volts = signal(SignalRole::ShiftSpeed).filter(|on| *on).map(|_| self.wiring.shift_volts);
         let raised = [
             (MachineOutput::ReversalAlarm, PlcAlarm::SpindleReversal),
             (MachineOutput::GearAlarm, PlcAlarm::GearTimeout),
         ];
         for ((alarm, kind), before) in raised.into_iter().zip(alarms) {
             if image.is_on(Bit::Output(alarm)) && !before {
-                io.alarm = Some(kind);
+                orders.alarm = Some(kind);
             }
         }
         // The alarm lasts as long as the fault: reset and cycle start raise it again.
-        if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && io.stops.program != ProgramState::Alarm {
-            io.alarm = Some(PlcAlarm::InverterFault);
+        if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && signals.program != ProgramState::Alarm {
+            orders.alarm = Some(PlcAlarm::InverterFault);
         }
-        let since = self.strobes.since(t, io);
+        let since = self.strobes.since(t, signals, orders);
         let answered = signal(SignalRole::Finished).unwrap_or(true) && signal(SignalRole::ReadInDisable) != Some(true);
-        io.fin = since.is_some_and(|since| answered && t >= since + ANSWER);
+        orders.fin = since.is_some_and(|since| answered && t >= since + ANSWER);
     }
 
     /// The next moment at which something happens by itself.
-    fn again(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        let since = self.strobes.since(t, io).map(|since| since + ANSWER).filter(|due| *due > t);
+    fn again(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        let since = self.strobes.since(t, signals, orders).map(|since| since + ANSWER).filter(|due| *due > t);
         let meshed = Some(self.gear.1 + self.wiring.meshing).filter(|due| *due > t);
         let look = self.waits_for_speed.then_some(t + LOOK_INTERVAL);
         [since, meshed, look, self.due].into_iter().flatten().reduce(f64::min)
@@ -350,16 +360,18 @@ impl LadderPlc {
 
     /// Whether a scan at `t` would change nothing: the signals are those of the last scan, and none of its times is due. Speeds may differ
     /// if the ladder reads the same values.
-    fn rests(&mut self, t: f64, io: &Io) -> bool {
-        let Some((signals, again)) = &mut self.last_scan else { return false };
-        (signals.spindle_actual, signals.spindle_command) = (io.spindle_actual, io.spindle_command);
-        again.is_none_or(|again| t < again)
-            && **signals == *io
+    fn rests(&mut self, t: f64, signals: &PlcSignals, orders: &PlcOrders) -> bool {
+        let Some(last) = &mut self.last_scan else { return false };
+        let seen = &mut last.signals;
+        (seen.spindle_actual, seen.spindle_command) = (signals.spindle_actual, signals.spindle_command);
+        last.again.is_none_or(|again| t < again)
+            && *seen == *signals
+            && last.orders == *orders
             && BY_SPEED.into_iter().all(|contact| {
                 self.named.binary_search(&contact).is_err()
-                    || self.state(contact, io) == Some(self.image.is_on(contact))
+                    || self.state(contact, signals, orders) == Some(self.image.is_on(contact))
             })
-            && (!self.reads_speed || self.image.number(FINAL) == final_speed(io))
+            && (!self.reads_speed || self.image.number(FINAL) == final_speed(signals))
     }
 
     /// Notes the times that the present image waits for.
@@ -373,17 +385,17 @@ impl LadderPlc {
 }
 
 /// Commanded speed (r/min) of the control, as the PLC reads it.
-fn final_speed(io: &Io) -> f64 {
-    io.spindle_command.abs().round()
+fn final_speed(signals: &PlcSignals) -> f64 {
+    signals.spindle_command.abs().round()
 }
 
 impl Plc for LadderPlc {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        if self.rests(t, io) {
-            return self.last_scan.as_ref().and_then(|(_, again)| *again);
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        if self.rests(t, signals, orders) {
+            return self.last_scan.as_ref().and_then(|last| last.again);
         }
         self.image.take_changed();
-        self.read(t, io);
+        self.read(t, signals, orders);
         let changed = self.image.take_changed();
         let alarms =
             [MachineOutput::ReversalAlarm, MachineOutput::GearAlarm].map(|alarm| self.image.is_on(Bit::Output(alarm)));
@@ -395,15 +407,16 @@ impl Plc for LadderPlc {
                 self.end_pulses();
                 self.contacts(t);
                 if let Some(block) = &mut self.block {
-                    wish = block.act(t, &mut self.image, io);
+                    wish = block.act(t, &mut self.image, signals, orders);
                 }
                 !self.image.take_changed()
             });
             self.note_waits();
         }
-        self.write(t, io, alarms);
-        let again = [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min);
-        self.last_scan = (self.settled && self.block.is_none()).then(|| (Box::new(io.clone()), again));
+        self.write(t, signals, orders, alarms);
+        let again = [wish, self.again(t, signals, orders)].into_iter().flatten().reduce(f64::min);
+        let rests = self.settled && self.block.is_none();
+        self.last_scan = rests.then(|| Box::new(LastScan { signals: signals.clone(), orders: orders.clone(), again }));
         again
     }
 

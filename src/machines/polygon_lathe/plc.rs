@@ -9,7 +9,7 @@ use super::resolved::PolygonLathe;
 use crate::drives::speed::{STAGES, Steps};
 use crate::machines::ladder::plc::{LadderPlc, NamedBlock, Wiring};
 use crate::machines::ladder::scan::Image;
-use crate::motion::{Io, PMC_AXES};
+use crate::motion::{PMC_AXES, PlcOrders, PlcSignals};
 
 /// Seconds between two speeds of an axis that coasts.
 const STEP: f64 = 0.01;
@@ -67,13 +67,13 @@ impl Axes {
     }
 
     /// Enters the state that the rungs request.
-    fn enter(&mut self, t: f64, image: &Image, io: &mut Io) {
+    fn enter(&mut self, t: f64, image: &Image, signals: &PlcSignals, orders: &mut PlcOrders) {
         let asked = |bits: [_; PMC_AXES]| bits.into_iter().any(|bit| image.is_on(bit));
-        let coasts = self.coasting_deceleration.is_some() && io.stops.reset && io.stops.emergency;
+        let coasts = self.coasting_deceleration.is_some() && signals.reset && signals.emergency;
         match self.state {
             AxesState::Coasting(..) => {}
             AxesState::Indexing(_) | AxesState::Turning if coasts => {
-                self.state = AxesState::Coasting(t, io.pmc_speed);
+                self.state = AxesState::Coasting(t, orders.pmc_speed);
             }
             AxesState::Indexing(_) | AxesState::Turning if asked(STOP) => {
                 self.state = AxesState::Stopping(t + self.settle)
@@ -82,8 +82,8 @@ impl Axes {
             AxesState::Indexing(_) if asked(RUN) => self.state = AxesState::Turning,
             AxesState::Rest if asked(GO_TO_ANGLE) => {
                 let travels: [f64; PMC_AXES] =
-                    core::array::from_fn(|k| travel(io.pmc_turns[k], image.number(ANGLE[k]) / 360_000.0));
-                io.pmc_speed =
+                    core::array::from_fn(|k| travel(signals.pmc_turns[k], image.number(ANGLE[k]) / 360_000.0));
+                orders.pmc_speed =
                     travels.map(|travel| self.index_speed * f64::from(i8::from(travel > 0.0) - i8::from(travel < 0.0)));
                 self.state = AxesState::Indexing(travels.map(|travel| t + travel.abs() * 60.0 / self.index_speed));
             }
@@ -92,10 +92,10 @@ impl Axes {
     }
 
     /// Sets the speeds of the state; returns when the next one begins.
-    fn turn(&mut self, t: f64, image: &Image, io: &mut Io) -> Option<f64> {
+    fn turn(&mut self, t: f64, image: &Image, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
         match self.state {
             AxesState::Indexing(until) => {
-                for (speed, until) in io.pmc_speed.iter_mut().zip(until) {
+                for (speed, until) in orders.pmc_speed.iter_mut().zip(until) {
                     if t >= until {
                         *speed = 0.0;
                     }
@@ -103,24 +103,24 @@ impl Axes {
                 until.into_iter().filter(|until| *until > t).reduce(f64::min)
             }
             AxesState::Turning => {
-                let share = if self.overrides { io.feed_override / 100.0 } else { 1.0 };
-                io.pmc_speed = RPM.map(|speed| image.number(speed) * share);
+                let share = if self.overrides { signals.knobs.feed / 100.0 } else { 1.0 };
+                orders.pmc_speed = RPM.map(|speed| image.number(speed) * share);
                 None
             }
             AxesState::Coasting(since, from) => {
                 let deceleration = self.coasting_deceleration.unwrap_or([f64::INFINITY; PMC_AXES]);
                 // In steps, each at the speed of its middle.
                 let gone = t + 0.5 * STEP - since;
-                io.pmc_speed =
+                orders.pmc_speed =
                     core::array::from_fn(|k| (from[k].abs() - deceleration[k] * gone).max(0.0).copysign(from[k]));
-                if io.pmc_speed == [0.0; PMC_AXES] {
+                if orders.pmc_speed == [0.0; PMC_AXES] {
                     self.state = AxesState::Stopping(t + self.settle);
                     return Some(t + self.settle);
                 }
                 Some(t + STEP)
             }
             AxesState::Rest | AxesState::Stopping(_) => {
-                io.pmc_speed = [0.0; PMC_AXES];
+                orders.pmc_speed = [0.0; PMC_AXES];
                 if let AxesState::Stopping(until) = self.state { Some(until) } else { None }
             }
         }
@@ -136,9 +136,9 @@ fn travel(now: f64, angle: f64) -> f64 {
 }
 
 impl NamedBlock for Axes {
-    fn act(&mut self, t: f64, image: &mut Image, io: &mut Io) -> Option<f64> {
-        self.enter(t, image, io);
-        let next = self.turn(t, image, io);
+    fn act(&mut self, t: f64, image: &mut Image, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        self.enter(t, image, signals, orders);
+        let next = self.turn(t, image, signals, orders);
         for (k, (done, at_standstill)) in DONE.into_iter().zip(AT_STANDSTILL).enumerate() {
             image
                 .set(done, matches!(self.state, AxesState::Indexing(until) if until.get(k).is_some_and(|at| t >= *at)));

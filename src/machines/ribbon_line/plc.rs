@@ -8,7 +8,7 @@ use super::resolved::{KNOB_LIMIT, RibbonLine};
 use crate::drives::speed::{STAGES, Steps};
 use crate::machines::ladder::MachineContact;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
-use crate::motion::{Io, Plc, ProgramState, Timeline};
+use crate::motion::{Plc, PlcOrders, PlcSignals, ProgramState, Timeline};
 use crate::msg;
 
 /// The ladder, and the contacts of loop and reel.
@@ -50,17 +50,17 @@ impl RibbonPlc {
 
 impl RibbonPlc {
     /// Remarks on a knob that moves unwinder or axes alone, while the line runs.
-    fn remark(&self, io: &mut Io) {
-        let (percent, feed) = (io.overrides.spindle, io.feed_override);
+    fn remark(&self, signals: &PlcSignals, orders: &mut PlcOrders) {
+        let (percent, feed) = (orders.spindle.percent, signals.knobs.feed);
         if let Some(typed) = self.typed.filter(|typed| *typed != percent) {
-            io.notice = Some(msg!("ribbon.knob-left", percent = (percent, 0), programmed = (typed, 0)));
+            orders.notice = Some(msg!("ribbon.knob-left", percent = (percent, 0), programmed = (typed, 0)));
         }
         if let Some((k, capacity)) = self.filled.filter(|_| if self.stops_alone { feed == 0.0 } else { feed != 100.0 })
         {
             // Ribbon laid in mm/s: v · (1 - percent / 100).
-            let speed = k * io.spindle_command.abs() / 60.0;
+            let speed = k * signals.spindle_command.abs() / 60.0;
             let time = capacity / (speed * (1.0 - feed / 100.0).abs());
-            io.notice = Some(msg!(
+            orders.notice = Some(msg!(
                 "ribbon.feed-knob-left",
                 percent = (feed, 0),
                 speed = (speed, 0),
@@ -72,12 +72,12 @@ impl RibbonPlc {
 }
 
 impl Plc for RibbonPlc {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        let next = self.ladder.scan(t, io);
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        let next = self.ladder.scan(t, signals, orders);
         if let Some(contact) = self.opened.take() {
-            io.notice = Some(self.contacts.message(contact));
-        } else if io.stops.program == ProgramState::Running && io.spindle_command != 0.0 {
-            self.remark(io);
+            orders.notice = Some(self.contacts.message(contact));
+        } else if signals.program == ProgramState::Running && signals.spindle_command != 0.0 {
+            self.remark(signals, orders);
         }
         next
     }

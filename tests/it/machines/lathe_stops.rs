@@ -2,7 +2,7 @@
 
 use macroline::controls::Code;
 use macroline::machines;
-use macroline::motion::{Action, Event, Io, ProgramState, Snapshot, Stops};
+use macroline::motion::{Action, Event, PlcOrders, PlcSignals, ProgramState, Snapshot};
 use macroline::project::Project;
 
 use super::ribbon_controls::over_time;
@@ -67,23 +67,16 @@ fn keyway_has_rows_of_its_own_in_the_table_of_stops() {
 }
 
 /// The direction that the PLC gives the spindle at M3 behind its lock code and an interruption: none while the clamp is closed.
-fn direction_after(project: &Project, interruption: Stops) -> Option<i8> {
+fn direction_after(project: &Project, interruption: PlcSignals) -> Option<i8> {
     let mut plc = project.prepared().plc();
-    let mut io = Io { stops: Stops { program: ProgramState::Running, ..Stops::default() }, ..Io::default() };
-    let mut t = 0.0;
-    let mut scan = |io: &mut Io| {
-        t += 1.0;
-        plc.scan(t, io);
-    };
-    io.m_strobe = Some(81);
-    scan(&mut io);
-    (io.m_strobe, io.stops) = (None, interruption);
-    scan(&mut io);
-    io.stops = Stops { program: ProgramState::Running, ..Stops::default() };
-    scan(&mut io);
-    io.m_strobe = Some(3);
-    scan(&mut io);
-    io.stops.turns
+    let mut orders = PlcOrders::default();
+    let running = PlcSignals { program: ProgramState::Running, ..PlcSignals::default() };
+    let coded = |code| PlcSignals { m_strobe: Some(code), ..running.clone() };
+    let scans = [coded(81), interruption, running.clone(), coded(3)];
+    for (second, signals) in scans.iter().enumerate() {
+        plc.scan(second as f64, signals, &mut orders);
+    }
+    orders.turns
 }
 
 #[test]
@@ -95,7 +88,7 @@ fn clamp_of_the_keyway_follows_the_table_of_stops() {
             let rows = stop_table(&project);
             for (name, emergency) in [("Reset", false), ("Emergency stop", true)] {
                 let row = rows.iter().find(|cells| cells[0] == format!("{name} in the keyway")).unwrap();
-                let stops = Stops { program: ProgramState::Idle, reset: true, emergency, ..Stops::default() };
+                let stops = PlcSignals { program: ProgramState::Idle, reset: true, emergency, ..PlcSignals::default() };
                 let direction = if row[1].starts_with("Stays locked") { 0 } else { 1 };
                 assert_eq!(direction_after(&project, stops), Some(direction), "{control}, M{release}: {name}");
             }

@@ -1,7 +1,7 @@
 //! Axes that the PLC turns: their ratio holds through every change of speed, and their lag is that of any axis.
 
 use super::*;
-use macroline::motion::Io;
+use macroline::motion::{PlcOrders, PlcSignals};
 
 /// Turns both axes at speeds of its own, the second `k` times as fast: one entry (s, r/min) after the other, and 0 at reset. The feed
 /// override acts on both.
@@ -13,11 +13,11 @@ struct Turner {
 }
 
 impl Plc for Turner {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        self.stopped |= io.stops.reset;
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        self.stopped |= signals.reset;
         let now = self.speeds.iter().rfind(|(from, _)| *from <= t).map_or(0.0, |(_, rpm)| *rpm);
-        let now = if self.stopped { 0.0 } else { now * io.feed_override / 100.0 };
-        io.pmc_speed = [now, self.k * now];
+        let now = if self.stopped { 0.0 } else { now * signals.knobs.feed / 100.0 };
+        orders.pmc_speed = [now, self.k * now];
         self.speeds.iter().map(|(from, _)| *from).find(|from| *from > t)
     }
 

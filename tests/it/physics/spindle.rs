@@ -1,6 +1,6 @@
 //! Ramps, turns, slip, volts, and a PLC that waits for the speed.
 
-use macroline::motion::Io;
+use macroline::motion::{PlcOrders, PlcSignals};
 
 use super::*;
 
@@ -88,11 +88,11 @@ fn slip_reduces_speed_without_jumps() {
 struct AtSpeed;
 
 impl Plc for AtSpeed {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        io.overrides.spindle = io.spindle_override;
-        let waits = io.m_strobe.is_some() || io.s_strobe.is_some();
-        io.fin = waits && (io.spindle_actual - io.spindle_command).abs() < 1.0;
-        (waits && !io.fin).then_some(t + 10.0)
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        orders.spindle.percent = signals.knobs.spindle;
+        let waits = signals.m_strobe.is_some() || signals.s_strobe.is_some();
+        orders.fin = waits && (signals.spindle_actual - signals.spindle_command).abs() < 1.0;
+        (waits && !orders.fin).then_some(t + 10.0)
     }
 
     fn boxed(&self) -> Box<dyn Plc> {

@@ -1,7 +1,7 @@
 //! The timeline after the end of a run goes on until axes and spindle have settled, and not much longer.
 
 use super::*;
-use macroline::motion::{Io, PlcAlarm};
+use macroline::motion::{PlcAlarm, PlcOrders, PlcSignals};
 
 /// Everything has settled at the end of the timeline, and 20 ms before something had not.
 #[track_caller]
@@ -72,9 +72,9 @@ fn run_without_motion_ends_at_once() {
 struct Alarming(BenchPlc);
 
 impl Plc for Alarming {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        let next = self.0.scan(t, io);
-        io.alarm = (t == 0.8).then_some(PlcAlarm::GearTimeout);
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        let next = self.0.scan(t, signals, orders);
+        orders.alarm = (t == 0.8).then_some(PlcAlarm::GearTimeout);
         [next, (t < 0.8).then_some(0.8)].into_iter().flatten().reduce(f64::min)
     }
 
@@ -103,9 +103,9 @@ fn plc_alarm_mid_cut_stops_where_the_axes_are() {
 struct WithKey(BenchPlc, bool);
 
 impl Plc for WithKey {
-    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        io.stops.hold = self.1 && io.stops.hold_key;
-        self.0.scan(t, io)
+    fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
+        orders.program_held = self.1 && signals.hold_key;
+        self.0.scan(t, signals, orders)
     }
 
     fn reads_hold_key(&self) -> bool {
