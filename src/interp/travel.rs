@@ -17,9 +17,12 @@ impl RunState {
         match codes.special {
             None => {}
             Some(Code::Dwell) => {
+                let dwell = values.dwell.unwrap_or(0.0);
+                let counts_turns = self.modal.per_revolution && cx.shared.rules.running.dwell_counts_turns;
                 self.queue.push(match values.dwell_turns {
                     Some(turns) => Canon::DwellTurns { turns },
-                    None => Canon::Dwell { seconds: values.dwell.unwrap_or(0.0) },
+                    None if counts_turns => Canon::DwellTurns { turns: dwell },
+                    None => Canon::Dwell { seconds: dwell },
                 });
                 return Ok(false);
             }

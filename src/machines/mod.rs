@@ -32,6 +32,8 @@ mod main_spindle;
 
 mod spindle_encoder;
 
+mod turret;
+
 pub mod ladder;
 
 pub mod header;

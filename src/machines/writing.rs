@@ -2,6 +2,7 @@
 
 use super::header;
 use super::machine::Machine;
+use crate::controls::options::SwitchKind;
 use crate::controls::{Address, Code, CodeId, Control, VarKind};
 use crate::nc::build::{Builder, Formula, NewWord, g, m, real, v, word};
 
@@ -59,6 +60,19 @@ pub fn stays_clear(b: &mut Builder, (across, along): (u32, u32), clear: impl Fn(
     b.if_goto(v(along).lt(0), target);
 }
 
+/// Jumps to an alarm unless the turret has room to turn beside the work, from a value of X on, or in front of it, from a value of Z on; with
+/// room beside the work it goes on at `next`.
+pub fn turret_has_room(
+    b: &mut Builder,
+    (across, along): (u32, u32),
+    (beside, before): (Formula, Formula),
+    next: u32,
+    target: u32,
+) {
+    b.if_goto(v(across).ge(beside), next);
+    b.if_goto(v(along).lt(before), target);
+}
+
 /// Variables of the work positions of two axes, where the program can read them and raise an alarm of its own.
 pub fn places(control: &Control, letters: [Address; 2]) -> Option<(u32, u32)> {
     let first = work_position(control).filter(|_| has_alarms(control))?;
@@ -70,6 +84,31 @@ pub fn places(control: &Control, letters: [Address; 2]) -> Option<(u32, u32)> {
 /// A dwell in seconds.
 pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
     dwell_of(control, real(seconds, 3))
+}
+
+/// A dwell with a note, in seconds under every unit of the feed. Where the control may count a dwell under feed per revolution in
+/// revolutions, it stands under feed per minute; `feed` is the unit in force before and behind it.
+pub fn wait(b: &mut Builder, control: &Control, feed: Code, seconds: Formula, note: &str) {
+    let switches = feed == Code::FeedPerRevolution && may_count_turns(control);
+    if switches {
+        b.words(codes(control, [Code::FeedPerMinute]));
+    }
+    b.words(dwell_of(control, seconds)).note(note);
+    if switches {
+        b.words(codes(control, [Code::FeedPerRevolution]));
+    }
+}
+
+/// Feed per minute from the start of a program, where the control may count a dwell under the unit of its power-on in revolutions.
+pub fn count_seconds(b: &mut Builder, control: &Control) {
+    if may_count_turns(control) {
+        b.words(codes(control, [Code::FeedPerMinute])).note("DWELLS COUNT SECONDS");
+    }
+}
+
+/// Whether a setting of the control decides if a dwell under feed per revolution counts revolutions.
+fn may_count_turns(control: &Control) -> bool {
+    control.switches.iter().any(|switch| matches!(switch.kind, SwitchKind::DwellUnit(_)))
 }
 
 /// A dwell of a computed number of seconds: with X where the control reads that, else with its first address for seconds.

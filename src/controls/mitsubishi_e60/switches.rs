@@ -53,6 +53,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch(StartupDistance::of(&[StartupDistance::G90, StartupDistance::G91]), MEMORY).parameter("#1073"),
     switch(StartupMotion::of(&[StartupMotion::G01, StartupMotion::G00]), MEMORY).parameter("#1075"),
     switch(ThreadE::of(&[ThreadE::ThreadsPerInch, ThreadE::Lead]), MEMORY).parameter("#8156"),
+    switch(DwellUnit::of(&[DwellUnit::Seconds, DwellUnit::Revolutions]), MEMORY),
     switch(FeedZero::of(&[FeedZero::Alarm, FeedZero::Rapid]), MEMORY).parameter("#1079"),
     switch(SpindleWord::of(&[SpindleWord::Truncate, SpindleWord::Round]), DECIMALS),
     switch(

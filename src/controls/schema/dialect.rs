@@ -120,6 +120,8 @@ pub(crate) enum CoordinateFrame {
 pub(crate) struct RunningRules {
     /// F0 is rapid traverse, not an alarm.
     pub(crate) feed_zero_rapid: bool,
+    /// A dwell under feed per revolution counts revolutions of the spindle, not seconds.
+    pub(crate) dwell_counts_turns: bool,
     /// `#3004` switches the cutting override off.
     pub(crate) suppress_override: bool,
     /// A local variable without an argument keeps its last value.
@@ -301,6 +303,7 @@ impl RunningRules {
         };
         RunningRules {
             feed_zero_rapid: is_set_to(set.feed_zero, FeedZero::Rapid).unwrap_or(false),
+            dwell_counts_turns: is_set_to(set.dwell_unit, DwellUnit::Revolutions).unwrap_or(false),
             suppress_override: is_set_to(set.override_suppression, OverrideSuppression::Yes).unwrap_or(true),
             keep_locals: is_set_to(set.locals_of_calls, LocalsOfCalls::Kept).unwrap_or(false),
             clear_common: is_set_to(set.common_at_reset, CommonAtReset::Vacant).unwrap_or(false),

@@ -228,6 +228,8 @@ switches! {
         common_at_reset: CommonAtReset = "common-at-reset" { Kept = "kept", Vacant = "vacant" }
         /// Local variables of a macro call that passes no argument for them.
         locals_of_calls: LocalsOfCalls = "locals-of-calls" { Vacant = "vacant", Kept = "kept" }
+        /// Unit of the dwell time under feed per revolution.
+        dwell_unit: DwellUnit = "dwell-unit" { Seconds = "seconds", Revolutions = "revolutions" }
         /// Effect of the feed override on axes moved by the PMC.
         pmc_override: PmcOverride = "pmc-override" { ActsNot = "acts-not", Acts = "acts" }
         /// `#3004` bit 1 switches the cutting override off.

@@ -50,6 +50,15 @@ impl Blocks<'_> {
         self.notes.extend(["polygon.other.clear"; 2]);
     }
 
+    /// The checks of a turret that has room to turn, as in the program with G512; the next block is that behind them.
+    fn check_turret(&mut self) {
+        const NEXT: u32 = 12;
+        let Some(place) = self.place() else { return };
+        program::check_turret(&mut self.builder, self.lathe, place, NEXT);
+        self.builder.n(NEXT);
+        self.notes.extend(["polygon.other.turret"; 2]);
+    }
+
     /// A tool with its offset, which shifts the coordinates.
     fn tool(&mut self, number: f64) {
         self.add(vec![word(Address::T, number as u32 * 101)], "");
@@ -78,6 +87,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let clear = p.clear_diameter();
     // A start after a reset may begin in the work.
     b.check();
+    b.check_turret();
     b.add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
     b.turned_end(TurnedEndPlace::Before);
     b.tool(p.tool);

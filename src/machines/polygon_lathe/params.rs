@@ -133,6 +133,7 @@ pub(crate) struct Params {
     pub clearance: f64,
     pub start_x: f64,
     pub start_z: f64,
+    pub turret_room: f64,
     pub tool: f64,
     pub further: [Further; 2],
     pub turned_ends: [TurnedEnd; 2],
@@ -345,6 +346,8 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("mm").range(1.0..=2000.0).default(60.0).decimals(3).step(5.0),
     number("start-z", member!(Params.start_z)).group("polygon.group.cut").label("polygon.start-z").help("polygon.start-z.help")
         .unit("mm").range(0.1..=2000.0).default(30.0).decimals(3).step(5.0),
+    number("turret-room", member!(Params.turret_room)).group("polygon.group.cut").label("lathe.turret-room").help("lathe.turret-room.help")
+        .unit("mm").range(1.0..=1000.0).default(30.0).decimals(1).step(5.0).fact(),
     number("tool", member!(Params.tool)).group("polygon.group.cut").label("polygon.tool").help("polygon.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),
     flag("second", further!(0.on)).group("polygon.group.second").label("polygon.second").help("polygon.second.help"),

@@ -249,6 +249,13 @@ fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, p
     }
 }
 
+/// Jumps to an alarm unless the turret has room to turn where the slide stands; beside the work it goes on at block `next`.
+pub(super) fn check_turret(b: &mut Builder, lathe: &PolygonLathe, place: (u32, u32), next: u32) {
+    let p = &lathe.p;
+    let beside = lathe.x_of(p.stock_diameter + 2.0 * p.turret_room);
+    writing::turret_has_room(b, place, (real(beside, 3), real(p.turret_room, 3)), next, alarm_block(AWAY));
+}
+
 /// Writes O3000, which turns the part.
 fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let p = &lathe.p;
@@ -274,6 +281,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     b.n(10).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     if let Some(place) = place {
         writing::stays_clear(b.n(11), place, away, alarm_block(AWAY));
+        check_turret(b, lathe, place, 12);
     }
     b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
     write_turned_end(b, lathe, TurnedEndPlace::Before, place);

@@ -177,11 +177,20 @@ fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
     words
 }
 
+/// Unit of F.
+fn feed_unit(line: &RibbonLine) -> Code {
+    if line.in_step() { Code::FeedPerRevolution } else { Code::FeedPerMinute }
+}
+
+/// A short dwell before the program reads the override knob again.
+fn wait_for_knob(b: &mut Builder, line: &RibbonLine) {
+    writing::wait(b, line.control, feed_unit(line), real(0.1, 3), "OVERRIDE 0: WAIT");
+}
+
 /// Incremental dimensions, unit of F, and how blocks join.
 fn modes(line: &RibbonLine) -> Vec<NewWord> {
-    let feed = if line.in_step() { Code::FeedPerRevolution } else { Code::FeedPerMinute };
     let path = if line.p.path_mode == PathMode::ExactStop { Code::ExactStop } else { Code::Cutting };
-    codes(line, [Code::Incremental, feed, path])
+    codes(line, [Code::Incremental, feed_unit(line), path])
 }
 
 /// Turns the feed override off, if the control has a variable for it.
@@ -331,6 +340,9 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     override_off(b, line, 1);
+    if !line.in_step() {
+        writing::count_seconds(b, line.control);
+    }
     if !is_length(line) {
         b.n(2).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
     }
@@ -339,7 +351,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(5).call(COMPUTE, None);
     // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
     b.while_do(stands(), 1);
-    b.words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+    wait_for_knob(b, line);
     b.call(COMPUTE, None);
     b.end_do(1);
     if is_length(line) {
@@ -403,7 +415,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
 
 /// N20 to N29: at override 0 the line waits, and then for the unwinder as at a start: X would else pull before ribbon is given.
 fn wait_for_override(b: &mut Builder, line: &RibbonLine) {
-    b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+    wait_for_knob(b.n(20), line);
     speed_and_feed(b, line, 21);
     b.n(27).if_goto(stands(), 20);
     start_spindle(b, line, 28, 29);
@@ -477,7 +489,8 @@ fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
     b.n(start).words([s(v(spindle_word(line))), m(3)]);
     match line.p.wait {
         Wait::Dwell if line.p.dwell > 0.0 => {
-            b.n(wait).words(writing::dwell(line.control, line.p.dwell)).note("SPINDLE GETS ITS SPEED");
+            let (seconds, note) = (real(line.p.dwell, 3), "SPINDLE GETS ITS SPEED");
+            writing::wait(b.n(wait), line.control, feed_unit(line), seconds, note);
         }
         Wait::Dwell => {}
         Wait::Fin => {
@@ -530,7 +543,7 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     b.n(201).assign(REMAINDER, v(REMAINDER) + v(STROKE) - v(PRINT_TRAVEL)).note(&about(line, "LEFT OVER"));
     b.n(202).assign(LEFT, v(LEFT) - 1);
     b.n(203).words(codes(line, [Code::SubEnd]));
-    b.n(210).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+    wait_for_knob(b.n(210), line);
     b.n(211).assign(RUNNING_SPEED, 0).note("SPINDLE STANDS");
     b.n(212).words(codes(line, [Code::SubEnd]));
     feed_alarm(b, line);
@@ -544,6 +557,9 @@ fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl 
     writing::guards(b, &entries(line));
     phase::check(b, line, 19);
     override_off(b, line, 20);
+    if !line.in_step() {
+        writing::count_seconds(b, line.control);
+    }
     b.n(21);
     product(b, line);
     b.n(22).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
@@ -608,7 +624,7 @@ fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
             b.call(COMPUTE, None);
         }
         b.n(32).if_goto(moves(), 35).note("F BELOW IS F0");
-        b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+        wait_for_knob(b.n(33), line);
         b.n(34).assign(RUNNING_SPEED, 0).note("SPINDLE STANDS");
         b.goto(31);
         let speed = spindle_word(line);

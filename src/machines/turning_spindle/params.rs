@@ -287,7 +287,7 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("mm").range(1.0..=5000.0).default(150.0).decimals(3).step(10.0),
     number("start-z", member!(Params.start_z)).group("turning.group.cut").label("turning.start-z").help("turning.start-z.help").symbol("#112")
         .unit("mm").range(0.1..=5000.0).default(100.0).decimals(3).step(10.0),
-    number("turret-room", member!(Params.turret_room)).group("turning.group.cut").label("turning.turret-room").help("turning.turret-room.help").symbol("#126")
+    number("turret-room", member!(Params.turret_room)).group("turning.group.cut").label("lathe.turret-room").help("lathe.turret-room.help").symbol("#126")
         .unit("mm").range(1.0..=1000.0).default(30.0).decimals(1).step(5.0).fact(),
     number("tool", member!(Params.tool)).group("turning.group.cut").label("turning.tool").help("turning.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),

@@ -88,7 +88,7 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<MachineVariable> {
     let limits = speed_limits(lathe).into_iter().zip(labels);
     all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| variable(number, label, "r/min"))));
     all.push(variable(REACH, "turning.variable.reach", "mm"));
-    all.push(variable(ROOM, "turning.turret-room", "mm"));
+    all.push(variable(ROOM, "lathe.turret-room", "mm"));
     all.push(variable(SPEED, "turning.variable.speed", "r/min"));
     if has_flag(lathe) {
         all.push(variable(BEGUN, "turning.variable.begun", ""));
@@ -233,9 +233,8 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
     match place(lathe) {
         Some(place) => {
             writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
-            // Beside the work or in front of it the turret has room to turn.
-            b.if_goto(v(place.0).ge(size(lathe, v(STOCK) + v(ROOM) * 2)), 18);
-            b.if_goto(v(place.1).lt(v(ROOM)), alarm_block(away_alarm(lathe)));
+            let beside = size(lathe, v(STOCK) + v(ROOM) * 2);
+            writing::turret_has_room(b, place, (beside, v(ROOM)), 18, alarm_block(away_alarm(lathe)));
         }
         None => {
             b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
@@ -389,8 +388,13 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     let waits_in_passes = lathe.p.path == Path::Facing && lathe.dwell_of_passes().is_some();
     if lathe.rules().reached.is_none() && !waits_in_passes && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;
-        b.n(28).words(writing::dwell(lathe.control, seconds)).note("SPINDLE COMES TO ITS SPEED");
+        comes_to_speed(b.n(28), lathe, real(seconds, 3));
     }
+}
+
+/// Dwells until the spindle has its speed.
+fn comes_to_speed(b: &mut Builder, lathe: &TurningSpindle, seconds: Formula) {
+    writing::wait(b, lathe.control, Code::FeedPerRevolution, seconds, "SPINDLE COMES TO ITS SPEED");
 }
 
 /// The wait of a pass, at the diameter where its cut begins. The speed is commanded again: some controls change a surface speed in cuts alone,
@@ -398,8 +402,7 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
 fn wait(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(per_speed) = lathe.dwell_of_passes() {
         b.words(block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))]));
-        let words = writing::dwell_of(lathe.control, v(SPEED_LIMIT) * real((1e6 * per_speed).ceil() / 1e6, 6));
-        b.words(words).note("SPINDLE COMES TO ITS SPEED");
+        comes_to_speed(b, lathe, v(SPEED_LIMIT) * real((1e6 * per_speed).ceil() / 1e6, 6));
     }
 }
 

@@ -16,8 +16,8 @@ use crate::drives::analog::FEW_VOLTS;
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::materials::Material;
-use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
+use crate::machines::{scaling, turret};
 use crate::math;
 use crate::msg;
 use crate::text::catalog::number_text as show;
@@ -500,11 +500,7 @@ fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
                 .about(field),
         );
     }
-    if p.start_x < p.stock_diameter + 2.0 * p.turret_room && p.start_z < p.turret_room {
-        let room = (p.turret_room, 1);
-        let message = msg!("turning.turret-hits-work", x = (p.start_x, 3), z = (p.start_z, 3), room);
-        found.push(Diagnostic::error(message).about("start-z").mended_by(p.turret_room.ceil()));
-    }
+    found.extend(turret::hits_work((p.start_x, p.start_z), p.stock_diameter, p.turret_room));
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;
         found.push(

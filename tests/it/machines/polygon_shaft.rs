@@ -184,6 +184,16 @@ fn wide_insert_or_near_jaws_refuse_the_export() {
 }
 
 #[test]
+fn turret_turns_beside_the_work_or_in_front_of_it() {
+    let hits = |x, z| {
+        let project = project(&[("stock-diameter", "25"), ("turret-room", "30"), ("start-x", x), ("start-z", z)]);
+        project.design().diagnostics.iter().any(|found| found.message.id == "lathe.turret-hits-work")
+    };
+    assert!(!hits("85", "2") && !hits("40", "30"));
+    assert!(hits("84.9", "29.9"));
+}
+
+#[test]
 fn infeed_waits_until_every_insert_has_passed_both_ends() {
     let text = &project(&[("from-face", "40"), ("length", "20"), ("work-ratio", "1")]).written().files.0[0].text;
     let finishing = text.split("(FINISHING)").nth(1).unwrap();

@@ -28,7 +28,9 @@ fn machine_sheets_have_the_expected_rows() {
     expect![[r#"
         IF[#5041 LT 29.]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
         IF[#5042 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
-        G98 | feed per minute
+        IF[#5041 GE 85.]GOTO12 | an alarm unless the turret has room to turn
+        IF[#5042 LT 30.]GOTO911 | an alarm unless the turret has room to turn
+        N12 G98 | feed per minute
         T101 | 
         IF[#5041 LT 29.]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
         IF[#5042 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere

@@ -89,7 +89,7 @@ fn turret_turns_beside_the_work_or_in_front_of_it() {
     let at = |x, z| errors(&project("gsk-980tdc", &[("start-x", x), ("start-z", z)]));
     assert_eq!(at("140", "0.1"), []);
     assert_eq!(at("85", "30"), []);
-    assert_eq!(at("139.9", "29.9"), [("start-z", "turning.turret-hits-work")]);
+    assert_eq!(at("139.9", "29.9"), [("start-z", "lathe.turret-hits-work")]);
 }
 
 #[test]

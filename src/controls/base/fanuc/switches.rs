@@ -40,6 +40,7 @@ const RUNNING: &[Switch] = &[
     ),
     switch(StartupMotion::of(&[StartupMotion::G00, StartupMotion::G01]), MEMORY).parameter("3402#0"),
     switch(StartupFeed::of(&[StartupFeed::G99, StartupFeed::G98]), MEMORY).parameter("3402#4"),
+    switch(DwellUnit::of(&[DwellUnit::Seconds, DwellUnit::Revolutions]), MEMORY).parameter("3405#1"),
     switch(AngleRange::of(&[AngleRange::AtanTurnAsinWithinTurn, AngleRange::AtanHalfTurnAsinAroundZero]), MEMORY)
         .parameter("6004#0"),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), MEMORY).parameter("3708#0"),
