@@ -165,9 +165,12 @@ pub(crate) fn speed_text(speed: f64) -> String {
 }
 
 /// Counts of errors, warnings and remarks.
-pub(crate) fn counts(diagnostics: &[Diagnostic]) -> [(Severity, usize); 3] {
-    [Severity::Error, Severity::Warning, Severity::Info]
-        .map(|severity| (severity, diagnostics.iter().filter(|d| d.severity == severity).count()))
+pub(crate) fn counts<'a>(diagnostics: impl IntoIterator<Item = &'a Diagnostic>) -> [(Severity, usize); 3] {
+    let mut all = [Severity::Error, Severity::Warning, Severity::Info].map(|severity| (severity, 0));
+    for found in diagnostics {
+        all.iter_mut().filter(|(severity, _)| *severity == found.severity).for_each(|(_, count)| *count += 1);
+    }
+    all
 }
 
 /// Words of a verdict, for screen readers.

@@ -116,10 +116,12 @@ fn ExampleCard(
         let Ok(project) = made() else { return };
         page.replace(project);
         page.view.gallery.set(false);
-        page.notices.confirm(t("page.fresh").to_owned());
+        // The first change may mend a result: it takes the count away.
         if count > 0 {
             let said = crate::msg!("page.example-fails", example = t(example.name), count = count);
-            page.notices.notify_of_project(Tone::Warn, sentence(&said));
+            page.notices.confirm_as(Tone::Warn, sentence(&said));
+        } else {
+            page.notices.confirm(t("page.fresh").to_owned());
         }
     };
     let about = format!("{}-{}", machine.id(), example.id);

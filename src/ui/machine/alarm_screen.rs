@@ -135,6 +135,8 @@ pub(super) fn AlarmScreen() -> impl IntoView {
     let open = RwSignal::new(false);
     move || {
         let ScreenText { tone, headline, translation, meaning, alarm, place, way_out } = text.get()?;
+        // A number alone says nothing: the meaning is beside it.
+        let bare = headline == alarm;
         let more = (!alarm.is_empty()).then(|| {
             let open = move |_| page.view.explain(format!("alarm.{alarm}"));
             view! { <button type="button" class="link more" on:click=open>{t("help.more")}</button> }
@@ -158,7 +160,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
         });
         Some(view! {
             <section
-                class=format!("alarm-screen {tone}") class:open=move || open.get()
+                class=format!("alarm-screen {tone}") class:open=move || open.get() class:bare=bare
                 role="status" aria-label=t("page.screen")
             >
                 <h2>{headline}</h2>

@@ -50,6 +50,7 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
     let shown = Memo::new(move |_| open.get() && page.view.actions.get());
     let listed = move || shown.get();
     let count = Memo::new(move |_| page.project.with(|project| project.panel.events().len()));
+    let pressed = Memo::new(move |_| player.now.with(|now| now.mode == Mode::EmergencyStop));
     let lamp = move || format!("lamp {}", player.now.with(|now| Tone::from(now.mode)));
     let percent = |letter: char, value: Memo<f64>| {
         view! { <span>{move || format!("{letter} {} %", number_text(value.get(), 1))}</span> }
@@ -77,7 +78,10 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
                     <span class="hidden">{t("operator.actions")}</span>
                     <b>{count}</b>
                 </button>
-                <button type="button" class="mushroom" aria-label=t("page.estop") title=t("page.estop-about") on:click=move |_| act(page, Action::EmergencyStop)>
+                <button
+                    type="button" class="mushroom" aria-pressed=move || pressed.get().to_string() aria-label=t("page.estop")
+                    title=t("page.estop-about") on:click=move |_| act(page, Action::EmergencyStop)
+                >
                     <i></i>
                 </button>
             </div>

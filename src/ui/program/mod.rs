@@ -19,7 +19,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, MouseEvent};
 
 use crate::project::check::{FixChoice, fixes};
-use crate::text::{FileId, Severity};
+use crate::text::{Diagnostic, FileId, Severity};
 use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{Glyph, Icon};
@@ -129,7 +129,9 @@ fn Found() -> impl IntoView {
         }
     };
     let rows = move || {
-        let rows = found.with(|found| counts(found)).into_iter().filter(|(_, count)| *count > 0);
+        // A finding without a place, an emergency stop for instance, is not one of the text.
+        let in_text = |found: &Vec<Diagnostic>| counts(found.iter().filter(|finding| finding.place.is_some()));
+        let rows = found.with(in_text).into_iter().filter(|(_, count)| *count > 0);
         let row = |(severity, count): (Severity, usize)| {
             let title = match severity {
                 Severity::Error => crate::msg!("page.next-error", count = count as u32),

@@ -3,6 +3,7 @@
 use leptos::prelude::*;
 
 use crate::motion::Snapshot;
+use crate::text::units::{self, Lengths};
 use crate::ui::state::Page;
 use crate::ui::words::{figure, t};
 
@@ -38,7 +39,11 @@ pub(super) fn Now() -> impl IntoView {
     let cells = move || {
         let axes = axes.get().into_iter().map(move |(at, letter, words)| {
             let mark = if words > 1.0 { " Ø" } else { "" };
-            let position = move || now.with(|now| now.axes.get(at).map(|axis| figure(words * axis.actual, 3)));
+            // The program's own unit beside inches elsewhere.
+            let unit = if units::shown() == Lengths::Inches { " mm" } else { "" };
+            let position = move || {
+                now.with(|now| now.axes.get(at).map(|axis| format!("{}{unit}", figure(words * axis.actual, 3))))
+            };
             cell(letter, mark, position)
         });
         let of_machine =

@@ -100,10 +100,6 @@ fn take(page: Page, found: &FoundRepairs) {
     }
     page.take_entries(&entries);
     let (changes, left, errors) = (clauses(&found.changes), found.still_failing, found.errors);
-    if left == 0 {
-        // The notice that results of this project fail is no longer true.
-        page.notices.leave_project();
-    }
     let (tone, message) = match (left, errors) {
         (0, 0) => (Tone::Info, crate::msg!("page.repaired", changes)),
         (0, _) => (Tone::Warn, crate::msg!("page.repaired-errors", changes, errors)),
@@ -139,7 +135,7 @@ mod tests {
     async fn repair_makes_every_result_hold_in_one_step() {
         let bench = failing().await;
         assert!(bench.text(".repairs p").contains(&sentence(&crate::msg!("page.results-fail", count = 7_u32))));
-        bench.page.notices.notify_of_project(Tone::Warn, "7 results fail".to_owned());
+        bench.page.notices.confirm_as(Tone::Warn, "7 results fail".to_owned());
         bench.worker.answer_here(answer);
         bench.press(".repairs button").await;
         settled().await;

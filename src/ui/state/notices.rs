@@ -75,11 +75,6 @@ impl Notices {
         });
     }
 
-    /// Shows a notice about the present project, until another one takes its place.
-    pub(crate) fn notify_of_project(self, tone: Tone, text: String) {
-        self.show(Notice { of_project: true, ..Notice::new(tone, text) });
-    }
-
     /// Takes the notices about the present project away.
     pub(crate) fn leave_project(self) {
         self.list.update(|list| list.retain(|notice| !notice.of_project));
@@ -142,7 +137,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn notice_about_a_project_is_gone_with_it() {
         let notices = Notices::new(Vec::new());
-        notices.notify_of_project(Tone::Warn, "a".to_owned());
+        notices.show(Notice { of_project: true, ..Notice::new(Tone::Warn, "a".to_owned()) });
         notices.notify(Tone::Warn, "b".to_owned());
         notices.leave_project();
         assert_eq!(notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>()), ["b"]);

@@ -35,10 +35,14 @@ pub(crate) fn act(page: Page, action: Action) {
         let mut changes: Vec<String> = Vec::new();
         for ((name, old), (_, new)) in without.into_iter().zip(watched(page, later, places)) {
             if old != new {
-                changes.push(format!("{name} {old} → {new}"));
+                changes.push(sentence(&crate::msg!("page.changed-value", name, value = new, without = old)));
             }
         }
-        let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { listed(changes) };
+        let effect = if changes.is_empty() {
+            t("page.no-change").to_owned()
+        } else {
+            sentence(&crate::msg!("page.changed-values", values = listed(changes)))
+        };
         let done = page.project.with_untracked(|project| name(&event.action, project.control));
         player.changed.set(format!("{} s: {done} · {effect}", clock(event.t)));
         dom::mark("knob-answered");

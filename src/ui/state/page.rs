@@ -312,6 +312,7 @@ impl Page {
     pub(crate) fn replace(self, mut project: Project) {
         project.id.get_or_insert_with(dom::fresh_id);
         self.entries.invalid.set(Vec::new());
+        self.player.zoom.set(None);
         self.player.seek(0.0);
         self.edit("", |present| *present = project);
         self.entries.show_again();

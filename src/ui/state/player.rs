@@ -326,7 +326,8 @@ impl Player {
         let window = self.window.get_untracked();
         if let Some(Zoom { from, span, head: chosen }) = self.zoom.get_untracked() {
             let pages = if head == chosen { 0.0 } else { ((head - from) / span).floor() };
-            (from + pages * span, from + (pages + 1.0) * span)
+            let begin = math::clamp(from + pages * span, 0.0, (planned - span).max(0.0));
+            (begin, begin + span)
         } else if window > 0.0 {
             let begin = (head / window).floor() * window;
             (begin, begin + window)
