@@ -148,7 +148,13 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     };
     let mut advice = vec![Advice::from(said).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
     if is_taut {
-        advice.push(slack::advice_against_taut(line, msg!("ribbon.nip-slack", tension = (tautest, 0))));
+        let tension = (tautest, 0);
+        let way = if slack::is_drawn_taut(line) {
+            msg!("ribbon.nip-slack-dancer", tension)
+        } else {
+            msg!("ribbon.nip-slack", tension)
+        };
+        advice.push(slack::advice_against_taut(line, way));
     }
     if fast > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
 }

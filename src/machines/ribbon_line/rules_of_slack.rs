@@ -407,11 +407,14 @@ pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
 }
 
+/// Whether the draw pulls the ribbon tauter than a start that misses ribbon.
+pub(super) fn is_drawn_taut(line: &RibbonLine) -> bool {
+    line.worst(|d| d.draw_tension).drawn(&line.p) > line.worst(|d| d.start_tension).start_tension
+}
+
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
 pub(super) fn advice_against_taut(line: &RibbonLine, said: Message) -> Advice {
-    let started = line.worst(|d| d.start_tension).start_tension;
-    let drawn = line.worst(|d| d.draw_tension).drawn(&line.p);
-    if drawn > started {
+    if is_drawn_taut(line) {
         return with_dancer(said);
     }
     let dwell = matching_dwell(line, &line.p);

@@ -179,7 +179,10 @@ fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
         _ => None,
     });
     let least = goes.min_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.model.cmp(&b.0.model)));
-    let told = msg!("size.bill.encoder", speed = (asked.speed, 0), lines = (asked.lines, 0));
+    // Lines that pass in a millisecond at its highest speed: what its receiver in the control has to count.
+    let frequency = asked.lines * asked.speed / 60_000.0;
+    let told =
+        msg!("size.bill.encoder", speed = (asked.speed, 0), lines = (asked.lines, 0), frequency = (frequency, 1));
     part_or_open((item, asked.name), least.map(|(part, _)| part), true, &told)
 }
 

@@ -123,3 +123,20 @@ fn knob_holds_within_its_positions() {
     near(full.value, 100.0 * 1480.0 / 1200.0, 1e-9);
     assert_eq!(full.limit.map(Limit::value), None);
 }
+
+#[test]
+fn advice_against_a_taut_start_names_no_fitted_dancer() {
+    let stiff = [
+        ("dancer", "true"),
+        ("ribbon-width", "100"),
+        ("ribbon-thickness", "0.1"),
+        ("youngs-modulus", "3500"),
+        ("tensile-strength", "100"),
+        ("dwell", "0.7"),
+    ];
+    let line = project("mitsubishi-e60", &stiff);
+    let all: Vec<_> = line.design().readouts.into_iter().flat_map(|readout| readout.advice).collect();
+    let slack = all.iter().find(|advice| advice.message.id == "ribbon.nip-slack");
+    assert_eq!(slack.map(|advice| advice.sets[0].0), Some("dwell"), "{all:?}");
+    assert!(all.iter().all(|advice| !sentence(&advice.message).contains("dancer")), "{all:?}");
+}

@@ -8,7 +8,7 @@ use macroline::machines::form::Value;
 use macroline::machines::ladder::Bit;
 use macroline::project::size::{BillRow, Candidate, Sizing};
 use macroline::project::{Project, parts};
-use macroline::text::catalog::{sentence, words};
+use macroline::text::catalog::{number_text, sentence, words};
 use macroline::view::Verdict;
 
 use crate::asked::{sized, sized_without_envelope};
@@ -685,6 +685,9 @@ fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
     let row = |project: &Project| sized(project).bill.into_iter().find(|row| row.item == BillItem::Encoder);
     let open = row(&lathe).unwrap();
     assert!(!open.proposed && open.grade == PartGrade::Open && open.asked.contains("r/min"), "{open:?}");
+    // 1024 lines at the highest speed, per second.
+    let speed: f64 = open.asked.split(' ').find_map(|word| word.parse().ok()).unwrap();
+    assert!(open.asked.ends_with(&format!("{} kHz", number_text(1024.0 * speed / 60_000.0, 1))), "{open:?}");
     let table = "kind,maker,model,encoder_pulses,max_speed_rpm\n\
                  encoder,Works,SLOW,1024,100\nencoder,Works,E9,1024,12000\nencoder,Works,E8,1024,8000\n";
     let (parts, found) = parts::read(table, "own.csv");
