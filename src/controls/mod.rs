@@ -23,7 +23,7 @@ pub mod sinumerik_808d;
 pub use schema::address;
 pub use schema::{
     Address, AddressSet, Alarm, AlarmDef, AnalogOutput, AxisDef, AxisScaling, Bench, Code, CodeDef, CodeId, CodeNumber,
-    Control, Dialect, DriveRole, DriveSystem, Group, Limits, Macros, ParamDef, ParamRole, ParamUnit, Point,
+    Control, Dialect, DriveRole, DriveSystem, FeedKnob, Group, Limits, Macros, ParamDef, ParamRole, ParamUnit, Point,
     ScalingKind, Signal, SpindleRules, Switch, Switches, Syntax, Timing, VarKind, VarRange,
 };
 pub use schema::{

@@ -142,6 +142,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
                 (control.macros.cite, "form.open.macros"),
                 (control.limits.cite, "form.open.ranges"),
                 (control.timing.cite, "form.open.block-times"),
+                (control.feed_knob.cite, "form.open.feed-knob"),
                 (control.spindle.cite, "form.open.spindle"),
             ]
             .into_iter()

@@ -28,6 +28,7 @@ fn citations(control: &'static Control) -> Vec<(String, Citation)> {
         ("macros".to_owned(), control.macros.cite),
         ("limits".to_owned(), control.limits.cite),
         ("timing".to_owned(), control.timing.cite),
+        ("feed knob".to_owned(), control.feed_knob.cite),
         ("spindle".to_owned(), control.spindle.cite),
         ("analog output".to_owned(), control.analog_output.cite),
     ];

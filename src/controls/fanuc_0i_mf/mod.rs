@@ -32,6 +32,7 @@ pub static CONTROL: Control = Control {
     startup: &g_codes([0, 17, 21, 40, 54, 64, 67, 80, 90, 94, 97]),
     limits: Limits { cite: MEMORY, ..series_0i_f::LIMITS },
     timing: fanuc::TIMING,
+    feed_knob: fanuc::FEED_KNOB,
     codes: rows::CODES,
     vars: rows::VARS,
     params: rows::PARAMS,

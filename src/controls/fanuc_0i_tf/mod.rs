@@ -23,6 +23,7 @@ pub static CONTROL: Control = Control {
     startup: &g_codes([0, 18, 99, 21, 40, 54, 67, 80, 97]),
     limits: series_0i_f::LIMITS,
     timing: fanuc::TIMING,
+    feed_knob: fanuc::FEED_KNOB,
     codes: fanuc::LATHE_CODES,
     vars: fanuc::LATHE_VARS,
     params: fanuc::LATHE_PARAMS,

@@ -11,7 +11,8 @@ use crate::text::{Citation, Grade};
 /// A signal of FANUC; no GSK page at hand has it.
 const SHIFT: Citation = Citation::new("FANUC 0i-T usage, unverified", Grade::Open);
 
-const PLC: Citation = Citation::new("GSK988TA lathe PLC manual, p.112-147", Grade::Sister);
+/// Manual of the sister's PLC.
+pub(super) const PLC: Citation = Citation::new("GSK988TA lathe PLC manual, p.112-147", Grade::Sister);
 
 /// Registers, followed by single signals.
 pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, cited![Signal: fanuc::BITS, PLC]];

@@ -19,7 +19,8 @@ use super::schema::table::joined;
 use super::spindle::RapidSpeed;
 use super::syntax::Percent;
 use super::{
-    AnalogOutput, AxisDef, AxisScaling, Control, DriveSystem, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing,
+    AnalogOutput, AxisDef, AxisScaling, Control, DriveSystem, FeedKnob, Limits, Macros, ScalingKind, SpindleRules,
+    Syntax, Timing,
 };
 use crate::controls::Address;
 use crate::drives::speed::Steps;
@@ -94,6 +95,7 @@ pub static CONTROL: Control = Control {
         preread: 3,
         cite: Citation::new("assumed; measure with a counting loop and a clock", Grade::Open),
     },
+    feed_knob: FeedKnob { cite: interface::PLC, ..fanuc::FEED_KNOB },
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,

@@ -43,6 +43,7 @@ pub static CONTROL: Control = Control {
     startup: &g_codes([0, 18, 98, 21, 40, 54, 67, 80, 97]),
     limits: fanuc::LIMITS,
     timing: fanuc::TIMING,
+    feed_knob: fanuc::FEED_KNOB,
     codes: rows::CODES,
     vars: rows::VARS,
     alarms: alarms::ALARMS,

@@ -17,7 +17,7 @@ use super::macros::CodeCalls;
 use super::schema::control::{linear_axis, rotary_axis};
 use super::schema::table::joined;
 use super::syntax::{ArcTangent, Function};
-use super::{AnalogOutput, AxisScaling, Control, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing};
+use super::{AnalogOutput, AxisScaling, Control, FeedKnob, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing};
 use crate::controls::{Address, AddressSet};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -92,6 +92,10 @@ pub static CONTROL: Control = Control {
             Grade::Open,
         ),
         ..fanuc::TIMING
+    },
+    feed_knob: FeedKnob {
+        cite: Citation::new("M70 driver: codes of the feed override, 0 to 150 %", Grade::Sister),
+        ..fanuc::FEED_KNOB
     },
     codes: codes::CODES,
     vars: vars::VARS,

@@ -3,8 +3,8 @@
 use super::interface::PlcLanguage;
 use super::options::SwitchKind;
 use super::{
-    Address, Alarm, AlarmDef, AnalogOutput, AxisScaling, Bench, Code, CodeDef, CodeId, CodeNumber, DriveSystem, Limits,
-    Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
+    Address, Alarm, AlarmDef, AnalogOutput, AxisScaling, Bench, Code, CodeDef, CodeId, CodeNumber, DriveSystem,
+    FeedKnob, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
 use crate::text::{Citation, Message, Phrase, either};
@@ -28,6 +28,8 @@ pub struct Control {
     pub limits: Limits,
     /// Time per block and number of blocks read ahead.
     pub timing: Timing,
+    /// Knob of the cutting feed override.
+    pub feed_knob: FeedKnob,
     /// Every G and M code that the control has.
     pub codes: &'static [CodeDef],
     /// Every range of variables.

@@ -1,6 +1,7 @@
-//! Ranges of words, nesting depths and block times.
+//! Ranges of words, nesting depths, block times, and the knob of the feed override.
 
 use super::code::CodeId;
+use crate::drives::speed::Steps;
 use crate::text::Citation;
 
 /// Ranges and depths of a control. A program that exceeds them raises the control's alarm.
@@ -58,6 +59,15 @@ pub struct Timing {
     pub macro_block: f64,
     /// Blocks that the control reads ahead of the executing one.
     pub preread: u8,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// Knob of the cutting feed override on the operator's panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeedKnob {
+    /// Positions, %.
+    pub positions: Steps,
     /// Source and grade.
     pub cite: Citation,
 }

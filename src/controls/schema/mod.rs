@@ -49,7 +49,7 @@ pub use control::{AxisDef, Control};
 pub use dialect::Dialect;
 pub use drive::{DriveRole, DriveSystem};
 pub use interface::Signal;
-pub use limits::{Limits, Timing};
+pub use limits::{FeedKnob, Limits, Timing};
 pub use macros::Macros;
 pub use params::{ParamDef, ParamRole, ParamUnit};
 pub use scaling::{AxisScaling, ScalingKind};

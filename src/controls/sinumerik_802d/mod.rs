@@ -28,6 +28,7 @@ pub static CONTROL: Control = Control {
     limits: Limits { cite: RANGES, ..sinumerik::LIMITS },
     spindle: SpindleRules { cite: SPINDLE, ..sinumerik::SPINDLE },
     timing: sinumerik::TIMING,
+    feed_knob: sinumerik::FEED_KNOB,
     codes: rows::CODES,
     vars: sinumerik::VARS,
     alarms: sinumerik::ALARMS,

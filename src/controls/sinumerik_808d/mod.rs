@@ -29,6 +29,7 @@ pub static CONTROL: Control = Control {
     limits: Limits { feed_max: 999_999.999, revolution_feed_max: 999_999.999, cite: RANGES, ..sinumerik::LIMITS },
     spindle: sinumerik::SPINDLE,
     timing: sinumerik::TIMING,
+    feed_knob: sinumerik::FEED_KNOB,
     codes: rows::CODES,
     vars: sinumerik::VARS,
     alarms: rows::ALARMS,

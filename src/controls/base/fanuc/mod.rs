@@ -22,7 +22,7 @@ use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Percent, RoundBrackets};
 use crate::controls::{
-    Address, AddressSet, AnalogOutput, AxisScaling, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing,
+    Address, AddressSet, AnalogOutput, AxisScaling, FeedKnob, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing,
 };
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -154,6 +154,9 @@ pub const TIMING: Timing = Timing {
     preread: 5,
     cite: Citation::new("assumed; measure with #3001", Grade::Open),
 };
+
+/// Feed override of the panels, 0 to 150 % in tens; the register takes 0 to 254 %.
+pub const FEED_KNOB: FeedKnob = FeedKnob { positions: Steps { low: 0.0, high: 150.0, step: 10.0 }, cite: MEMORY };
 
 /// Analog spindle: S in r/min, constant surface speed, limits.
 pub const SPINDLE: SpindleRules = SpindleRules {

@@ -24,7 +24,7 @@ use crate::controls::schema::table::joined;
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBrackets};
 use crate::controls::{Address, AddressSet, AnalogOutput, AxisScaling, ScalingKind};
-use crate::controls::{DriveSystem, Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::controls::{DriveSystem, FeedKnob, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -235,6 +235,10 @@ pub const TIMING: Timing = Timing {
     preread: 3,
     cite: Citation::new("assumed; measure with a counting loop", Grade::Open),
 };
+
+/// Feed override of the machine control panels; the interface signal takes 0 to 200 %.
+pub const FEED_KNOB: FeedKnob =
+    FeedKnob { positions: Steps { low: 0.0, high: 120.0, step: 5.0 }, cite: switches::KNOB };
 
 /// Analog output for the speed of the spindle.
 pub const ANALOG_OUTPUT: AnalogOutput = AnalogOutput { volts: 10.0, bits: 12, cite: MEMORY };

@@ -13,7 +13,8 @@ const LOOK_AHEAD: Citation =
 const SMALL: Citation =
     Citation::new("the page on 802D spindle commands, 4: small offsets on X, without a number", Grade::Open);
 const ANGLE: Citation = Citation::new("alarm 16830 of the 808D, p.245; MD30455 by a secondary page", Grade::Sister);
-const KNOB: Citation =
+/// Override knobs of the machine control panels.
+pub(super) const KNOB: Citation =
     Citation::new("840D sl basic functions 01/2015, p.1338 and 1666; panels by usage", Grade::Sister);
 const LABELS: Citation = Citation::new("2 to 8 characters by usage of the 802D; 32 on larger controls", Grade::Open);
 const ENDS: Citation = Citation::new("808D milling guide, p.79: M2 returns; M30 by usage", Grade::Open);
