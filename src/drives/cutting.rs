@@ -63,6 +63,11 @@ pub fn kienzle(unit_force: f64, exponent: f64, (depth, feed): (f64, f64), (edge,
     unit_force * depth / sine * math::pow(feed * sine, 1.0 - exponent) * (1.0 - rake / 100.0)
 }
 
+/// Share of the feed at which a cut has a share of its force: `s^(1 / (1 - m_c))`, by the same law.
+pub fn feed_share(force_share: f64, exponent: f64) -> f64 {
+    math::pow(force_share, 1.0 / (1.0 - exponent))
+}
+
 /// Torque in Nm of a cutting force in N at a diameter in mm: `M = F d / 2000`.
 pub fn torque(force: f64, diameter: f64) -> f64 {
     force * diameter.abs() / 2000.0

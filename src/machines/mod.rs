@@ -30,6 +30,8 @@ mod slides;
 
 mod main_spindle;
 
+mod knobs;
+
 mod spindle_encoder;
 
 mod turret;

@@ -51,6 +51,7 @@ mod turning_demand;
 mod turning_drawing;
 mod turning_gears;
 mod turning_guards;
+mod turning_knobs;
 mod turning_restart;
 mod turning_run_up;
 mod turning_torque;

@@ -4,7 +4,8 @@ use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
 use crate::drives::bending::cantilever;
 use crate::drives::cutting::LEAST_DEPTH;
-use crate::machines::verdict::{Judgement, down, fail, ok, up};
+use crate::machines::knobs;
+use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
@@ -44,6 +45,12 @@ impl PolygonLathe {
         cuts.fold(0.0, f64::max)
     }
 
+    /// Greatest force (N) of an insert with which no polygon bends the work by more than a deflection (mm); infinite without force.
+    fn force_bending_by(&self, most: f64) -> f64 {
+        let free = self.free_length();
+        self.polygons().map(|lathe| most / self.deflection(1.0, lathe.p.from_face, free)).fold(f64::INFINITY, f64::min)
+    }
+
     /// Greatest deflection (mm) of the work under the force of an insert.
     pub(super) fn bending(&self) -> f64 {
         self.bending_of(self.free_length())
@@ -77,7 +84,16 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.p;
     let (bending, limit) = (lathe.bending(), AtMost(p.flatness));
     if bending <= p.flatness {
-        return ok(limit);
+        let fed = lathe.at_highest_feed().map(|(percent, fed)| (percent, fed, fed.bending()));
+        return match fed.filter(|(_, _, bending)| *bending > p.flatness) {
+            Some((percent, fed, bending)) => {
+                let (percent, bending, limit_there) = ((percent, 0), (bending, 3), (p.flatness, 4));
+                let told = msg!("polygon.bends-at-feed-knob", percent, bending, limit = limit_there);
+                let sets = lathe.feeds_below(fed, fed.force_bending_by(p.flatness));
+                warn(limit, [knobs::setting_feeds(told.into(), sets)])
+            }
+            None => ok(limit),
+        };
     }
     let (free, needed) = (lathe.free_length(), up(FIELDS, "free-length", lathe.length_to_jaws()));
     let told = Advice::from(msg!(
@@ -87,10 +103,11 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
         length = (free, 1),
         needed = (needed.value, 1)
     ));
-    let is_short_enough = needed.value < free && lathe.bending_of(needed.value) <= p.flatness;
+    let fed = lathe.at_highest_feed().map_or(lathe, |(_, fed)| fed);
+    let is_short_enough = needed.value < free && fed.bending_of(needed.value) <= p.flatness;
     let advice = if is_short_enough {
         told.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
-    } else if let Some(depth) = lathe.shallower(p.flatness / bending) {
+    } else if let Some(depth) = fed.shallower(p.flatness / fed.bending()) {
         let set = down(FIELDS, "depth", depth);
         told.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
     } else {

@@ -1,11 +1,10 @@
 //! Demand of the whole part on the drives of work and tool, and their limits: the worst of all polygons and feeds.
 
-use super::load::{AxisMotor, FEEDS, PolygonAxis, Torque};
+use super::load::{FEEDS, PolygonAxis};
 use super::params::TurnedEnd;
 use super::resolved::PolygonLathe;
 use crate::drives::cutting::kienzle;
 use crate::drives::spindle_motor::{power, run_up};
-use crate::math;
 
 /// Kind of demand on the motor of work or tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,24 +21,11 @@ pub(super) enum DemandKind {
     RunUp,
 }
 
-/// Highest position (%) of the feed override knob. Source: K2000T facts, 2.
-pub(super) const HIGHEST_FEED: f64 = 150.0;
-
 impl PolygonLathe {
-    /// Shares by which the feed override (%) changes the force of the cuts and the speed of work and tool: the slide alone goes faster, and
-    /// `F ~ f^(1 - mc)`; or the axes turn faster, too, and the chips stay as they are.
-    fn shares(&self, percent: f64) -> (f64, f64) {
-        let share = percent / 100.0;
-        if self.overrides() { (1.0, share) } else { (math::pow(share, 1.0 - self.p.specific().exponent), 1.0) }
-    }
-
-    /// Demand on an axis at a feed with this polygon at a feed override (%), and its limit.
-    fn demand_at(&self, axis: PolygonAxis, kind: DemandKind, feed: usize, percent: f64) -> (f64, f64) {
-        let (force, speed) = self.shares(percent);
+    /// Demand on an axis at a feed with this polygon, and its limit.
+    fn demand_at(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> (f64, f64) {
         let torque = self.d.load.cuts[feed].torque[axis as usize];
-        let torque = Torque { peak: force * torque.peak, mean: force * torque.mean };
         let drive = self.p.drive(axis);
-        let drive = AxisMotor { speed: speed * drive.speed, ..drive };
         let (continuous, most) = self.p.torques_of(&drive);
         match kind {
             DemandKind::Peak => (torque.peak, most),
@@ -53,13 +39,8 @@ impl PolygonLathe {
 
     /// Demand on an axis and its limit, where their ratio is greatest: over all polygons and feeds.
     pub(super) fn demand(&self, axis: PolygonAxis, kind: DemandKind) -> (f64, f64) {
-        self.demand_at_override(axis, kind, 100.0)
-    }
-
-    /// The same at a feed override, %.
-    pub(super) fn demand_at_override(&self, axis: PolygonAxis, kind: DemandKind, percent: f64) -> (f64, f64) {
         let feeds = 0..FEEDS.len();
-        let of = |lathe: &PolygonLathe, feed| lathe.demand_at(axis, kind, feed, percent);
+        let of = |lathe: &PolygonLathe, feed| lathe.demand_at(axis, kind, feed);
         let all = self.polygons().flat_map(|lathe| feeds.clone().map(move |feed| of(lathe, feed)));
         // Of a limit of 0, which friction leaves, any demand is infinitely more.
         let share = |(demand, limit): (f64, f64)| if demand > 0.0 { demand / limit } else { 0.0 };
@@ -67,10 +48,10 @@ impl PolygonLathe {
         all.fold(first, |worst, next| if worst == first || share(next) > share(worst) { next } else { worst })
     }
 
-    /// Demand of the cuts of a feed on an axis over its limit at a feed override (%), of all polygons the greatest.
-    pub(super) fn excess(&self, axis: PolygonAxis, kind: DemandKind, feed: usize, percent: f64) -> f64 {
+    /// Demand of the cuts of a feed on an axis over its limit, of all polygons the greatest.
+    pub(super) fn excess(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> f64 {
         self.polygons()
-            .map(|lathe| lathe.demand_at(axis, kind, feed, percent))
+            .map(|lathe| lathe.demand_at(axis, kind, feed))
             .map(|(demand, limit)| demand / limit)
             .fold(0.0, f64::max)
     }
@@ -78,6 +59,16 @@ impl PolygonLathe {
     /// Greatest cutting force of an insert, N.
     pub(super) fn force(&self) -> f64 {
         self.polygons().flat_map(|lathe| lathe.d.load.cuts).map(|cut| cut.force).fold(0.0, f64::max)
+    }
+
+    /// Greatest force (N) of any cut, of inserts and turned ends.
+    pub(super) fn greatest_force(&self) -> f64 {
+        self.force().max(self.greatest_end_force())
+    }
+
+    /// Greatest force (N) of the cuts of a feed.
+    pub(super) fn force_at(&self, feed: usize) -> f64 {
+        self.polygons().map(|lathe| lathe.d.load.cuts[feed].force).fold(0.0, f64::max)
     }
 
     /// Cutting force (N) of turning an end: the chip is as wide as the cut is deep, and as thick as the feed.

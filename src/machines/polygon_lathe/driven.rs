@@ -9,9 +9,11 @@ use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::servo::{Acceptance, Servo};
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, GaugeRow};
+use crate::machines::knobs;
 use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
 use crate::math::PI;
 use crate::motion::Mover;
+use crate::view::Advice;
 
 /// All that the drive gives may be asked: the form has no reserve beside its peak torque.
 const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
@@ -87,10 +89,20 @@ impl HasSlides for PolygonLathe {
         self.p.slides.servos(SlideDuty {
             axes: [self.cross(), self.along()],
             site_share: self.p.site_share,
-            cutting_force: self.force().max(self.greatest_end_force()),
+            cutting_force: self.greatest_force(),
             starts_per_minute: starts_per_minute(self),
             x_cuts_downhill: false,
         })
+    }
+
+    fn slides_at_highest_feed(&self) -> Option<(f64, [ServoSlide; 2])> {
+        self.at_highest_feed().map(|(percent, lathe)| (percent, lathe.slides()))
+    }
+
+    fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice {
+        let fed = self.at_highest_feed().map_or(self, |(_, fed)| fed);
+        let most = share * fed.greatest_force();
+        knobs::setting_feeds(advice, self.feeds_below(fed, most))
     }
 }
 

@@ -16,6 +16,9 @@ pub(super) enum PolygonAxis {
 /// The fields of the feeds: each has cuts of its own.
 pub(super) const FEEDS: [&str; 3] = ["feed", "finish-feed", "infeed"];
 
+/// The fields of the feeds of the turned ends.
+pub(super) const END_FEEDS: [&str; 2] = ["before-feed", "after-feed"];
+
 /// Torque about an axis, Nm.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Torque {
@@ -105,6 +108,19 @@ impl Params {
         all
     }
 
+    /// The form with `share` of its feeds; those of the flats stay in step with a work that turns faster by it.
+    pub(super) fn with_feeds(mut self, share: f64, work_turns_faster: bool) -> Params {
+        if work_turns_faster {
+            self.speed *= share;
+        } else {
+            self.feed *= share;
+            self.finish_feed *= share;
+            self.infeed *= share;
+        }
+        self.turned_ends.iter_mut().for_each(|end| end.feed *= share);
+        self
+    }
+
     /// The main spindle turns an end of the bar.
     pub(super) fn turns_ends(&self) -> bool {
         self.turned_ends.iter().any(|end| end.on)
@@ -144,7 +160,7 @@ impl Params {
         self.torques_of(&self.drive(axis))
     }
 
-    /// The same of a drive at any speed.
+    /// The same of a drive.
     pub(super) fn torques_of(&self, drive: &AxisMotor) -> (f64, f64) {
         let rated = drive.motor.torque(drive.speed);
         let left = |percent: f64| (rated * percent / 100.0 - drive.friction).max(0.0);

@@ -1,9 +1,8 @@
 //! The main spindle of the polygon lathe, which turns the bar before and after the polygons: its motor on the inverter, demand, verdicts.
 
-use super::demand::HIGHEST_FEED;
+use super::load::END_FEEDS;
 use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
-use super::rules_of_drives::setting_feeds;
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
 use crate::drives::duty::{CutSpan, Motion};
@@ -12,12 +11,14 @@ use crate::drives::speed::KnobEnds;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
+use crate::machines::knobs::{self, KnobPositions, TorqueAtKnobs, TorqueRemedy};
 use crate::machines::machine::Samples;
 use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
 use crate::machines::verdict::{Judgement, down, fail, ok, warn};
-use crate::math::{self, RPM};
+use crate::math::RPM;
 use crate::motion::Stretch;
 use crate::msg;
+use crate::text::Message;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart};
 
@@ -117,7 +118,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let curve = p.main_continuous();
     let most = curve.torque(speed);
     if torque <= most {
-        return judge_torque_at_highest_knob(lathe, most);
+        return judge_torque_at_knobs(lathe, most);
     }
     let (shown, limit) = ((torque, 1), (most, 1));
     let mut advice = Vec::new();
@@ -138,58 +139,43 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     fail(AtMost(most), advice)
 }
 
-/// A cut that the motor carries at the speed of the form: a warning where it does not with the knob at its highest position, where the
-/// speed is greater and the torque the same.
-fn judge_torque_at_highest_knob(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
-    let exceeding = lathe.knob_ends().higher.and_then(|percent| Some((percent, end_exceeding_at(lathe, percent)?)));
-    match exceeding {
-        Some((percent, (end, most))) => {
-            let (torque, shown) = ((lathe.end_torque(end), 1), (most, 1));
-            warn(AtMost(limit), [msg!("lathe.torque-at-knob", percent = (percent, 0), torque, limit = shown).into()])
-        }
-        None => judge_torque_at_highest_feed(lathe, limit)
-            .or_else(|| judge_torque_at_lowest_knob(lathe))
-            .or_else(|| ok(AtMost(limit))),
-    }
-}
-
-/// A cut that the motor carries at the feed of the form: a warning where it does not with the feed override at its highest position. The advised
-/// feeds hold there at every speed of the spindle knob.
-fn judge_torque_at_highest_feed(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
-    let (p, curve, ends) = (&lathe.p, lathe.p.main_continuous(), lathe.knob_ends());
-    let fast = |end: &TurnedEnd| TurnedEnd { feed: end.feed * HIGHEST_FEED / 100.0, ..end.clone() };
-    let torque = |end: &TurnedEnd| lathe.end_torque(&fast(end));
-    let (end, _) = lathe.turned_ends().find(|(end, _)| torque(end) > curve.torque(end.speed))?;
-    let fields = p.turned_ends.iter().zip(["before-feed", "after-feed"]).filter(|(end, _)| end.on);
-    let lower = |(end, field): (&TurnedEnd, &'static str)| {
-        let positions = [ends.lower, Some(100.0), ends.higher].into_iter().flatten();
-        let least =
-            positions.map(|percent| curve.torque(lathe.speed_at(end.speed, percent))).fold(f64::INFINITY, f64::min);
-        let share = (least - p.main.friction).max(0.0) / (torque(end) - p.main.friction);
-        let feed = end.feed * math::pow(share, 1.0 / (1.0 - p.specific().exponent));
-        (share < 1.0).then(|| down(FIELDS, field, feed))
-    };
-    let (percent, shown) = ((HIGHEST_FEED, 0), (curve.torque(end.speed), 1));
-    let said = msg!("polygon.torque-at-feed-knob", percent, torque = (torque(end), 1), limit = shown);
-    warn(AtMost(limit), [setting_feeds(Advice::from(said), fields.filter_map(lower).collect())])
-}
-
-/// The first turned end whose torque exceeds that of the motor with the knob at a position (%), and the motor's torque (Nm) there.
-fn end_exceeding_at(lathe: &PolygonLathe, percent: f64) -> Option<(&TurnedEnd, f64)> {
+/// Cut and friction of a turned end at the positions of the knobs.
+fn torques_at_knobs(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TorqueAtKnobs> {
     let curve = lathe.p.main_continuous();
-    let mut ends = lathe.turned_ends().map(|(end, _)| (end, curve.torque(lathe.speed_at(end.speed, percent))));
-    ends.find(|(end, most)| lathe.end_torque(end) > *most)
+    let all = knobs::positions(lathe.control.feed_knob.positions, lathe.knob_ends(), 100.0);
+    let torque = |at: KnobPositions| {
+        let fed = TurnedEnd { feed: end.feed * at.feed / 100.0, ..end.clone() };
+        let speed = lathe.speed_at(end.speed, at.spindle);
+        TorqueAtKnobs {
+            at,
+            torque: lathe.end_torque(&fed),
+            limit: curve.torque(speed),
+            forced: curve.with_shaft_fan(false).torque(speed),
+            motor_speed: speed * lathe.p.main_gear(),
+        }
+    };
+    all.into_iter().map(torque).collect()
 }
 
-/// A cut that the motor carries at the speed of the form: a warning where it does not with the knob at its lowest position, because the fan on
-/// the motor's shaft cools less there.
-fn judge_torque_at_lowest_knob(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (p, percent) = (&lathe.p, lathe.knob_ends().lower?);
-    let (end, least) = end_exceeding_at(lathe, percent)?;
-    let speed = (lathe.speed_at(end.speed, percent) * p.main_gear(), 0);
-    let (percent, torque, shown) = ((percent, 0), (lathe.end_torque(end), 1), (least, 1));
-    let said = msg!("lathe.shaft-fan-at-knob", percent, speed, torque, limit = shown);
-    warn(AtMost(p.main_continuous().torque(end.speed)), [forced_cooling_advice("main-forced-cooling", said)])
+/// A cut that the motor carries at the form's positions of the knobs: a warning where it does not at another one. The advised feeds hold at
+/// all of them.
+fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
+    let p = &lathe.p;
+    let all: Vec<TorqueAtKnobs> = lathe.turned_ends().flat_map(|(end, _)| torques_at_knobs(lathe, end)).collect();
+    let lower = |(end, field): (&TurnedEnd, &'static str)| {
+        let cut = |torque: f64| (torque - p.main.friction).max(0.0);
+        let shares = torques_at_knobs(lathe, end).into_iter().map(|of| cut(of.limit) / cut(of.torque));
+        let share = shares.fold(1.0, f64::min);
+        (share < 1.0).then(|| down(FIELDS, field, end.feed * cutting::feed_share(share, p.specific().exponent)))
+    };
+    let slower = |said: Message| {
+        let ends = p.turned_ends.iter().zip(END_FEEDS).filter(|(end, _)| end.on);
+        knobs::setting_feeds(Advice::from(said), ends.filter_map(lower).collect())
+    };
+    match knobs::torque_remedy(&all, "main-forced-cooling", slower) {
+        Some(TorqueRemedy::Cooling(advice) | TorqueRemedy::Feed(advice)) => warn(AtMost(limit), [advice]),
+        None => ok(AtMost(limit)),
+    }
 }
 
 /// The greatest speed of the turned ends, with the knob at any position, against that of the work axis, whose motor and chuck run along.

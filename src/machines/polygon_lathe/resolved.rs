@@ -6,6 +6,7 @@ use super::derive::Derived;
 use super::params::Params;
 use crate::controls::{Control, Dialect};
 use crate::drives::polygon::Ratio;
+use crate::machines::knobs;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::machines::slides::{ALONG, CROSS};
@@ -32,6 +33,8 @@ pub(crate) struct PolygonLathe {
     pub(super) further: Vec<PolygonLathe>,
     /// Text of the lens's scales, made when it is first shown.
     pub(super) lens_scales: OnceLock<String>,
+    /// The lathe with the feed override at its highest position, computed when a rule asks for it.
+    at_highest_feed: OnceLock<Box<PolygonLathe>>,
 }
 
 /// X word units per mm of the slide: 2 where X counts diameters.
@@ -43,17 +46,33 @@ fn x_per_mm(control: &Control, dialect: &Dialect) -> f64 {
 impl PolygonLathe {
     /// Fits the form to the control and computes the formulas.
     pub(super) fn resolve(form: Params, on: ControlContext) -> PolygonLathe {
+        PolygonLathe::on(form, on.control, on.dialect())
+    }
+
+    fn on(form: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
         let p = form.clone().with_shape();
-        let further = p.further().into_iter().map(|p| PolygonLathe::one(p.clone(), p, on)).collect();
-        PolygonLathe { further, ..PolygonLathe::one(form, p, on) }
+        let further =
+            p.further().into_iter().map(|p| PolygonLathe::one(p.clone(), p, control, dialect.clone())).collect();
+        PolygonLathe { further, ..PolygonLathe::one(form, p, control, dialect) }
     }
 
     /// The lathe with one polygon.
-    fn one(form: Params, p: Params, on: ControlContext) -> PolygonLathe {
-        let (control, dialect) = (on.control, on.dialect());
+    fn one(form: Params, p: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
         let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
         let d = Derived::new(&p, &sizes, x_per_mm(control, &dialect));
-        PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new(), lens_scales: OnceLock::new() }
+        let (lens_scales, at_highest_feed) = (OnceLock::new(), OnceLock::new());
+        PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new(), lens_scales, at_highest_feed }
+    }
+
+    /// The lathe as it cuts with the feed override at its highest position (%), and that position. The slide alone goes faster, so that the
+    /// chips are thicker; where the override acts on work and tool too, they turn faster, and the chips of the flats stay as they are.
+    pub(super) fn at_highest_feed(&self) -> Option<(f64, &PolygonLathe)> {
+        let highest = knobs::highest_feed(self.control.feed_knob.positions)?;
+        let lathe = || {
+            let form = self.form.clone().with_feeds(highest / 100.0, self.overrides());
+            Box::new(PolygonLathe::on(form, self.control, self.dialect.clone()))
+        };
+        Some((highest, self.at_highest_feed.get_or_init(lathe)))
     }
 
     /// All polygons of the part, in the order in which they are turned.

@@ -1,47 +1,49 @@
 //! Rules about the drives of work and tool: torque and power of the cut, torque of the run-up, each with its remedy.
 
-use super::demand::{DemandKind, HIGHEST_FEED};
-use super::load::{FEEDS, PolygonAxis};
+use super::demand::DemandKind;
+use super::load::{END_FEEDS, FEEDS, PolygonAxis};
 use super::params::FIELDS;
 use super::resolved::PolygonLathe;
+use crate::drives::cutting;
+use crate::machines::knobs;
 use crate::machines::verdict::{FieldEntry, Judgement, down, fail, maximum, ok, up, warn};
-use crate::math;
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
-/// Least feed (mm for each turn of the work) that an advice names: below it an edge rubs.
-pub(super) const LEAST_FEED: f64 = 0.01;
-
-/// An advice that lowers every feed whose cuts exceed a limit of the drive at a feed override (%): the force grows with `f^(1 - mc)`.
-fn with_feeds(lathe: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, percent: f64, fact: Message) -> Advice {
+/// An advice that lowers every feed whose cuts on this lathe, at a position of the feed override, exceed a limit of the drive.
+fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, fact: Message) -> Advice {
     let p = &lathe.p;
-    let power = 1.0 / (1.0 - p.specific().exponent);
     let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
-    let sets: Vec<FieldEntry> = feeds
-        .filter_map(|(at, (field, feed))| {
-            let excess = lathe.excess(axis, kind, at, percent);
-            (excess > 1.0).then(|| down(FIELDS, field, feed * math::pow(excess, -power)))
-        })
-        .collect();
-    setting_feeds(Advice::from(fact), sets)
+    let sets = feeds.filter_map(|(cuts, (field, feed))| {
+        let excess = at.excess(axis, kind, cuts);
+        (excess > 1.0).then(|| down(FIELDS, field, feed * cutting::feed_share(1.0 / excess, p.specific().exponent)))
+    });
+    knobs::setting_feeds(Advice::from(fact), sets.collect())
 }
 
-/// An advice with a button for lower feeds; without it where an edge would rub.
-pub(super) fn setting_feeds(advice: Advice, sets: Vec<FieldEntry>) -> Advice {
-    let values: Vec<&str> = sets.iter().map(|set| set.text.as_str()).collect();
-    let least = sets.iter().map(|set| set.value).fold(f64::INFINITY, f64::min);
-    let button = match values.as_slice() {
-        [one] => msg!("advice.set-feed", feed = *one),
-        several => msg!("advice.set-feeds", feeds = several.join(" / ").as_str()),
-    };
-    if least < LEAST_FEED { advice } else { advice.setting(button, sets) }
+impl PolygonLathe {
+    /// Lower entries of the feeds whose cuts on this lathe at a position of the feed override have a force above the greatest one (N) that is
+    /// allowed: of the flats, then of the turned ends.
+    pub(super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<FieldEntry> {
+        let p = &self.p;
+        let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
+        let flats = flats.map(|(cuts, (field, feed))| (field, feed, at.force_at(cuts)));
+        let ends =
+            END_FEEDS.into_iter().zip(p.turned_ends.iter().zip(&at.p.turned_ends)).filter(|(_, (end, _))| end.on);
+        let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed)));
+        let lower = |(field, feed, force): (&'static str, f64, f64)| {
+            let entry = || down(FIELDS, field, feed * cutting::feed_share(most / force, p.specific().exponent));
+            (force > most).then(entry)
+        };
+        flats.chain(ends).filter_map(lower).collect()
+    }
 }
 
 /// The sentence about a cut that the drive carries at the feed of the form alone.
-fn at_knob(kind: DemandKind, asked: f64, limit: f64) -> Message {
-    let percent = (HIGHEST_FEED, 0);
+fn at_knob(kind: DemandKind, percent: f64, asked: f64, limit: f64) -> Message {
+    let percent = (percent, 0);
     match kind {
         DemandKind::Power => {
             msg!("polygon.power-at-feed-knob", percent, power = (asked, 3), limit = (limit, 3))
@@ -64,14 +66,16 @@ fn cut(
 ) -> Option<Judgement> {
     let (asked, limit) = lathe.demand(axis, kind);
     if asked > limit {
-        return fail(AtMost(limit), [with_feeds(lathe, axis, kind, 100.0, told(asked, limit))]);
+        return fail(AtMost(limit), [with_feeds(lathe, lathe, axis, kind, told(asked, limit))]);
     }
-    let (at_highest, limit_there) = lathe.demand_at_override(axis, kind, HIGHEST_FEED);
-    if at_highest <= limit_there {
-        return ok(AtMost(limit));
+    let fed = lathe.at_highest_feed().map(|(percent, fed)| (percent, fed, fed.demand(axis, kind)));
+    match fed.filter(|(_, _, (asked, limit))| asked > limit) {
+        Some((percent, fed, (asked, limit_there))) => {
+            let said = at_knob(kind, percent, asked, limit_there);
+            warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, said)])
+        }
+        None => ok(AtMost(limit)),
     }
-    let said = at_knob(kind, at_highest, limit_there);
-    warn(AtMost(limit), [with_feeds(lathe, axis, kind, HIGHEST_FEED, said)])
 }
 
 /// The heat of the cut against the drive: a warning where only the strikes exceed its continuous torque, for a short cut may do that.
@@ -79,7 +83,8 @@ fn heat(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Mess
     let kind = DemandKind::Effective;
     let ((asked, limit), (mean, continuous)) = (lathe.demand(axis, kind), lathe.demand(axis, DemandKind::Mean));
     if asked > limit && mean <= continuous {
-        return warn(AtMost(limit), [with_feeds(lathe, axis, kind, HIGHEST_FEED, told(asked, limit))]);
+        let fed = lathe.at_highest_feed().map_or(lathe, |(_, fed)| fed);
+        return warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, told(asked, limit))]);
     }
     cut(lathe, axis, kind, told)
 }

@@ -7,7 +7,7 @@ use crate::drives::inertia::CM2;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
 use crate::msg;
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Grade, Message};
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Readout};
 
@@ -108,8 +108,8 @@ impl<M: HasSlides> Of<M> {
         Rule::new("z-inertia-ratio", |machine| inertia(&z(machine)), LIMITS),
         Rule::new("x-peak-torque", |machine| rapid::<M>(&x(machine)), LIMITS),
         Rule::new("z-peak-torque", |machine| rapid::<M>(&z(machine)), LIMITS),
-        Rule::new("x-cut-torque", |machine| cut(&x(machine)), LIMITS),
-        Rule::new("z-cut-torque", |machine| cut(&z(machine)), LIMITS),
+        Rule::new("x-cut-torque", |machine| cut(machine, 0), LIMITS),
+        Rule::new("z-cut-torque", |machine| cut(machine, 1), LIMITS),
         Rule::new("x-hold-torque", |machine| hold(&x(machine)), LIMITS),
     ];
 }
@@ -179,12 +179,27 @@ fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {
     fail(AtMost(most), [advice.setting(msg!("advice.set-time-constant", time = (milliseconds, 1)), [set])])
 }
 
-fn cut(slide: &ServoSlide) -> Option<Judgement> {
+/// The cut against the motor of a slide (0 for X, 1 for Z): a warning where it holds but for the highest position of the feed override.
+fn cut<M: HasSlides>(machine: &M, at: usize) -> Option<Judgement> {
+    let slide = machine.slides()[at];
+    let fed = machine.slides_at_highest_feed().map(|(percent, slides)| (percent, slides[at]));
     let (torque, most) = (slide.cut_torque(), slide.cut_torque_limit());
-    if torque <= most {
-        return ok(AtMost(most));
+    let with_feeds = |fed: &ServoSlide, told: Message| match fed.force_share() {
+        Some(share) => machine.with_feeds_of_force(share, told.into()),
+        None => told.into(),
+    };
+    if torque > most {
+        let told = msg!("slides.cut-too-hard", torque = (torque, 2), limit = (most, 2));
+        return fail(AtMost(most), [with_feeds(&fed.map_or(slide, |(_, fed)| fed), told)]);
     }
-    fail(AtMost(most), [msg!("slides.cut-too-hard", torque = (torque, 2), limit = (most, 2)).into()])
+    match fed.filter(|(_, fed)| fed.cut_torque() > most) {
+        Some((percent, fed)) => {
+            let (torque, limit) = ((fed.cut_torque(), 2), (most, 2));
+            let told = msg!("slides.cut-at-feed-knob", percent = (percent, 0), torque, limit);
+            warn(AtMost(most), [with_feeds(&fed, told)])
+        }
+        None => ok(AtMost(most)),
+    }
 }
 
 fn hold(slide: &ServoSlide) -> Option<Judgement> {

@@ -8,13 +8,22 @@ use crate::drives::servo::{Acceptance, Servo, WEIGHT_SHARE};
 use crate::drives::slide::Slide;
 use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
 use crate::machines::machine::Machine;
+use crate::machines::verdict::greatest_share;
 use crate::math::{PI, RPM};
 use crate::motion::Mover;
+use crate::view::Advice;
 
 /// A lathe with a slide across its work and one along it.
 pub(in crate::machines) trait HasSlides: Machine {
     /// The slide of X, then the slide of Z.
     fn slides(&self) -> [ServoSlide; 2];
+
+    /// The slides with the feed override at its highest position, and that position, %; none where no knob acts above 100 %.
+    fn slides_at_highest_feed(&self) -> Option<(f64, [ServoSlide; 2])>;
+
+    /// An advice with a button for the feeds whose cuts ask at most a share of the greatest force at the highest position of the feed
+    /// override; without it where no feed is known to do that.
+    fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice;
 }
 
 /// A slide with its motor.
@@ -160,6 +169,12 @@ impl ServoSlide {
         } else {
             self.steady() + self.slide.torque(self.feed_force)
         }
+    }
+
+    /// Greatest share of the force of the cut with which its torque stays within the limit; none where friction and weight exceed it.
+    pub(super) fn force_share(&self) -> Option<f64> {
+        let with = |share: f64| ServoSlide { feed_force: share * self.feed_force, ..*self };
+        greatest_share(0.0, |share| with(share).cut_torque() <= self.cut_torque_limit())
     }
 
     /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.

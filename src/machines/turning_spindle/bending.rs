@@ -1,7 +1,6 @@
 //! Bending of the work from the chuck to the tool, under the force of the cut.
 
 use super::params::{Params, Path};
-use super::resolved::TurningSpindle;
 use crate::drives::bending::{cantilever, supported};
 
 /// Deflection (mm) from which a slender work deserves attention. Source: engineering choice.
@@ -26,8 +25,7 @@ impl Params {
 }
 
 /// Greatest deflection (mm) of the work without a tailstock: the force of the cut at the face, over the whole stock.
-pub(super) fn free(lathe: &TurningSpindle) -> f64 {
-    let p = &lathe.p;
+pub(super) fn free(p: &Params) -> f64 {
     cantilever(p.cutting_force, p.material.elasticity(), p.steps())
 }
 

@@ -2,8 +2,10 @@
 
 use super::derive::Derived;
 use super::driven::{self, motor_speed};
-use super::resolved::TurningSpindle;
+use super::resolved::{CutAtKnobs, TurningSpindle};
+use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
+use crate::machines::knobs::{self, TorqueAtKnobs, TorqueRemedy};
 use crate::machines::main_spindle;
 use crate::machines::verdict::{Judgement, warn};
 use crate::msg;
@@ -11,7 +13,7 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 /// Field of the form with forced cooling.
-const FIELD: &str = "motor-forced-cooling";
+pub(super) const FIELD: &str = "motor-forced-cooling";
 
 /// The fan of a motor with forced cooling.
 pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
@@ -26,21 +28,28 @@ pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
     carries_with_forced(lathe, d).then(|| forced_cooling_advice(FIELD, said))
 }
 
-/// Cut and friction with the knob at its lowest position, where they ask the same torque and the fan on the motor's shaft cools least.
+/// Cut and friction at the positions of the knobs.
+pub(super) fn torques(lathe: &TurningSpindle) -> Vec<TorqueAtKnobs> {
+    let all = lathe.cuts_at_knobs();
+    let of = |CutAtKnobs { at, p, d }: CutAtKnobs| {
+        let most = |motor: MotorCurve| d.for_the_cut(p, motor.torque(d.speed_largest_cut));
+        let motor = p.continuous(d.stage_speed);
+        let (limit, forced) = (most(motor), most(motor.with_shaft_fan(false)));
+        TorqueAtKnobs { at, torque: d.torque, limit, forced, motor_speed: motor_speed(lathe, d) }
+    };
+    all.into_iter().map(of).collect()
+}
+
+/// Cut and friction at the positions of the knobs, where the fan on the motor's shaft cools too little and forced cooling enough.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
-    let (p, d) = (&lathe.p, &lathe.d);
-    if p.cutting_force <= 0.0 || p.spindle.forced_cooling || d.torque > d.torque_available {
+    let d = &lathe.d;
+    if lathe.p.cutting_force <= 0.0 || d.torque > d.torque_available {
         return None;
     }
-    let (percent, slow) = lathe.at_lowest_knob()?;
-    let limit = slow.for_the_cut(p, slow.torque_available);
-    if slow.torque <= limit || !carries_with_forced(lathe, slow) {
-        return None;
+    match knobs::torque_remedy(&torques(lathe), FIELD, Advice::from)? {
+        TorqueRemedy::Cooling(advice) => warn(AtMost(d.torque_available), [advice]),
+        TorqueRemedy::Feed(_) => None,
     }
-    let speed = (motor_speed(lathe, slow), 0);
-    let (percent, torque, shown) = ((percent, 0), (slow.torque, 1), (limit, 1));
-    let said = msg!("lathe.shaft-fan-at-knob", percent, speed, torque, limit = shown);
-    warn(AtMost(d.torque_available), [forced_cooling_advice(FIELD, said)])
 }
 
 fn carries_with_forced(lathe: &TurningSpindle, d: &Derived) -> bool {

@@ -1,16 +1,19 @@
 //! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
 
 use super::derive::Derived;
-use super::params::{Output, Path};
+use super::params::{FIELDS, Output, Path};
 use super::resolved::TurningSpindle;
 use super::run_up;
+use crate::drives::cutting;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
+use crate::machines::knobs;
 use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
+use crate::machines::verdict::down;
 use crate::math::RPM;
 use crate::msg;
 use crate::text::Message;
-use crate::view::Limit;
+use crate::view::{Advice, Limit};
 
 /// The spindle's motor with the cut and the friction at the largest diameter of the cut, where they ask the greatest torque; none where nothing is
 /// known of the cutting force. The rest of its demand is that of the run.
@@ -115,6 +118,16 @@ impl HasSlides for TurningSpindle {
             starts_per_minute: starts_per_minute(self),
             x_cuts_downhill: self.p.path == Path::Facing,
         })
+    }
+
+    fn slides_at_highest_feed(&self) -> Option<(f64, [ServoSlide; 2])> {
+        self.at_highest_feed().map(|(percent, lathe)| (percent, lathe.slides()))
+    }
+
+    fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice {
+        let exponent = self.p.material.kienzle().map(|row| row.exponent);
+        let set = exponent.map(|exponent| down(FIELDS, "feed", self.p.feed * cutting::feed_share(share, exponent)));
+        knobs::setting_feeds(advice, set.into_iter().collect())
     }
 }
 

@@ -7,10 +7,19 @@ use super::params::{self, Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::{Positioning, Stage, cutting};
+use crate::machines::knobs::{self, KnobPositions};
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::machines::slides::{ALONG, CROSS};
 use crate::motion::Snapshot;
+
+/// The cut at positions of the knobs: the form, and the results there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CutAtKnobs<'a> {
+    pub at: KnobPositions,
+    pub p: &'a Params,
+    pub d: &'a Derived,
+}
 
 /// The turning spindle on a control.
 #[derive(Debug)]
@@ -25,6 +34,8 @@ pub(crate) struct TurningSpindle {
     at_highest_knob: OnceLock<Derived>,
     /// The same at its lowest position.
     at_lowest_knob: OnceLock<Derived>,
+    /// The lathe with the feed override at its highest position, computed when a rule asks for it.
+    at_highest_feed: OnceLock<Box<TurningSpindle>>,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
 }
@@ -70,6 +81,7 @@ impl TurningSpindle {
             d,
             at_highest_knob: OnceLock::new(),
             at_lowest_knob: OnceLock::new(),
+            at_highest_feed: OnceLock::new(),
             control,
             dialect,
         }
@@ -91,6 +103,34 @@ impl TurningSpindle {
     fn at_knob(&self, percent: f64) -> Derived {
         let p = Params { override_percent: percent, gear: Gear::at(self.d.stage.into()), ..self.p.clone() };
         Derived::new(&p, &self.control.analog_output, &self.rules())
+    }
+
+    /// The lathe as it cuts with the feed override at its highest position (%), and that position. A typed force grows with the feed: no
+    /// thickness of the chip is known for it.
+    pub(super) fn at_highest_feed(&self) -> Option<(f64, &TurningSpindle)> {
+        let highest = knobs::highest_feed(self.control.feed_knob.positions)?;
+        let share = highest / 100.0;
+        let (feed, cutting_force) = (self.form.feed * share, self.form.cutting_force * share);
+        let lathe = || Box::new(self.with(Params { feed, cutting_force, ..self.form.clone() }));
+        Some((highest, self.at_highest_feed.get_or_init(lathe)))
+    }
+
+    /// The cut at the positions of the knobs of feed and spindle, those of the form left out.
+    pub(super) fn cuts_at_knobs(&self) -> Vec<CutAtKnobs<'_>> {
+        let present = self.p.override_percent;
+        let all = knobs::positions(self.control.feed_knob.positions, self.rules().knob.ends(present), present);
+        let fed = self.at_highest_feed();
+        let cut = |at: KnobPositions| {
+            let lathe = fed.filter(|(feed, _)| *feed == at.feed).map_or(self, |(_, lathe)| lathe);
+            CutAtKnobs { at, p: &lathe.p, d: lathe.at_spindle_override(at.spindle) }
+        };
+        all.into_iter().map(cut).collect()
+    }
+
+    /// The results at the form's position (%) of the spindle override or at an end of it.
+    fn at_spindle_override(&self, percent: f64) -> &Derived {
+        let ends = [self.at_highest_knob(), self.at_lowest_knob()].into_iter().flatten();
+        ends.into_iter().find(|(end, _)| *end == percent).map_or(&self.d, |(_, d)| d)
     }
 
     /// Drives of the slides across and along the work.

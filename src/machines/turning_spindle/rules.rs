@@ -8,15 +8,16 @@ use super::gears::{gear_times, judge_delay};
 use super::keyway;
 use super::params::{FIELDS, Gear, Params, Path};
 use super::program;
-use super::resolved::TurningSpindle;
+use super::resolved::{CutAtKnobs, TurningSpindle};
 use super::run_up;
 use crate::controls::ParamRole;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::drives::{Bound, spindle_motor};
+use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
-use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, greatest_share, ok, warn};
 use crate::machines::{scaling, turret};
 use crate::math;
 use crate::msg;
@@ -219,21 +220,53 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
 }
 
-/// Warning that the motor's short-time rating suffices, with its share in percent.
-fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
-    warn(AtMost(limit), [msg!("turning.overload", percent = (lathe.p.motor_overload, 0)).into()])
+/// Warning that the motor's short-time rating suffices, with its share in percent; then the advice about the positions of the knobs.
+fn overloaded(lathe: &TurningSpindle, limit: f64, at_knobs: Option<Judgement>) -> Option<Judgement> {
+    let overload = Advice::from(msg!("turning.overload", percent = (lathe.p.motor_overload, 0)));
+    let at_knobs = at_knobs.map_or_else(Vec::new, |judgement| judgement.advice);
+    warn(AtMost(limit), core::iter::once(overload).chain(at_knobs).collect::<Vec<_>>())
 }
 
-/// A result that holds at the present position of the knob: a warning where it does not at the highest one.
-fn holds_up_to(
+/// Demand of the cut at positions of the knobs, and its limit.
+type Demand = fn(&CutAtKnobs) -> (f64, f64);
+
+/// A demand that holds at the form's positions of the knobs: a warning where it does not at another one, with the feed that holds at all of
+/// them.
+fn at_knobs(
     lathe: &TurningSpindle,
     limit: f64,
-    exceeds: impl Fn(f64, &Derived) -> Option<Message>,
+    demand: Demand,
+    told: impl Fn(&CutAtKnobs, (f64, f64)) -> Message,
 ) -> Option<Judgement> {
-    match lathe.at_highest_knob().and_then(|(percent, fast)| exceeds(percent, fast)) {
-        Some(message) => warn(AtMost(limit), [message.into()]),
+    match knobs::worst(lathe.cuts_at_knobs(), demand) {
+        Some((cut, numbers)) => warn(AtMost(limit), [with_slower_feed(lathe, demand, told(&cut, numbers))]),
         None => ok(AtMost(limit)),
     }
+}
+
+/// An advice with the greatest feed at which a demand holds at every position of the knobs, where less feed lowers it.
+fn with_slower_feed(lathe: &TurningSpindle, demand: Demand, message: Message) -> Advice {
+    match slower_feed(lathe, |slower| knobs::worst(slower.cuts_at_knobs(), demand).is_none()) {
+        Some(share) => with_feed(lathe, share, message),
+        None => message.into(),
+    }
+}
+
+fn power_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    (cut.d.power, cut.d.for_the_cut(cut.p, cut.d.power_available))
+}
+
+fn torque_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    (cut.d.torque, cut.d.for_the_cut(cut.p, cut.d.torque_available))
+}
+
+fn peak_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    let CutPoint { torque, most, .. } = cut.d.worst_cut_point(cut.p);
+    (torque, most)
+}
+
+fn bending_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    (bending::free(cut.p), bending::LIMIT)
 }
 
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -242,16 +275,12 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
         return None;
     }
     let (rated, most) = (d.power_available, d.for_the_cut(p, d.power_available));
-    if d.power <= rated {
-        return holds_up_to(lathe, rated, |percent, fast| {
-            let limit = fast.for_the_cut(p, fast.power_available);
-            let message =
-                || msg!("turning.power-at-knob", percent = (percent, 0), power = (fast.power, 2), limit = (limit, 2));
-            (fast.power > limit).then(message)
-        });
-    }
     if d.power <= most {
-        return overloaded(lathe, rated);
+        let at_knobs = at_knobs(lathe, rated, power_demand, |cut, (power, limit)| {
+            let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
+            msg!("turning.power-at-knobs", feed, spindle, power = (power, 2), limit = (limit, 2))
+        });
+        return if d.power <= rated { at_knobs } else { overloaded(lathe, rated, at_knobs) };
     }
     let slower = (p.cutting_speed * rated / d.power).floor();
     // Friction keeps its power with less depth.
@@ -296,16 +325,19 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 
 /// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force.
 fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
-    let bending = bending::free(lathe);
+    let bending = bending::free(&lathe.p);
     let limit = AtMost(bending::LIMIT);
     if bending <= bending::LIMIT {
-        return ok(limit);
+        return at_knobs(lathe, bending::LIMIT, bending_demand, |cut, (bending, _)| {
+            msg!("turning.bends-at-feed-knob", percent = (cut.at.feed, 0), bending = (bending, 2))
+        });
     }
     let told = match lathe.p.path {
         Path::Facing => msg!("turning.face-bends", bending = (bending, 2)),
         _ => msg!("turning.work-bends", bending = (bending, 2), held = (bending::held(&lathe.p), 3)),
     };
-    warn(limit, [with_depth(lathe, bending::LIMIT / bending, told)])
+    let greatest = lathe.at_highest_feed().map_or(bending, |(_, fed)| bending::free(&fed.p));
+    warn(limit, [with_depth(lathe, bending::LIMIT / greatest, told)])
 }
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
@@ -315,17 +347,18 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         return None;
     }
     let (rated, most) = (d.torque_available, d.for_the_cut(p, d.torque_available));
-    if d.torque <= rated {
-        return holds_up_to(lathe, rated, |percent, fast| {
-            let limit = fast.for_the_cut(p, fast.torque_available);
-            let message =
-                || msg!("lathe.torque-at-knob", percent = (percent, 0), torque = (fast.torque, 1), limit = (limit, 1));
-            (fast.torque > limit).then(message)
-        });
-    }
     let cooled = cooling::remedy(lathe);
     if d.torque <= most {
-        let judgement = overloaded(lathe, rated)?;
+        let slower = |message| with_slower_feed(lathe, torque_demand, message);
+        let at_knobs = match knobs::torque_remedy(&cooling::torques(lathe), cooling::FIELD, slower) {
+            Some(TorqueRemedy::Feed(advice)) => warn(AtMost(rated), [advice]),
+            // The rule of the cooling warns.
+            Some(TorqueRemedy::Cooling(_)) | None => ok(AtMost(rated)),
+        };
+        if d.torque <= rated {
+            return at_knobs;
+        }
+        let judgement = overloaded(lathe, rated, at_knobs)?;
         return Some(Judgement { advice: judgement.advice.into_iter().chain(cooled).collect(), ..judgement });
     }
     let message = match cooled {
@@ -356,13 +389,10 @@ fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let CutPoint { diameter, speed, torque, most } = lathe.d.worst_cut_point(&lathe.p);
     if torque <= most {
-        return holds_up_to(lathe, most, |percent, fast| {
-            let point = fast.worst_cut_point(&lathe.p);
-            let (torque, limit) = ((point.torque, 1), (point.most, 1));
-            let message = || {
-                msg!("turning.stalls-at-knob", percent = (percent, 0), diameter = (point.diameter, 1), torque, limit)
-            };
-            (point.torque > point.most).then(message)
+        return at_knobs(lathe, most, peak_demand, |cut, (torque, limit)| {
+            let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
+            let diameter = (cut.d.worst_cut_point(cut.p).diameter, 1);
+            msg!("turning.stalls-at-knobs", feed, spindle, diameter, torque = (torque, 1), limit = (limit, 1))
         });
     }
     let message = msg!(
@@ -372,31 +402,26 @@ fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
         speed = (speed, 0),
         limit = (most, 1)
     );
-    let advice = match slower_feed(lathe) {
+    let holds = |slower: &TurningSpindle| {
+        let point = slower.d.worst_cut_point(&slower.p);
+        point.torque <= point.most
+    };
+    let everywhere =
+        |slower: &TurningSpindle| holds(slower) && knobs::worst(slower.cuts_at_knobs(), peak_demand).is_none();
+    let advice = match slower_feed(lathe, everywhere).or_else(|| slower_feed(lathe, holds)) {
         Some(share) => with_feed(lathe, share, message),
         None => message.into(),
     };
     fail(AtMost(most), [advice])
 }
 
-/// Least share of the present feed that an advice offers, and the halvings by which it is found.
+/// Least share of the present feed that an advice offers.
 const LEAST_FEED: f64 = 0.1;
-const HALVINGS: u32 = 20;
 
-/// Greatest share of the present feed at which the motor has the torque for cut, friction and acceleration; none where less feed does not
-/// help.
-fn slower_feed(lathe: &TurningSpindle) -> Option<f64> {
-    let holds = |share: f64| {
-        let form = Params { feed: lathe.form.feed * share, ..lathe.form.clone() };
-        let other = lathe.with(form);
-        let point = other.d.worst_cut_point(&other.p);
-        point.torque <= point.most
-    };
-    let halved = |(holding, failing): (f64, f64), _| {
-        let middle = 0.5 * (holding + failing);
-        if holds(middle) { (middle, failing) } else { (holding, middle) }
-    };
-    holds(LEAST_FEED).then(|| (0..HALVINGS).fold((LEAST_FEED, 1.0), halved).0)
+/// Greatest share of the present feed at which a condition holds; none where less feed does not help.
+fn slower_feed(lathe: &TurningSpindle, holds: impl Fn(&TurningSpindle) -> bool) -> Option<f64> {
+    let slower = |share: f64| lathe.with(Params { feed: lathe.form.feed * share, ..lathe.form.clone() });
+    greatest_share(LEAST_FEED, |share| holds(&slower(share)))
 }
 
 /// A gear stage in which the torque suffices and the speed is the same.

@@ -2,6 +2,7 @@
 
 use macroline::motion::{Action, Event, Snapshot};
 use macroline::project::Project;
+use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::polygon::project;
@@ -60,6 +61,18 @@ fn feed_knob_that_overloads_the_tool_drive_warns() {
     assert!(steel("0.5").verdict == Verdict::Ok && share("0.75") < 1.0, "{}", share("0.75"));
 }
 
+/// A bar that bends by less than its tolerance at the feed of the form, and by 1.5^0.78 times as much at 150 %.
+#[test]
+fn feed_knob_that_bends_the_work_warns() {
+    let key = Project::named("polygon-lathe", None, Some("hexagon-key")).unwrap();
+    let bends = readout(&key, "bending");
+    let said = &bends.advice[0].message;
+    assert_eq!((bends.verdict, said.id), (Verdict::Warn, "polygon.bends-at-feed-knob"));
+    assert!(bends.limit.unwrap().holds(bends.value), "{bends:?}");
+    let less = key.with_entries(&bends.advice[0].sets).unwrap();
+    assert_eq!(readout(&less, "bending").verdict, Verdict::Ok, "{:?}", bends.advice[0].sets);
+}
+
 /// With work and tool faster by the same knob the chips stay as they are.
 #[test]
 fn feed_knob_on_all_axes_leaves_the_chips() {
@@ -73,7 +86,8 @@ fn feed_knob_that_overloads_the_main_motor_warns() {
     // 1750 N/mm² · 2 mm · 0.5 mm: 23.9 of 32.2 Nm, and 34.8 Nm at 150 %.
     let heavy = shaft(&[("before-feed", "0.5"), ("main-forced-cooling", "true")]);
     let torque = readout(&heavy, "main-torque");
-    assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "polygon.torque-at-feed-knob"));
+    assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "lathe.torque-at-knobs"));
+    assert!(sentence(&torque.advice[0].message).contains("feed override at 150 %"), "{torque:?}");
     let less = heavy.with_entries(&torque.advice[0].sets).unwrap();
     assert_eq!(readout(&less, "main-torque").verdict, Verdict::Ok);
 }

@@ -256,5 +256,6 @@ fn slender_work_that_bends_is_red_and_mended() {
         let mended = readout(&longer.with_entries(&advice.sets).unwrap(), "bending");
         assert_eq!(mended.verdict, Verdict::Ok, "{:?}: {}", advice.sets, mended.value);
     }
-    assert_eq!(readout(&key, "bending").verdict, Verdict::Ok);
+    // The part of the example bends less than its tolerance, but for the feed override at its highest position.
+    assert_eq!(readout(&key, "bending").verdict, Verdict::Warn);
 }

@@ -47,7 +47,8 @@ fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
         assert_eq!(row.advice[0].sets, [("motor-forced-cooling", "true".to_owned())], "{control}");
         let forced = own.with_entries(&row.advice[0].sets).unwrap();
         let row = torque(&forced);
-        assert_eq!(row.verdict, Verdict::Ok, "{control}");
+        // At the feed of the form it holds; at 150 % of it on some controls not.
+        assert!(row.verdict < Verdict::Fail, "{control}");
         near(row.limit.unwrap().value(), 190.986, 0.01);
     }
 }
@@ -78,7 +79,8 @@ fn shaft_fan_at_the_slow_end_of_the_knob_is_a_warning() {
     assert_eq!(row.verdict, Verdict::Warn, "{row:?}");
     assert_eq!(row.advice[0].sets, [("motor-forced-cooling", "true".to_owned())]);
     assert!(sentence(&row.advice[0].message).contains("50 %"), "{row:?}");
-    assert_eq!(at("400", "gsk-980tdc").verdict, Verdict::Ok);
+    // 450 N with the feed override at 150 %: 91.6 of 100.6 Nm.
+    assert_eq!(at("300", "gsk-980tdc").verdict, Verdict::Ok);
 }
 
 #[test]

@@ -95,9 +95,10 @@ fn acceleration_of_a_face_adds_to_its_cut() {
     near(demand.value, FORCE * diameter / 2000.0 + 2.0 + INERTIA * acceleration * RPM, 0.01);
     near(demand.limit.unwrap().value(), 1.5 * 9_549.297 * 12.0 / 2000.0, 0.01);
     assert_eq!(demand.verdict, Verdict::Fail);
-    // Each of the rules that judge one of them alone holds.
+    // Each of the rules that judge one of them alone holds at the feed of the form.
     for id in ["acceleration-needed", "torque", "power", "shortest-ramp"] {
-        assert_eq!(readout(&lathe, id).verdict, Verdict::Ok, "{id}");
+        let row = readout(&lathe, id);
+        assert!(row.verdict < Verdict::Fail && row.limit.unwrap().holds(row.value), "{id}");
     }
     let [advice] = &demand.advice[..] else { panic!("{:?}", demand.advice) };
     let slower = lathe.with_entries(&advice.sets).unwrap();

@@ -53,7 +53,8 @@ fn lower_stage_with_enough_torque_is_offered() {
     assert_eq!(torque.verdict, Verdict::Fail);
     assert_eq!(torque.advice[0].sets, [("gear", "1".to_owned())]);
     let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
-    assert_eq!(readout(&after, "torque").verdict, Verdict::Ok);
+    // 286.5 Nm, of which the feed override at 150 % takes more.
+    assert!(readout(&after, "torque").verdict < Verdict::Fail);
 }
 
 /// 66 to 60 mm, 200 m/min, 3 mm by 0.3 mm, κ 95°: 1760.9 N, at Ø 63 6.163 kW, 55.47 Nm (turning spindle facts 4), beside 2 Nm of friction at
@@ -78,7 +79,8 @@ fn kienzle_force_is_that_of_the_fact_sheet() {
     // The power of the removed metal: the ring of a turn times its length, times the specific force.
     let removed = std::f64::consts::PI / 4.0 * (66.0 * 66.0 - 60.0 * 60.0) * 0.3 * 1061.03 / 60.0;
     near(6.163, removed * value(&lathe, "force") / (3.0 * 0.3) / 1e6, 0.001);
-    assert_eq!(readout(&lathe, "torque").verdict, Verdict::Ok);
+    let torque = readout(&lathe, "torque");
+    assert!(torque.limit.unwrap().holds(torque.value), "{torque:?}");
 }
 
 #[test]
@@ -191,7 +193,7 @@ fn cut_is_judged_with_the_knob_at_its_highest_position_too() {
     let [present, highest] = ["100", "120"].map(cut);
     assert_eq!([present.verdict, highest.verdict], [Verdict::Warn, Verdict::Fail]);
     assert!(present.value < present.limit.unwrap().value() && highest.value > highest.limit.unwrap().value());
-    assert_eq!(present.advice[0].message.id, "turning.power-at-knob");
+    assert_eq!(present.advice[0].message.id, "turning.power-at-knobs");
 }
 
 #[test]

@@ -452,15 +452,15 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             let name = format!("{} on {control}", machine.id());
             let rows = |strip: &str| sizing.terminals.iter().filter(|row| row.terminal.starts_with(strip)).count();
             let billed = |item: BillItem| sizing.bill.iter().filter(|row| row.item == item).count();
-            let [brakes, supplies, resistors] =
-                [BillItem::Brake, BillItem::BrakeSupply, BillItem::Resistor].map(billed);
+            let [brakes, supplies, resistors, fans] =
+                [BillItem::Brake, BillItem::BrakeSupply, BillItem::Resistor, BillItem::Fan].map(billed);
             assert_eq!(rows("X1:"), 4 * sizing.axes.len() + 2 * (brakes + supplies + resistors), "{name}");
             // A set speed where an inverter is, and nowhere else; the position of a dancer beside it.
             let inverter = usize::from(project.prepared().inverter_drive().is_some());
             assert_eq!(rows("X3:"), 3 * (inverter + billed(BillItem::Dancer)), "{name}");
             // Mains and PE of every drive and of the supplies; voltage of the control and of the relay of the emergency stop.
             let drives = billed(BillItem::Amplifier) + billed(BillItem::Inverter);
-            assert_eq!(rows("X0:"), 2 * (drives + supplies) + 6, "{name}");
+            assert_eq!(rows("X0:"), 2 * (drives + supplies + fans) + 6, "{name}");
             let enabled = sizing.terminals.iter().filter(|row| row.signal.starts_with("Enable")).count();
             assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
             // The table of stops lets them brake to rest; work and tool coast only where the form says so.

@@ -170,7 +170,7 @@ fn weak_motors_fail_with_a_remedy() {
         &[("motor-max-z", "1500"), ("motor-peak-z", "5"), ("motor-stall-x", "0.3")],
     );
     for (id, field) in
-        [("z-motor-speed", Some("rapid-z")), ("z-peak-torque", Some("time-constant")), ("x-cut-torque", None)]
+        [("z-motor-speed", Some("rapid-z")), ("z-peak-torque", Some("time-constant")), ("x-cut-torque", Some("feed"))]
     {
         let found = readout(&project, id);
         assert_eq!(found.verdict, Verdict::Fail, "{id}");

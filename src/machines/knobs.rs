@@ -1,0 +1,102 @@
+//! The operator's override knobs of feed and spindle: the cut of a lathe at their ends, in the same way for every lathe.
+
+use super::devices::forced_cooling_advice;
+use super::verdict::FieldEntry;
+use crate::drives::speed::{KnobEnds, Steps};
+use crate::msg;
+use crate::text::Message;
+use crate::view::Advice;
+
+/// Position (%) of the feed override at which the feeds of the form hold.
+const WHOLE: f64 = 100.0;
+
+/// Positions of the override knobs, %.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct KnobPositions {
+    pub feed: f64,
+    pub spindle: f64,
+}
+
+/// Highest position (%) of the feed override above 100 %; none on a control whose knob ends there.
+pub(super) fn highest_feed(knob: Steps) -> Option<f64> {
+    knob.ends(WHOLE).higher
+}
+
+/// The positions at which a cut is judged beside those of the form: each knob at its ends, and both together. Less feed asks less of every
+/// drive, so that the feed override counts at its highest position alone. `present`: position of the spindle override in the form, %.
+pub(super) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
+    let feeds = [highest_feed(feed), Some(WHOLE)].into_iter().flatten();
+    let all = feeds.flat_map(|feed| {
+        let spindles = [Some(present), spindle.higher, spindle.lower].into_iter().flatten();
+        spindles.map(move |spindle| KnobPositions { feed, spindle })
+    });
+    all.filter(|at| *at != KnobPositions { feed: WHOLE, spindle: present }).collect()
+}
+
+/// The state with the greatest demand over its limit, with both numbers; none where every state holds.
+pub(super) fn worst<T>(
+    states: impl IntoIterator<Item = T>,
+    demand: impl Fn(&T) -> (f64, f64),
+) -> Option<(T, (f64, f64))> {
+    let all = states.into_iter().map(|state| {
+        let numbers = demand(&state);
+        (state, numbers)
+    });
+    let share = |(asked, limit): (f64, f64)| asked / limit;
+    let exceeding = all.filter(|(_, (asked, limit))| asked > limit);
+    exceeding.reduce(|worst, next| if share(next.1) > share(worst.1) { next } else { worst })
+}
+
+/// Least feed (mm per revolution) that an advice names: below it an edge rubs.
+const LEAST_FEED: f64 = 0.01;
+
+/// An advice with a button for lower feeds; without it where an edge would rub.
+pub(super) fn setting_feeds(advice: Advice, sets: Vec<FieldEntry>) -> Advice {
+    let values: Vec<&str> = sets.iter().map(|set| set.text.as_str()).collect();
+    let least = sets.iter().map(|set| set.value).fold(f64::INFINITY, f64::min);
+    let button = match values.as_slice() {
+        [one] => msg!("advice.set-feed", feed = *one),
+        several => msg!("advice.set-feeds", feeds = several.join(" / ").as_str()),
+    };
+    if sets.is_empty() || least < LEAST_FEED { advice } else { advice.setting(button, sets) }
+}
+
+/// Torque (Nm) of cut and friction on a main spindle at positions of the knobs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TorqueAtKnobs {
+    pub at: KnobPositions,
+    pub torque: f64,
+    /// Torque of the motor there.
+    pub limit: f64,
+    /// The same with forced cooling.
+    pub forced: f64,
+    /// Speed of the motor, r/min.
+    pub motor_speed: f64,
+}
+
+/// Remedy for a motor that is too weak at a position of the knobs.
+pub(super) enum TorqueRemedy {
+    /// Forced cooling: with it the motor suffices at every position.
+    Cooling(Advice),
+    /// Less feed.
+    Feed(Advice),
+}
+
+/// The remedy for the position where cut and friction exceed the torque of the motor most; none where it suffices at all of them. `cooling`:
+/// field of the forced cooling; `slower`: the advice with less feed, for a sentence.
+pub(super) fn torque_remedy(
+    all: &[TorqueAtKnobs],
+    cooling: &'static str,
+    slower: impl FnOnce(Message) -> Advice,
+) -> Option<TorqueRemedy> {
+    let (TorqueAtKnobs { at, torque, limit, motor_speed, .. }, _) =
+        worst(all.iter().copied(), |of| (of.torque, of.limit))?;
+    let (feed, spindle, torque, limit) = ((at.feed, 0), (at.spindle, 0), (torque, 1), (limit, 1));
+    Some(if all.iter().all(|of| of.torque <= of.forced) {
+        let speed = (motor_speed, 0);
+        let said = msg!("lathe.shaft-fan-at-knobs", feed, spindle, speed, torque, limit);
+        TorqueRemedy::Cooling(forced_cooling_advice(cooling, said))
+    } else {
+        TorqueRemedy::Feed(slower(msg!("lathe.torque-at-knobs", feed, spindle, torque, limit)))
+    })
+}

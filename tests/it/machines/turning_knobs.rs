@@ -1,0 +1,105 @@
+//! The cut of the turning spindle with both override knobs at their ends: torque, power, slides and bending.
+
+use macroline::math;
+use macroline::project::Project;
+use macroline::text::catalog::sentence;
+use macroline::view::{Readout, Verdict};
+
+use super::turning::project;
+use crate::asked::{readout, value};
+
+/// Ø 66 to Ø 60 at 200 m/min, 3 mm by 0.3 mm/rev of C45: 1760.9 N, 55.47 Nm beside 2 Nm of friction.
+const SHAFT: [(&str, &str); 11] = [
+    ("path", "turning"),
+    ("stock-diameter", "66"),
+    ("finished-diameter", "60"),
+    ("depth", "3"),
+    ("feed", "0.3"),
+    ("cutting-speed", "200"),
+    ("material", "c45"),
+    ("motor-base", "500"),
+    ("motor-overload", "100"),
+    ("motor-forced-cooling", "true"),
+    ("override", "100"),
+];
+
+fn shaft(control: &str, changes: &[(&'static str, &'static str)]) -> Project {
+    project(control, &[&SHAFT[..], changes].concat())
+}
+
+/// The warning of a result that holds at the form's positions of the knobs, in words.
+fn warning(project: &Project, id: &str) -> String {
+    let row = readout(project, id);
+    assert_eq!(row.verdict, Verdict::Warn, "{row:?}");
+    assert!(row.limit.unwrap().holds(row.value), "{row:?}");
+    sentence(&row.advice[0].message)
+}
+
+/// The result after its advice.
+fn mended(project: &Project, id: &str) -> Readout {
+    let row = readout(project, id);
+    readout(&project.with_entries(&row.advice[0].sets).unwrap(), id)
+}
+
+/// Force grows with f^0.78: 55.47 Nm · 1.5^0.78 + 2 Nm = 78.1 Nm at 150 % of feed.
+#[test]
+fn torque_is_judged_at_the_end_of_the_feed_knob() {
+    let at = |power: &'static str| shaft("gsk-980tdc", &[("motor-power", power), ("upper-limit", "1000")]);
+    let needed = 55.47 * math::pow(1.5, 0.78) + 2.0;
+    assert!((77.9..78.3).contains(&needed), "{needed}");
+    let weak = at("9");
+    let said = warning(&weak, "torque");
+    assert!(said.contains("feed override at 150 %") && said.contains(&format!("{needed:.1} Nm")), "{said}");
+    let after = mended(&weak, "torque");
+    assert_eq!(after.verdict, Verdict::Ok, "{after:?}");
+    assert_eq!(readout(&at("18"), "torque").verdict, Verdict::Ok);
+}
+
+#[test]
+fn feed_knob_of_a_panel_with_120_percent_ends_there() {
+    let said = warning(&shaft("sinumerik-802d", &[("motor-power", "8"), ("upper-limit", "1000")]), "torque");
+    assert!(said.contains("feed override at 120 %"), "{said}");
+}
+
+/// Power that suffices with either knob at its end, and not with both.
+#[test]
+fn power_is_judged_with_both_knobs_at_their_ends() {
+    let cut = |feed: &'static str, percent: &'static str| {
+        value(&shaft("gsk-980tdc", &[("feed", feed), ("override", percent), ("motor-power", "15")]), "power")
+    };
+    // 0.45 mm/rev are 150 % of the feed, and the knob of the spindle ends at 120 %.
+    let (feed, spindle, both) = (cut("0.45", "100"), cut("0.3", "120"), cut("0.45", "120"));
+    assert!(spindle < feed && feed < 9.0 && both > 9.2, "{feed} {spindle} {both}");
+    // 80 % of 11.3 kW.
+    let lathe = shaft("gsk-980tdc", &[("motor-power", "11.3"), ("motor-base", "300")]);
+    let said = warning(&lathe, "power");
+    let named = format!("feed override at 150 % and the spindle override at 120 %, cut and friction take {both:.2} kW");
+    assert!(said.contains(&named), "{said}");
+    assert_eq!(mended(&lathe, "power").verdict, Verdict::Ok);
+}
+
+#[test]
+fn force_on_the_slides_is_judged_at_the_feed_knob() {
+    let lathe = |stall: &'static str| shaft("gsk-980tdc", &[("motor-stall-z", stall)]);
+    let torque = value(&lathe("4.8"), "z-cut-torque");
+    let limit = |stall: f64| stall * 0.8;
+    assert!(torque < limit(1.3), "{torque}");
+    let weak = lathe("1.3");
+    let said = warning(&weak, "z-cut-torque");
+    assert!(said.contains("feed override at 150 %"), "{said}");
+    assert_eq!(mended(&weak, "z-cut-torque").verdict, Verdict::Ok);
+}
+
+/// Bending in proportion to the force.
+#[test]
+fn bending_is_judged_at_the_end_of_the_feed_knob() {
+    let lathe = |length: &'static str| {
+        shaft("gsk-980tdc", &[("work-length", length), ("motor-power", "30"), ("finished-diameter", "64")])
+    };
+    let bends = readout(&lathe("310"), "bending");
+    assert!((0.075..0.1).contains(&bends.value), "{}", bends.value);
+    let said = warning(&lathe("310"), "bending");
+    let shown = format!("{:.2} mm", bends.value * math::pow(1.5, 0.78));
+    assert!(said.contains(&shown) && said.contains("150 %"), "{said}: {shown}");
+    assert_eq!(mended(&lathe("310"), "bending").verdict, Verdict::Ok);
+}
