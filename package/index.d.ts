@@ -277,6 +277,8 @@ export interface SizedAxis {
     peak_at_s: number;
     /** Position of the knob in the run with that torque; null where the form has it. */
     peak_at_knob_percent: number | null;
+    /** Position of the feed override in that run; null at 100 %. */
+    peak_at_feed_percent: number | null;
     effective_torque_nm: number;
     energy_given_j: number;
     energy_returned_j: number;
@@ -337,6 +339,8 @@ export interface Size {
     worst: boolean;
     /** Position of the knob at which it was met; null where the form has it. */
     knob_percent: number | null;
+    /** Position of the feed override at which it was met; null at 100 %. */
+    feed_percent: number | null;
     /** The run was cut while something coasted on. */
     more_than_value: boolean;
   }[];

@@ -274,6 +274,11 @@ pub trait Prepared: Send + Sync {
     fn resistor_demand(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<ResistorDemand> {
         None
     }
+    /// The machine as it cuts with the feed override at its highest position (%), and that position; none where the knob does not act on the
+    /// cut, or ends at 100 %.
+    fn with_highest_feed(&self) -> Option<(f64, &dyn Prepared)> {
+        None
+    }
     /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None

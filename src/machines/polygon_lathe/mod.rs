@@ -209,6 +209,11 @@ impl Prepared for PolygonLathe {
         self.spindle_run(run, stretches)?.resistor(self.p.main.braking, self.p.pause)
     }
 
+    fn with_highest_feed(&self) -> Option<(f64, &dyn Prepared)> {
+        let (percent, lathe) = self.at_highest_feed()?;
+        Some((percent, lathe))
+    }
+
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         main_spindle::encoder(self)
     }

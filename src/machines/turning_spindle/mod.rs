@@ -196,6 +196,11 @@ impl Prepared for TurningSpindle {
         driven::inverter_abilities(self)
     }
 
+    fn with_highest_feed(&self) -> Option<(f64, &dyn Prepared)> {
+        let (percent, lathe) = self.at_highest_feed()?;
+        Some((percent, lathe))
+    }
+
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         Some(driven::encoder(self))
     }

@@ -64,6 +64,8 @@ pub struct SizedAxis {
     pub knob: Option<f64>,
     /// Whether that run has the greatest torque.
     pub peak_is_at_knob: bool,
+    /// Position (%) of the feed override in the run with the greatest torque, if it is not at 100 %.
+    pub peak_feed: Option<f64>,
     /// Torque over speed of that motor.
     pub chart: Option<TorqueChart>,
     /// The motors: passing ones by rising rating, then the others by their reason.
@@ -187,45 +189,69 @@ struct Asked {
     starts_per_minute: f64,
     /// Position (%) of the knob in the second run.
     knob: Option<f64>,
+    /// The motions with the feed override at its highest position.
+    fed: Vec<Motion>,
+    /// That position, %.
+    feed: Option<f64>,
 }
 
 impl Asked {
-    fn of(axis: &DrivenAxis, runs: &[&WholeRun], pause: f64) -> Asked {
-        let motion = |whole: &&WholeRun| whole.motion(axis).with_pause(pause);
-        let motions: Vec<Motion> = runs.iter().map(motion).collect();
-        let greatest = |of: fn(&Motion) -> f64| motions.iter().map(of).fold(0.0, f64::max);
+    /// Demand on an axis in these runs, and on the same axis in the runs at another feed.
+    fn of(axis: &DrivenAxis, runs: &[&WholeRun], fed: Option<(&DrivenAxis, &[WholeRun])>, pause: f64) -> Asked {
+        let motion = |axis: &DrivenAxis, whole: &WholeRun| whole.motion(axis).with_pause(pause);
+        let motions: Vec<Motion> = runs.iter().map(|whole| motion(axis, whole)).collect();
+        let feed = fed.and_then(|(_, runs)| runs.first()?.feed);
+        let fed = fed.into_iter().flat_map(|(axis, runs)| runs.iter().map(|whole| motion(axis, whole)));
+        let fed: Vec<Motion> = fed.collect();
+        let greatest = |of: fn(&Motion) -> f64| motions.iter().chain(&fed).map(of).fold(0.0, f64::max);
         let (mean_speed, starts_per_minute) = (greatest(Motion::mean_speed), greatest(Motion::starts_per_minute));
-        Asked { motions, mean_speed, starts_per_minute, knob: runs.iter().find_map(|whole| whole.knob) }
+        let knob = runs.iter().find_map(|whole| whole.knob);
+        Asked { motions, mean_speed, starts_per_minute, knob, fed, feed }
+    }
+
+    /// The motions of all runs.
+    fn all(&self) -> impl Iterator<Item = &Motion> + Clone {
+        self.motions.iter().chain(&self.fed)
     }
 
     /// Whether the second run has the greatest torque.
     fn peak_is_at_knob(&self, rotor: f64) -> bool {
         let peak = |motion: &Motion| motion.work(rotor).peak.torque;
-        matches!(self.motions.as_slice(), [first, second] if peak(second) > peak(first))
+        self.peak_feed(rotor).is_none()
+            && matches!(self.motions.as_slice(), [first, second] if peak(second) > peak(first))
     }
 
-    /// The greatest value of each figure over all runs.
+    /// Position (%) of the feed override if a run with it has the greatest torque.
+    fn peak_feed(&self, rotor: f64) -> Option<f64> {
+        let peak = |motions: &[Motion]| motions.iter().map(|of| of.work(rotor).peak.torque).fold(0.0, f64::max);
+        self.feed.filter(|_| peak(&self.fed) > peak(&self.motions))
+    }
+
+    /// The greatest value of each figure over all runs, of the energies over those at the feed of the form.
     fn work(&self, rotor: f64) -> Work {
-        let works = self.motions.iter().map(|motion| motion.work(rotor));
-        works.fold(Work::default(), |worst, next| Work {
+        let works = self.all().map(|motion| motion.work(rotor));
+        let at_form = works.clone().take(self.motions.len());
+        let (given, returned) = at_form
+            .fold((0.0_f64, 0.0_f64), |(given, returned), work| (given.max(work.given), returned.max(work.returned)));
+        let worst = works.fold(Work::default(), |worst, next| Work {
             peak: if next.peak.torque > worst.peak.torque { next.peak } else { worst.peak },
             effective: worst.effective.max(next.effective),
             speed: worst.speed.max(next.speed),
-            given: worst.given.max(next.given),
-            returned: worst.returned.max(next.returned),
             seconds: worst.seconds.max(next.seconds),
-        })
+            ..worst
+        });
+        Work { given, returned, ..worst }
     }
 
     /// Moment with the greatest share of the motor's short-time torque.
     fn worst_point(&self, motor: &Servo) -> OperatingPoint {
-        let all = self.motions.iter().map(|motion| motion.worst_point(motor));
+        let all = self.all().map(|motion| motion.worst_point(motor));
         all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
     }
 
     /// Energy and power beyond the capacitors, the greatest value of each figure over all runs.
     fn to_resistor(&self, rotor: f64, back: &Regeneration) -> ResistorLoad {
-        let all = self.motions.iter().map(|motion| motion.to_resistor(rotor, back));
+        let all = self.all().map(|motion| motion.to_resistor(rotor, back));
         all.reduce(ResistorLoad::max).unwrap_or_default()
     }
 
@@ -239,7 +265,7 @@ impl Asked {
     fn effective(&self, rotor: f64) -> (f64, f64) {
         let of = |motion: &Motion| (motion.mean_speed(), motion.work(rotor).effective);
         let greater = |worst: (f64, f64), next: (f64, f64)| if next.1 > worst.1 { next } else { worst };
-        self.motions.iter().map(of).reduce(greater).unwrap_or_default()
+        self.all().map(of).reduce(greater).unwrap_or_default()
     }
 
     /// Torque over speed of a motor at its site, with the lines of all runs; lines of a run with equal speeds and torque are merged.
@@ -278,8 +304,10 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
     let runs: Vec<&WholeRun> = runs.collect();
     let catalogue = project.catalogue();
     let (control, pause) = (project.control, prepared.pause());
+    let fed = prepared.with_highest_feed().map_or_else(Vec::new, |(_, machine)| machine.driven_axes());
     let servo = prepared.driven_axes().into_iter().map(|axis| {
-        let asked = Asked::of(&axis, &runs, pause);
+        let other = fed.iter().find(|other| other.id == axis.id).map(|other| (other, of.fed.as_slice()));
+        let asked = Asked::of(&axis, &runs, other, pause);
         let motors =
             catalogue.iter().filter(|part| matches!(part.ratings, Ratings::Servo(_)) && goes_with(part, control));
         let candidates = motors.map(|part| candidate(part, &axis, &asked, &catalogue, control));
@@ -301,6 +329,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             returned: asked.returned(axis.fitted.motor.rotor),
             knob: asked.knob,
             peak_is_at_knob: asked.peak_is_at_knob(axis.fitted.motor.rotor),
+            peak_feed: asked.peak_feed(axis.fitted.motor.rotor),
             chart: Some(asked.chart(&axis.fitted.motor, axis.site_share)),
             candidates: in_order(candidates),
         }

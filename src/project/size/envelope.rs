@@ -1,4 +1,4 @@
-//! The operating envelope: worst values at start, in the run, at the ends of the knob, at a change of speed, at every stop.
+//! The operating envelope: worst values at start, in the run, at the ends of the knobs, at a change of speed, at every stop.
 //!
 //! Each event is a run of the program with an action of the operator in the middle of its work, a stop also at the highest speed of the
 //! spindle, with the knob at the form's position and near both of its ends; formulas check these runs, see `tests/it/sizing`.
@@ -6,14 +6,15 @@
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::drives::duty::OperatingPoint;
-use crate::machines::PreparedMachine;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, ProductSize};
 use crate::machines::sheets::say;
+use crate::machines::{Prepared, PreparedMachine};
 use crate::math;
 use crate::motion::{Action, Event, Mover, RunEnd, Stretch};
+use crate::msg;
 use crate::project::Project;
 use crate::project::run::Run;
-use crate::text::catalog::number_text;
+use crate::text::catalog::{number_text, sentence};
 use crate::view::{Limit, Verdict};
 
 /// Time (s) after a change in which the values are read.
@@ -54,6 +55,8 @@ pub enum OperatingEvent {
     Run,
     /// The knob goes to either end, and from its lowest position back to that of the form.
     Knob,
+    /// The feed override goes to either end, and is at its highest position from the start on.
+    FeedKnob,
     /// The knob is turned by one step, and back.
     SpeedChange,
     /// The operator types a product a tenth larger or smaller, and then the present one again.
@@ -70,10 +73,11 @@ pub enum OperatingEvent {
 
 impl OperatingEvent {
     /// All events with their ids in JSON, in the order of operation.
-    pub const IDS: [(OperatingEvent, &'static str); 9] = [
+    pub const IDS: [(OperatingEvent, &'static str); 10] = [
         (OperatingEvent::Start, "start"),
         (OperatingEvent::Run, "run"),
         (OperatingEvent::Knob, "knob"),
+        (OperatingEvent::FeedKnob, "feed-knob"),
         (OperatingEvent::SpeedChange, "speed-change"),
         (OperatingEvent::ProductChange, "product-change"),
         (OperatingEvent::Hold, "hold"),
@@ -93,6 +97,7 @@ impl OperatingEvent {
             OperatingEvent::Start => "size.event.start",
             OperatingEvent::Run => "size.event.run",
             OperatingEvent::Knob => "size.event.knob",
+            OperatingEvent::FeedKnob => "size.event.feed-knob",
             OperatingEvent::SpeedChange => "size.event.speed-change",
             OperatingEvent::ProductChange => "size.event.product-change",
             OperatingEvent::Hold => "size.event.hold",
@@ -128,6 +133,8 @@ pub struct EnvelopeRow {
     pub verdict: Verdict,
     /// Position (%) of the knob with this value, if it is not that of the form.
     pub knob: Option<f64>,
+    /// Position (%) of the feed override with this value, if it is not at 100 %.
+    pub feed: Option<f64>,
     /// Whether the run was cut while the spindle coasted on: the true value is greater than `value`.
     pub is_cut: bool,
     /// Whether it is the worst of this quantity over all events.
@@ -137,11 +144,15 @@ pub struct EnvelopeRow {
 /// The rows of all events that apply to the machine; `done` is called after each.
 pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
     let prepared = &*project.prepared();
-    let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
-    let axes = prepared.driven_axes().into_iter().map(with_current).collect();
+    let cutting = |machine: &dyn Prepared| {
+        let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
+        machine.driven_axes().into_iter().map(with_current).collect()
+    };
+    let present = Cutting { machine: &**prepared, axes: cutting(&**prepared) };
+    let fed = prepared.with_highest_feed().map(|(_, machine)| Cutting { machine, axes: cutting(machine) });
     let product = prepared.product_size().filter(|_| project.edited.is_none());
     let is_spindle_sized = prepared.inverter_drive().is_some();
-    let envelope = Envelope { prepared, runs, axes, is_spindle_sized, product };
+    let envelope = Envelope { prepared, runs, present, fed, is_spindle_sized, product };
     let mut rows = Vec::new();
     for (event, _) in OperatingEvent::IDS {
         rows.extend(envelope.rows(event));
@@ -175,9 +186,15 @@ impl EnvelopeRow {
             field: None,
             verdict: Verdict::None,
             knob: None,
+            feed: None,
             is_cut: false,
             is_worst: false,
         }
+    }
+
+    /// Its event in words, with the position of the feed override.
+    pub(super) fn event_name(&self) -> String {
+        self.feed.map_or_else(|| say(self.event.name()), |percent| sentence(&msg!("size.event-at-feed", percent)))
     }
 
     /// Its quantity in words, with the axis.
@@ -214,11 +231,20 @@ fn acted(whole: &WholeRun, actions: Vec<(f64, Action)>) -> Run {
     run
 }
 
+/// The machine as it cuts at a position of the feed override.
+struct Cutting<'a> {
+    machine: &'a dyn Prepared,
+    /// The axes, each with the current (A) of its motor for 1 Nm, if it is known.
+    axes: Vec<(DrivenAxis, Option<f64>)>,
+}
+
 struct Envelope<'a> {
     prepared: &'a PreparedMachine,
     runs: &'a SizingRuns,
-    /// The axes, each with the current (A) of its motor for 1 Nm, if it is known.
-    axes: Vec<(DrivenAxis, Option<f64>)>,
+    /// The machine at the form's feeds.
+    present: Cutting<'a>,
+    /// The machine as it cuts with the feed override at its highest position.
+    fed: Option<Cutting<'a>>,
     /// Whether the demand of the main spindle's motor is known.
     is_spindle_sized: bool,
     /// The size of the product for the operator; none if the program is not macroline's own.
@@ -234,11 +260,9 @@ impl Envelope<'_> {
             OperatingEvent::SpeedChange => whole.knob.is_none(),
             _ => true,
         });
-        worst(runs.map(|whole| {
-            let mut rows = self.rows_of(event, whole);
-            rows.iter_mut().for_each(|row| row.knob = whole.knob);
-            rows
-        }))
+        let rows = runs.map(|whole| at_knob(self.rows_of(event, whole), whole));
+        let fed = self.runs.fed.iter().filter(|_| event == OperatingEvent::FeedKnob);
+        worst(rows.chain(fed.map(|whole| at_knob(self.fed_rows(event, whole), whole))))
     }
 
     /// The form's position (%) of the knob.
@@ -250,7 +274,7 @@ impl Envelope<'_> {
         let at = whole.middle();
         match event {
             OperatingEvent::Start => {
-                let mut rows = self.read(event, &whole.run, (0.0, whole.contact));
+                let mut rows = self.read(&self.present, event, &whole.run, (0.0, whole.contact));
                 rows.push(time(event, whole.contact));
                 rows.extend(hold(event, &whole.run).filter(|_| !whole.works_before_its_end()));
                 rows
@@ -258,9 +282,9 @@ impl Envelope<'_> {
             OperatingEvent::Run => {
                 // After the end of the program axes and spindle slow down to rest.
                 let spans = [(whole.contact, whole.end), (whole.end, whole.run.timeline().end())];
-                let mut rows = worst(spans.map(|span| self.read(event, &whole.run, span)));
+                let mut rows = worst(spans.map(|span| self.read(&self.present, event, &whole.run, span)));
                 rows.push(time(event, whole.end - whole.contact));
-                rows.extend(self.axes.iter().map(|(axis, _)| self.heat(event, axis, whole)));
+                rows.extend(self.present.axes.iter().map(|(axis, _)| self.heat(event, axis, whole)));
                 rows.extend(alarm(event, Some(&whole.ended)));
                 rows.extend(hold(event, &whole.run).filter(|_| whole.works_before_its_end()));
                 rows
@@ -272,6 +296,19 @@ impl Envelope<'_> {
                     None => worst([low, high].map(|percent| self.handled(event, whole, turn(percent), SPAN))),
                     Some(_) => self.settled(event, whole, turn(self.present_position())),
                 }
+            }
+            OperatingEvent::FeedKnob => {
+                let Some((low, high)) = self.runs.feed else { return Vec::new() };
+                let turn = |(percent, of): (f64, &Cutting)| {
+                    let mut run = acted(whole, vec![(at, Action::FeedOverride(percent))]);
+                    at_feed(self.read_on(of, event, &mut run, (at, at + SPAN)), percent)
+                };
+                worst(
+                    [Some((low, &self.present)), self.fed.as_ref().map(|fed| (high, fed))]
+                        .into_iter()
+                        .flatten()
+                        .map(turn),
+                )
             }
             OperatingEvent::SpeedChange => {
                 let Some((low, high)) = self.runs.knob else { return Vec::new() };
@@ -309,6 +346,16 @@ impl Envelope<'_> {
         }
     }
 
+    /// The rows of a run with the feed override at its highest position.
+    fn fed_rows(&self, event: OperatingEvent, whole: &WholeRun) -> Vec<EnvelopeRow> {
+        let Some((fed, percent)) = self.fed.as_ref().zip(whole.feed) else { return Vec::new() };
+        let mut rows = self.read(fed, event, &whole.run, (0.0, whole.run.timeline().end()));
+        rows.extend(fed.axes.iter().map(|(axis, _)| self.heat(event, axis, whole)));
+        rows.extend(alarm(event, Some(&whole.ended)));
+        rows.extend(hold(event, &whole.run));
+        at_feed(rows, percent)
+    }
+
     /// The run with the operator's actions at some times, read for a time (s) from the middle of the work on.
     fn handled(
         &self,
@@ -317,7 +364,7 @@ impl Envelope<'_> {
         actions: Vec<(f64, Action)>,
         span: f64,
     ) -> Vec<EnvelopeRow> {
-        self.read_on(event, &mut acted(whole, actions), (whole.middle(), whole.middle() + span))
+        self.read_on(&self.present, event, &mut acted(whole, actions), (whole.middle(), whole.middle() + span))
     }
 
     /// The same, read until the values stay.
@@ -325,7 +372,7 @@ impl Envelope<'_> {
         let (at, mut run) = (whole.middle(), acted(whole, actions));
         let mut before: Vec<EnvelopeRow> = Vec::new();
         for spans in 1..=LONG_SPANS {
-            let rows = self.read_on(event, &mut run, (at, at + LONG_SPAN * f64::from(spans)));
+            let rows = self.read_on(&self.present, event, &mut run, (at, at + LONG_SPAN * f64::from(spans)));
             let stays = |now: &EnvelopeRow| {
                 let then = before.iter().find(|then| then.id == now.id);
                 then.is_some_and(|then| (now.value - then.value).abs() <= STAYS * then.value.abs())
@@ -339,9 +386,9 @@ impl Envelope<'_> {
     }
 
     /// Plans a run to the end of a span (s), and reads it there.
-    fn read_on(&self, event: OperatingEvent, run: &mut Run, (at, until): (f64, f64)) -> Vec<EnvelopeRow> {
+    fn read_on(&self, of: &Cutting, event: OperatingEvent, run: &mut Run, (at, until): (f64, f64)) -> Vec<EnvelopeRow> {
         let ended = plan(run, until);
-        let mut rows = self.read(event, run, (at, until));
+        let mut rows = self.read(of, event, run, (at, until));
         rows.extend(alarm(event, ended.as_ref()));
         rows.extend(hold(event, run));
         rows
@@ -365,7 +412,7 @@ impl Envelope<'_> {
         run.event(Event { t: rests + PAUSE, action: Action::Start });
         let until = rests + PAUSE + SPAN;
         plan(&mut run, until);
-        let mut rows = self.read(event, &run, (at, until));
+        let mut rows = self.read(&self.present, event, &run, (at, until));
         rows.push(time(event, rests - at));
         rows.extend(hold(event, &run));
         rows
@@ -374,7 +421,7 @@ impl Envelope<'_> {
     fn to_standstill(&self, event: OperatingEvent, mut run: Run, from: f64) -> Vec<EnvelopeRow> {
         finish(&mut run);
         let end = run.timeline().end();
-        let mut rows = self.read(event, &run, (from, end));
+        let mut rows = self.read(&self.present, event, &run, (from, end));
         rows.push(time(event, end - from));
         // A spindle that coasts on lays more ribbon, and takes longer.
         if coasts_on(&run, end) {
@@ -412,10 +459,10 @@ impl Envelope<'_> {
     }
 
     /// Gauges, and torques of the motors that are supplied with current, in a part of a run.
-    fn read(&self, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
+    fn read(&self, of: &Cutting, event: OperatingEvent, run: &Run, span: (f64, f64)) -> Vec<EnvelopeRow> {
         let works = self.prepared.working(run, span.1);
         let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| gauged(event, &gauge));
-        let motors = self.axes.iter().flat_map(|(axis, ampere_per_torque)| {
+        let motors = of.axes.iter().flat_map(|(axis, ampere_per_torque)| {
             let stretches = self.driven(event, axis.mover, run, span);
             if stretches.is_empty() {
                 return [None, None].into_iter().flatten();
@@ -437,7 +484,7 @@ impl Envelope<'_> {
         });
         let stretches = run.timeline().stretches_of_driven_spindle(span.0, span.1);
         let is_driven = self.is_spindle_sized && !stretches.is_empty();
-        let spindle = if is_driven { self.prepared.spindle_run(run, &stretches) } else { None };
+        let spindle = if is_driven { of.machine.spindle_run(run, &stretches) } else { None };
         let spindle = spindle.map(|spindle| {
             let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
             let most =
@@ -446,6 +493,18 @@ impl Envelope<'_> {
         });
         gauges.chain(motors).chain(spindle).collect()
     }
+}
+
+/// The rows with the position of the knob in a run.
+fn at_knob(mut rows: Vec<EnvelopeRow>, whole: &WholeRun) -> Vec<EnvelopeRow> {
+    rows.iter_mut().for_each(|row| row.knob = whole.knob);
+    rows
+}
+
+/// The rows with a position (%) of the feed override.
+fn at_feed(mut rows: Vec<EnvelopeRow>, percent: f64) -> Vec<EnvelopeRow> {
+    rows.iter_mut().for_each(|row| row.feed = Some(percent));
+    rows
 }
 
 /// The greatest torque (Nm) of a motor against a limit, for a mover with an id and a name.

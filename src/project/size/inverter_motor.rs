@@ -32,9 +32,12 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         .iter()
         .filter(|part| matches!(part.ratings, Ratings::Induction(_)) && goes_with(part, project.control));
     // With the knob at its highest position a cut at constant surface speed asks more power.
-    let spindles = runs.iter().filter_map(|whole| whole.spindle(prepared));
+    let spindles = runs.iter().filter_map(|whole| whole.spindle(&**prepared));
+    // With the feed override there, any cut asks more torque.
+    let fed = prepared.with_highest_feed().map(|(_, machine)| machine);
+    let fed = fed.into_iter().flat_map(|machine| of.fed.iter().filter_map(|whole| whole.spindle(machine)));
     let spindles: Vec<SpindleRun> =
-        spindles.map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();
+        spindles.chain(fed).map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();
     let candidates = motors.map(|part| induction(part, &drive, &spindles, &catalogue, project)).collect();
     let turning = share_turning(of, Mover::Spindle, pause);
     let in_run = spindles.first().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
@@ -54,6 +57,7 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         returned: None,
         knob: None,
         peak_is_at_knob: false,
+        peak_feed: None,
         chart: None,
         candidates: in_order(candidates),
     })

@@ -166,7 +166,7 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let motors: Vec<(Motion, f64)> =
         axes.iter().map(|axis| (runs.present.motion(axis), axis.fitted.motor.rotor)).collect();
     let inverter = prepared.inverter_drive().map(|drive| {
-        let spindle = runs.present.spindle(prepared).map(|spindle| spindle.motion);
+        let spindle = runs.present.spindle(&**prepared).map(|spindle| spindle.motion);
         let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.stretches(Mover::Spindle)));
         motion.work(drive.rotor)
     });

@@ -1,9 +1,9 @@
-//! The runs of a sizing: the program on the machine, with the knob at the form's position and near both of its ends.
+//! The runs of a sizing: the program on the machine, with the knob near its ends and the feed override at its highest position too.
 
 use crate::drives::duty::Motion;
 use crate::drives::speed::Steps;
-use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, SpindleRun};
+use crate::machines::{Prepared, PreparedMachine};
 use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, Stretch};
 use crate::msg;
 use crate::project::Project;
@@ -31,6 +31,8 @@ const SLICE: usize = 4096;
 pub(super) struct WholeRun {
     /// Position (%) of the knob, if it is not that of the form.
     pub(super) knob: Option<f64>,
+    /// Position (%) of the feed override, if it is not at 100 %.
+    pub(super) feed: Option<f64>,
     /// The run, planned to its end.
     pub(super) run: Run,
     /// Time (s) of the first contact with the work; without one that of the end.
@@ -80,6 +82,10 @@ pub struct SizingRuns {
     pub(super) fast: Option<WholeRun>,
     /// Least and greatest position of the spindle override, %.
     pub(super) knob: Option<(f64, f64)>,
+    /// With the feed override at its highest position, at each of these positions of the knob.
+    pub(super) fed: Vec<WholeRun>,
+    /// Least and greatest position of the feed override (%), where it acts on the cut.
+    pub(super) feed: Option<(f64, f64)>,
 }
 
 /// Plans a run until a time (s) or to its end; returns the reason of the end.
@@ -102,15 +108,16 @@ pub(super) fn finish(run: &mut Run) -> RunEnd {
 }
 
 impl WholeRun {
-    fn new(prepared: &PreparedMachine, mut run: Run, knob: Option<f64>) -> WholeRun {
-        if let Some(percent) = knob {
-            run.event(Event { t: 0.0, action: Action::SpindleOverride(percent) });
+    fn new(prepared: &PreparedMachine, mut run: Run, knob: Option<f64>, feed: Option<f64>) -> WholeRun {
+        let turned = [knob.map(Action::SpindleOverride), feed.map(Action::FeedOverride)];
+        for action in turned.into_iter().flatten() {
+            run.event(Event { t: 0.0, action });
         }
         let ended = finish(&mut run);
         let end = run.ended_at().unwrap_or(run.timeline().end());
         let contact = prepared.first_contact(&run, end).map_or(end, |(t, _)| t);
         let works = prepared.working(&run, run.timeline().end());
-        WholeRun { knob, run, contact, end, ended, works }
+        WholeRun { knob, feed, run, contact, end, ended, works }
     }
 
     /// Its stretches of a mover, from start to rest.
@@ -125,8 +132,8 @@ impl WholeRun {
     }
 
     /// The motor of the main spindle in it; none for other drives.
-    pub(super) fn spindle(&self, prepared: &PreparedMachine) -> Option<SpindleRun> {
-        prepared.spindle_run(&self.run, &self.stretches(Mover::Spindle))
+    pub(super) fn spindle(&self, machine: &dyn Prepared) -> Option<SpindleRun> {
+        machine.spindle_run(&self.run, &self.stretches(Mover::Spindle))
     }
 
     /// Time (s) of the middle of its work.
@@ -163,7 +170,7 @@ impl SizingRuns {
         (*ended != RunEnd::ProgramEnd).then(|| CutRun { at: *end, ended: ended.clone(), is_held })
     }
 
-    /// All runs, the one at the form's position of the knob first.
+    /// All runs with the feed override at 100 %, the one at the form's position of the knob first.
     pub(super) fn all(&self) -> impl Iterator<Item = &WholeRun> {
         [Some(&self.present), self.slow.as_ref(), self.fast.as_ref()].into_iter().flatten()
     }
@@ -185,12 +192,21 @@ impl SizingRuns {
         let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
         let Steps { low, high, .. } = project.on().dialect().spindle().knob;
-        let at = |percent: f64| {
-            let other = now.is_some_and(|now| now != percent);
-            other.then(|| WholeRun::new(&prepared, begun.clone(), Some(percent)))
+        let other = |percent: f64| Some(percent).filter(|_| now.is_some_and(|now| now != percent));
+        let (lowest, highest) = (other(low.max(LOWEST)), other(high));
+        let at = |knob: Option<f64>, feed: Option<f64>| WholeRun::new(&prepared, begun.clone(), knob, feed);
+        let feed = prepared.with_highest_feed().map(|(highest, _)| (project.control.feed_knob.positions.low, highest));
+        let at_feed = |(_, highest_feed): (f64, f64)| {
+            let knobs = [None].into_iter().chain([lowest, highest].into_iter().flatten().map(Some));
+            knobs.map(|knob| at(knob, Some(highest_feed))).collect()
         };
-        let (slow, fast) = (at(low.max(LOWEST)), at(high));
-        let present = WholeRun::new(&prepared, begun, None);
-        SizingRuns { present, slow, fast, knob: now.map(|_| (low, high)) }
+        SizingRuns {
+            present: at(None, None),
+            slow: lowest.map(|percent| at(Some(percent), None)),
+            fast: highest.map(|percent| at(Some(percent), None)),
+            knob: now.map(|_| (low, high)),
+            fed: feed.map_or_else(Vec::new, at_feed),
+            feed,
+        }
     }
 }

@@ -214,10 +214,11 @@ impl Sizing {
         let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
         let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
         let (torque, time) = (units::text(work.peak.torque, 3, "Nm"), (work.peak.t, 2));
-        let peak_at = if axis.peak_is_at_knob {
-            msg!("size.peak-at-knob", torque = torque.as_str(), time, knob = knob.as_str())
-        } else {
-            msg!("size.peak-at", torque = torque.as_str(), time)
+        let torque = torque.as_str();
+        let feed = axis.peak_feed.map(|percent| sentence(&msg!("size.feed-at", percent)));
+        let peak_at = match feed.as_deref().or(Some(knob.as_str()).filter(|_| axis.peak_is_at_knob)) {
+            Some(knob) => msg!("size.peak-at-knob", torque, time, knob),
+            None => msg!("size.peak-at", torque, time),
         };
         let heat = self.heat(axis);
         let beyond = if heat.is_some_and(|heat| heat.verdict >= Verdict::Warn) { "✕ " } else { "" };
@@ -247,7 +248,7 @@ impl Sizing {
     /// The worst value of each quantity, with its event.
     pub(super) fn worst_sheet(&self) -> Sheet {
         let cells = |of: &EnvelopeRow| {
-            let event = say(of.event.name());
+            let event = of.event_name();
             let event = match of.knob {
                 Some(percent) => sentence(&msg!("size.worst-at-knob", event, percent)),
                 None => event,
@@ -340,7 +341,7 @@ impl Sizing {
             let quantity = row.quantity();
             let limit = limit(row).unwrap_or_default();
             let value = at_least(row.is_cut, units::text(row.value, row.decimals, row.unit));
-            let event = say(row.event.name());
+            let event = row.event_name();
             Diagnostic::warning(match row.knob {
                 Some(percent) if row.is_hold() => msg!("size.held-at-knob", event, percent),
                 None if row.is_hold() => msg!("size.held", event),

@@ -57,7 +57,8 @@ fn axis(axis: &SizedAxis) -> Json {
     let work = axis.work.map(|work| {
         json!({
             "peak_torque_nm": work.peak.torque, "peak_at_s": work.peak.t,
-            "peak_at_knob_percent": axis.knob.filter(|_| axis.peak_is_at_knob), "effective_torque_nm": work.effective,
+            "peak_at_knob_percent": axis.knob.filter(|_| axis.peak_is_at_knob),
+            "peak_at_feed_percent": axis.peak_feed, "effective_torque_nm": work.effective,
             "current_per_torque_a_nm": axis.ampere_per_torque,
             "speed_rad_s": work.speed, "energy_given_j": work.given, "energy_returned_j": work.returned,
         })
@@ -122,7 +123,7 @@ fn event(row: &EnvelopeRow) -> Json {
     json!({
         "event": row.event.id(), "id": row.id, "value": row.value, "unit": row.unit,
         "limit": row.limit.map(Limit::value), "bound": row.limit.map(Limit::bound),
-        "verdict": verdict_word(row.verdict), "worst": row.is_worst, "knob_percent": row.knob, "more_than_value": row.is_cut,
+        "verdict": verdict_word(row.verdict), "worst": row.is_worst, "knob_percent": row.knob, "feed_percent": row.feed, "more_than_value": row.is_cut,
     })
 }
 

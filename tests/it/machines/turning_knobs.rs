@@ -2,11 +2,12 @@
 
 use macroline::math;
 use macroline::project::Project;
+use macroline::project::size::{OperatingEvent, Sizing};
 use macroline::text::catalog::sentence;
 use macroline::view::{Readout, Verdict};
 
 use super::turning::project;
-use crate::asked::{readout, value};
+use crate::asked::{near_share, readout, sized, value};
 
 /// Ø 66 to Ø 60 at 200 m/min, 3 mm by 0.3 mm/rev of C45: 1760.9 N, 55.47 Nm beside 2 Nm of friction.
 const SHAFT: [(&str, &str); 11] = [
@@ -102,4 +103,40 @@ fn bending_is_judged_at_the_end_of_the_feed_knob() {
     let shown = format!("{:.2} mm", bends.value * math::pow(1.5, 0.78));
     assert!(said.contains(&shown) && said.contains("150 %"), "{said}: {shown}");
     assert_eq!(mended(&lathe("310"), "bending").verdict, Verdict::Ok);
+}
+
+fn row(sizing: &Sizing, event: OperatingEvent, id: &str) -> (f64, Option<f64>) {
+    let found = sizing.envelope.iter().find(|row| row.event == event && row.id == id);
+    found.map(|row| (row.value, row.feed)).unwrap_or_else(|| panic!("no {id}"))
+}
+
+/// The run with the knob at 150 % is that of a program with 1.5 times the feed.
+#[test]
+fn envelope_at_the_feed_knob_is_that_of_more_feed() {
+    let sizing = |feed: &'static str| sized(&shaft("gsk-980tdc", &[("feed", feed), ("motor-power", "30")]));
+    let (knob, more) = (sizing("0.2"), sizing("0.3"));
+    for id in ["spindle-torque", "z-effective-torque"] {
+        let (value, feed) = row(&knob, OperatingEvent::FeedKnob, id);
+        assert_eq!(feed, Some(150.0), "{id}");
+        near_share(value, row(&more, OperatingEvent::Run, id).0, 1e-3);
+    }
+    // The motors of the list are judged with it: the spindle of the smaller feed asks as much as that of the larger one at 100 %.
+    let asked = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().asked.effective;
+    assert!(asked(&knob) >= row(&more, OperatingEvent::Run, "z-effective-torque").0 * 0.999);
+}
+
+#[test]
+fn envelope_of_the_polygon_has_the_feed_knob() {
+    let lathe = |feeds: [&str; 3]| {
+        let polygon = Project::named("polygon-lathe", None, None).unwrap();
+        let entries = ["feed", "finish-feed", "infeed"].into_iter().zip(feeds.map(str::to_owned)).collect::<Vec<_>>();
+        polygon.with_entries(&entries).unwrap()
+    };
+    let (knob, more) = (lathe(["0.2", "0.1", "0.1"]), lathe(["0.3", "0.15", "0.15"]));
+    let (knob, more) = (sized(&knob), sized(&more));
+    for id in ["tool-torque", "tool-effective-torque", "x-effective-torque"] {
+        let (value, feed) = row(&knob, OperatingEvent::FeedKnob, id);
+        assert_eq!(feed, Some(150.0), "{id}");
+        near_share(value, row(&more, OperatingEvent::Run, id).0, 0.02);
+    }
 }

@@ -324,11 +324,13 @@ fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
 
 #[test]
 fn every_machine_has_its_events_and_one_worst_each() {
-    use OperatingEvent::{Alarm, EmergencyStop, Hold, Knob, PowerFailure, ProductChange, Run, SpeedChange, Start};
+    use OperatingEvent::{
+        Alarm, EmergencyStop, FeedKnob, Hold, Knob, PowerFailure, ProductChange, Run, SpeedChange, Start,
+    };
     for (machine, events) in [
         ("ribbon-line", vec![Start, Run, Knob, SpeedChange, ProductChange, Hold, Alarm, EmergencyStop, PowerFailure]),
-        ("turning-spindle", vec![Start, Run, Knob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
-        ("polygon-lathe", vec![Start, Run, Hold, EmergencyStop, PowerFailure]),
+        ("turning-spindle", vec![Start, Run, Knob, FeedKnob, SpeedChange, Hold, Alarm, EmergencyStop, PowerFailure]),
+        ("polygon-lathe", vec![Start, Run, FeedKnob, Hold, EmergencyStop, PowerFailure]),
     ] {
         let sizing = sized(&Project::named(machine, None, None).unwrap());
         let mut found: Vec<OperatingEvent> = sizing.envelope.iter().map(|row| row.event).collect();

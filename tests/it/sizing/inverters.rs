@@ -30,7 +30,8 @@ fn lathe(ramp: &str, current: f64, inverters: &[(&str, f64, f64, &str)]) -> Sizi
         ("motor-peak", "200"),
         ("motor-braking", "200"),
         ("material", "none"),
-        ("cutting-force", "400"),
+        // 400 N with the feed override at 150 %.
+        ("cutting-force", "267"),
         ("efficiency", "100"),
         ("motor-forced-cooling", "true"),
         ("spindle-ramp", ramp),

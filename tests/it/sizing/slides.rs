@@ -260,8 +260,10 @@ fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
     let heavy = lathe("turning-spindle", "gsk-980tdc", &entries);
     assert_eq!(readout(&heavy, "z-peak-torque").verdict, Verdict::Ok);
     let sizing = sized(&heavy);
-    let heat = sizing.envelope.iter().find(|row| row.id == "z-effective-torque").unwrap();
-    assert_eq!(heat.verdict, Verdict::Fail, "{} {:?}", heat.value, heat.limit);
+    let heats = sizing.envelope.iter().filter(|row| row.id == "z-effective-torque");
+    let heat = heats.max_by(|a, b| a.value.total_cmp(&b.value)).unwrap();
+    // In a shorter part with more force: with the feed override at its highest position.
+    assert_eq!((heat.verdict, heat.feed), (Verdict::Fail, Some(150.0)), "{} {:?}", heat.value, heat.limit);
     assert!((heat.limit.unwrap().value() - 0.8 * 4.8).abs() < 1e-12);
     assert_eq!(heat.value, axis(&sizing, "z").work.unwrap().effective);
 }
