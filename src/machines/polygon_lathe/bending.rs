@@ -5,13 +5,10 @@ use super::resolved::PolygonLathe;
 use crate::drives::bending::cantilever;
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::machines::knobs;
-use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
+use crate::machines::verdict::{Judgement, down, fail, greatest_share, ok, up, warn};
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
-
-/// Halvings by which a depth is found.
-const HALVINGS: u32 = 20;
 
 impl PolygonLathe {
     /// Length (mm) of the bar from face to jaws: that of the form, or the least for the cutter.
@@ -68,14 +65,10 @@ impl PolygonLathe {
             forces.fold(0.0, f64::max)
         };
         let least = LEAST_DEPTH.max(self.p.stock_diameter / 2.0 / super::passes::PASSES);
-        if least >= self.p.depth || force(least) > limit {
+        if least >= self.p.depth {
             return None;
         }
-        let halved = |(holding, failing): (f64, f64), _| {
-            let middle = 0.5 * (holding + failing);
-            if force(middle) <= limit { (middle, failing) } else { (holding, middle) }
-        };
-        Some((0..HALVINGS).fold((least, self.p.depth), halved).0)
+        Some(self.p.depth * greatest_share(least / self.p.depth, |share| force(share * self.p.depth) <= limit)?)
     }
 }
 

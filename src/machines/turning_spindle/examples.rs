@@ -5,7 +5,7 @@ use crate::machines::examples::Example;
 /// All examples, the first that of a new project.
 ///
 /// An upper limit of 1800 r/min keeps the spindle's ramp ahead of the surface speed: `dn/dt ~ f n³ / v`. The motor turns at 3000 r/min with
-/// 10 V, twice its base speed, and has the torque for a cut of C45.
+/// 10 V, twice its base speed. With forced cooling it has the torque for a cut of C45 at the ends of both override knobs.
 pub(super) const EXAMPLES: &[Example] = &[
     Example {
         id: "facing",
