@@ -109,11 +109,7 @@ fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
     };
     let [wide, top, foot] = LETTER_BOX;
     let width = wide * size * count as f64;
-    let left = match *anchor {
-        "end" => x - width,
-        "middle" => x - 0.5 * width,
-        _ => x,
-    };
+    let left = anchor.left(x, width);
     let base = y + line * LINE * size;
     (seen && count > 0).then_some([left, base - top * size, left + width, base + foot * size])
 }

@@ -1,5 +1,6 @@
 //! Builder for drawings of machines: shapes with materials in nested groups, labels with leaders, bodies with depth.
 
+use super::letters::Anchor;
 use super::look::{Gradient, Look, Paint};
 use super::scene::{Font, LETTER, LINE, Node, Scene, SceneGroup, Shape};
 use crate::math::{self, PI};
@@ -59,8 +60,8 @@ const STARTS: u8 = 8;
 pub struct Callout<'a> {
     /// Base line of the name.
     pub at: (f64, f64),
-    /// End of the lines at that point: `start`, `middle` or `end`.
-    pub anchor: &'static str,
+    /// Part of the lines at that point.
+    pub anchor: Anchor,
     /// The name.
     pub name: &'a str,
     /// Values: node id for changes by poses, and text at rest.
@@ -139,7 +140,7 @@ impl Drawing {
     }
 
     /// A line of text.
-    pub fn text(&mut self, at: (f64, f64), anchor: &'static str, text: &str, font: Font, paint: Paint) -> &mut Node {
+    pub fn text(&mut self, at: (f64, f64), anchor: Anchor, text: &str, font: Font, paint: Paint) -> &mut Node {
         let before = self.label;
         if before == 0 && !matches!(font, Font::Engraved(_)) {
             self.labels += 1;
@@ -163,7 +164,7 @@ impl Drawing {
     fn line_of_text(
         &mut self,
         (x, y): (f64, f64),
-        anchor: &'static str,
+        anchor: Anchor,
         text: &str,
         font: Font,
         paint: Paint,
@@ -192,13 +193,13 @@ impl Drawing {
             let longest = values.iter().map(|(_, text)| columns(text)).chain([columns(name)]).max();
             let wide = 0.45 * letter * longest.unwrap_or(0) as f64;
             let (left, right) = match anchor {
-                "end" => (at.0 - wide, at.0 - 0.5 * letter),
-                "middle" => (at.0 - 0.5 * wide, at.0 + 0.5 * wide),
-                _ => (at.0 + 0.5 * letter, at.0 + wide),
+                Anchor::Start => (at.0 + 0.5 * letter, at.0 + wide),
+                Anchor::Middle => (at.0 - 0.5 * wide, at.0 + 0.5 * wide),
+                Anchor::End => (at.0 - wide, at.0 - 0.5 * letter),
             };
             let from = (math::clamp(x, left, right), at.1 + below * letter);
             let behind = at.0 + (LETTER_BOX[0] * columns(name) as f64 + 0.4) * letter;
-            let beside = (anchor == "start").then_some((behind, at.1 - 0.35 * letter));
+            let beside = (anchor == Anchor::Start).then_some((behind, at.1 - 0.35 * letter));
             self.leaders.push(Leader { node: self.nodes.len(), from: (left, right, from.1), beside, to: (x, y) });
             self.path(filled("M# #L# #", &[from.0, from.1, x, y]), Look::LEAD);
         }
@@ -224,11 +225,7 @@ impl Drawing {
         let count = if node.id.is_some() { columns(text).max(posed) } else { columns(text) };
         let [wide, top, foot] = LETTER_BOX;
         let width = wide * letter * count as f64;
-        let left = match *anchor {
-            "end" => x - width,
-            "middle" => x - 0.5 * width,
-            _ => *x,
-        };
+        let left = anchor.left(*x, width);
         let base = y + line * LINE * letter;
         let area = [left, base - top * letter, left + width, base + foot * letter];
         (node.label > 0 && node.group == 0).then_some((node.label, area))

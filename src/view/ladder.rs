@@ -2,6 +2,7 @@
 
 use core::fmt::Write;
 
+use super::letters::Anchor;
 use super::svg::escape;
 use crate::text::columns;
 use crate::text::number::{fill, filled};
@@ -101,7 +102,7 @@ fn box_width(rung: &DrawnRung) -> f64 {
 }
 
 fn draw(out: &mut String, rung: &DrawnRung, y: f64, right: f64) {
-    text(out, LEFT + 8.0, y - 20.0, "start", "f-dim", &rung.note);
+    text(out, LEFT + 8.0, y - 20.0, Anchor::Start, "f-dim", &rung.note);
     let join = reach(rung) + 6.0;
     for (number, branch) in rung.branches.iter().enumerate() {
         let (mut x, y) = (LEFT, y + BRANCH * number as f64);
@@ -111,7 +112,7 @@ fn draw(out: &mut String, rung: &DrawnRung, y: f64, right: f64) {
             if contact.inverted {
                 line(out, "M# #L# #", &[near - 3.0, y + 10.0, far + 3.0, y - 10.0], 1.4);
             }
-            text(out, near + 5.0, y + 20.0, "middle", "f-ink value", &contact.device);
+            text(out, near + 5.0, y + 20.0, Anchor::Middle, "f-ink value", &contact.device);
             x = far;
         }
         line(out, "M# #H#", &[x, y, join], 1.4);
@@ -127,7 +128,7 @@ fn draw(out: &mut String, rung: &DrawnRung, y: f64, right: f64) {
         "<rect x=\"#\" y=\"#\" width=\"#\" height=\"22\" rx=\"4\" class=\"f-pane s-ink\" stroke-width=\"1.4\"/>",
         &[begin, y - 11.0, width],
     );
-    text(out, begin + width / 2.0, y + 4.0, "middle", "f-ink value", &rung.output);
+    text(out, begin + width / 2.0, y + 4.0, Anchor::Middle, "f-ink value", &rung.output);
 }
 
 fn line(out: &mut String, form: &str, at: &[f64], width: f64) {
@@ -136,9 +137,9 @@ fn line(out: &mut String, form: &str, at: &[f64], width: f64) {
     fill(out, "\" class=\"f-none s-ink\" stroke-width=\"#\"/>", &[width]);
 }
 
-fn text(out: &mut String, x: f64, y: f64, anchor: &str, class: &str, words: &str) {
+fn text(out: &mut String, x: f64, y: f64, anchor: Anchor, class: &str, words: &str) {
     fill(out, "<text x=\"#\" y=\"#\"", &[x, y]);
-    let _ = write!(out, " text-anchor=\"{anchor}\" class=\"{class}\">");
+    let _ = write!(out, " text-anchor=\"{}\" class=\"{class}\">", anchor.name());
     escape(out, words);
     out.push_str("</text>");
 }

@@ -4,6 +4,8 @@ pub mod chart;
 
 pub mod readout;
 
+pub mod letters;
+
 pub mod look;
 
 pub mod scene;
@@ -39,6 +41,7 @@ pub use chart::{Chart, ChartLimit, Series};
 pub use comparison::{ComparedRow, Comparison, VariantCell};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
+pub use letters::Anchor;
 pub use look::{Look, Paint};
 pub use parts::DrawnPart;
 pub use readout::{Advice, Limit, Readout, Repair, Repairs, Verdict};

@@ -14,6 +14,7 @@ use plotters::element::PathElement;
 use plotters::style::RGBColor;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 
+use super::letters::Anchor;
 use super::svg::escape;
 use super::{Chart, ChartLimit};
 use crate::math;
@@ -47,14 +48,6 @@ const COLUMN: f64 = 0.011;
 const NAME_PLACES: [(f64, Anchor); 3] = [(1.0, Anchor::End), (0.0, Anchor::Start), (0.5, Anchor::Middle)];
 /// Pixels at the left edge for the figures of the axis, beside which a name begins.
 const FIGURES: f64 = 46.0;
-
-/// The part of a text that is at its place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Anchor {
-    Start,
-    Middle,
-    End,
-}
 
 /// A drawn chart: left edge is `x.0`, right edge `x.1`, bottom `y.0`, top `y.1`.
 #[derive(Debug, Clone, PartialEq)]
@@ -182,11 +175,7 @@ fn names(out: &mut String, (chart, limits): (&Chart, &[&ChartLimit]), x: (f64, f
         let width = COLUMN * columns(&text) as f64;
         let top = limit.value + ABOVE_LIMIT * (high - low);
         let crossed = |(place, anchor): (f64, Anchor)| {
-            let begin = match anchor {
-                Anchor::Start => place,
-                Anchor::Middle => place - 0.5 * width,
-                Anchor::End => place - width,
-            };
+            let begin = anchor.left(place, width);
             let time = |share: f64| x.0 + share * (x.1 - x.0);
             let (begin, end) = (time(begin), time(begin + width));
             let behind = |ends: &&[(f64, f64)]| {
@@ -197,10 +186,10 @@ fn names(out: &mut String, (chart, limits): (&Chart, &[&ChartLimit]), x: (f64, f
         };
         // Of equals the first one is taken.
         let Some((place, anchor)) = NAME_PLACES.into_iter().min_by_key(|place| crossed(*place)) else { continue };
-        let (anchor, dx) = match anchor {
-            Anchor::Start => ("start", FIGURES),
-            Anchor::Middle => ("middle", 0.0),
-            Anchor::End => ("end", -3.0),
+        let dx = match anchor {
+            Anchor::Start => FIGURES,
+            Anchor::Middle => 0.0,
+            Anchor::End => -3.0,
         };
         let at = 100.0 * (limit.value - low) / (high - low);
         // The name of a limit close below another one is below its line.
@@ -208,7 +197,7 @@ fn names(out: &mut String, (chart, limits): (&Chart, &[&ChartLimit]), x: (f64, f
         let dy = if limits.iter().any(close) { BELOW } else { ABOVE };
         let places = [100.0 * place, dx, 100.0 - at, dy];
         fill(out, "<text class=\"bound\" x=\"#%\" dx=\"#\" y=\"#%\" dy=\"#\"", &places);
-        let _ = write!(out, " text-anchor=\"{anchor}\">");
+        let _ = write!(out, " text-anchor=\"{}\">", anchor.name());
         escape(out, &text);
         out.push_str("</text>");
     }

@@ -1,5 +1,6 @@
 //! An animated drawing: nodes drawn once, and poses that move them. Lengths are drawing units of the view box.
 
+use super::letters::Anchor;
 use super::look::{Gradient, Look, Paint};
 
 /// A shape, in the coordinates of its group.
@@ -49,8 +50,8 @@ pub enum Shape {
         x: f64,
         /// Base line of line 0.
         y: f64,
-        /// End of the text at the point: `start`, `middle` or `end`.
-        anchor: &'static str,
+        /// Part of the text at the point.
+        anchor: Anchor,
         /// The words.
         text: String,
         /// Line number below `y`; lines are [`LINE`] letter sizes apart.

@@ -374,7 +374,7 @@ impl Writer<'_> {
                 if *line != 0.0 {
                     fill(self.out, " dy=\"#em\"", &[line * LINE]);
                 }
-                let _ = write!(self.out, " text-anchor=\"{anchor}\" class=\"");
+                let _ = write!(self.out, " text-anchor=\"{}\" class=\"", anchor.name());
                 match font {
                     Font::Label => self.out.push_str("label\""),
                     Font::Value => self.out.push_str("value\""),

@@ -2,6 +2,7 @@
 
 use core::fmt::Write;
 
+use super::letters::Anchor;
 use super::svg::escape;
 use crate::text::number::fill;
 use crate::text::units;
@@ -112,9 +113,9 @@ impl TornadoChart<'_> {
             );
             let is_shorter = halved && change.abs() < other.abs();
             let to_the_left = (change < 0.0) != is_shorter;
-            let (anchor, side) = if to_the_left { ("end", -4.0) } else { ("start", 4.0) };
+            let (anchor, side) = if to_the_left { (Anchor::End, -4.0) } else { (Anchor::Start, 4.0) };
             if change != 0.0 {
-                let _ = write!(out, "<text class=\"small {class}\" text-anchor=\"{anchor}\"");
+                let _ = write!(out, "<text class=\"small {class}\" text-anchor=\"{}\"", anchor.name());
                 let from = if is_shorter { centre } else { x };
                 fill(out, " x=\"#\" y=\"#\">", &[from + side, top + ROW - 3.0]);
                 out.push_str(&figure(self.value + change));

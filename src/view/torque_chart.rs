@@ -2,6 +2,7 @@
 
 use core::fmt::Write;
 
+use super::letters::Anchor;
 use super::plot::{decimals, keys};
 use super::svg::escape;
 use crate::text::catalog::number_text;
@@ -188,8 +189,8 @@ impl TorqueChart {
         if x.is_finite() && y.is_finite() {
             fill(out, "<circle class=\"s-ink f-pane\" stroke-width=\"1.5\" cx=\"#\" cy=\"#\" r=\"4\"/>", &[x, y]);
             // Toward the side with more space.
-            let (anchor, side) = if x > 0.6 * SIZE.0 { ("end", -8.0) } else { ("start", 8.0) };
-            let _ = write!(out, "<text class=\"small f-ink\" text-anchor=\"{anchor}\"");
+            let (anchor, side) = if x > 0.6 * SIZE.0 { (Anchor::End, -8.0) } else { (Anchor::Start, 8.0) };
+            let _ = write!(out, "<text class=\"small f-ink\" text-anchor=\"{}\"", anchor.name());
             fill(out, " x=\"#\" y=\"#\">", &[x + side, y - 7.0]);
             escape(out, words.effective);
             let _ = write!(out, " {} Nm</text>", number_text(self.effective.1, 3));

@@ -7,6 +7,7 @@ use super::scene::traces;
 use super::{charts, further, results};
 use crate::machines::sheets::say;
 use crate::view::drawing::{Drawing, polyline};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
 use crate::view::{Explorer, Knob, Scene};
@@ -83,6 +84,6 @@ fn scene(lathe: &PolygonLathe) -> Scene {
         }
     }
     d.circle((at.0, at.1, r), Look::LEAD.dashed(4.0, 4.0));
-    d.text((at.0, height + 12.0), "middle", &say("polygon.explore.legend"), Font::Label, Paint::Dim);
+    d.text((at.0, height + 12.0), Anchor::Middle, &say("polygon.explore.legend"), Font::Label, Paint::Dim);
     d.scene([0.0, 0.0, width, height + 18.0], "polygon.explore.alt")
 }

@@ -22,6 +22,7 @@ use crate::text::number::filled;
 use crate::text::units;
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup};
 pub(super) use cutter::{distance, figure_at};
@@ -86,34 +87,42 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
         };
     let chuck = (layout.work.0 + 0.72 * layout.chuck, layout.work.1 - 0.62 * layout.chuck);
     let (work, cutter) = columns(lathe, layout);
-    callout(d, "speed", (work, ROW), "start", &say("polygon.scene.work"), &[(Some(node::WORK_SPEED), "")], Some(chuck));
+    callout(
+        d,
+        "speed",
+        (work, ROW),
+        Anchor::Start,
+        &say("polygon.scene.work"),
+        &[(Some(node::WORK_SPEED), "")],
+        Some(chuck),
+    );
     d.path(String::new(), Look::LEAD).id = Some(node::LEADER);
     let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
     let values = [(Some(node::TOOL_SPEED), ""), (Some(node::RADIUS), radius.as_str())];
-    callout(d, "tip-radius", (cutter, ROW), "start", &name, &values, None);
-    callout(d, "", (632.0, LOW_ROW), "start", &say("polygon.scene.phase"), &[(Some(node::PHASE), "")], None);
-    callout(d, "depth", (748.0, LOW_ROW), "start", &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
+    callout(d, "tip-radius", (cutter, ROW), Anchor::Start, &name, &values, None);
+    callout(d, "", (632.0, LOW_ROW), Anchor::Start, &say("polygon.scene.phase"), &[(Some(node::PHASE), "")], None);
+    callout(d, "depth", (748.0, LOW_ROW), Anchor::Start, &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
     let stock = format!("Ø {}", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
-    callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &values, None);
-    d.text((632.0, STATE), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
-    d.text((632.0, ABOVE), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
+    callout(d, "across-flats", (RIGHT, LOW_ROW), Anchor::End, &say("polygon.scene.close"), &values, None);
+    d.text((632.0, STATE), Anchor::Start, "", Font::Label, Paint::Ink).id = Some(node::STATE);
+    d.text((632.0, ABOVE), Anchor::Start, &say("polygon.scene.above"), Font::Label, Paint::Dim);
     let start = format!("X{} Z{}", show(lathe.x_of(p.start_x), 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
+    callout(d, "start-x", (RIGHT, 450.0), Anchor::End, &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
-        d.text((RIGHT, ABOVE), "end", &text, Font::Label, Paint::Dim);
+        d.text((RIGHT, ABOVE), Anchor::End, &text, Font::Label, Paint::Dim);
     });
     // Below the slide at any of its positions.
     side::draw_arrows(d, (646.0, SLIDES));
-    d.text((670.0, SLIDES), "start", "", Font::Value, Paint::Ink).id = Some(node::SIZE);
-    d.text((670.0, SLIDES + 24.0), "start", "", Font::Value, Paint::Ink).id = Some(node::ALONG);
+    d.text((670.0, SLIDES), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::SIZE);
+    d.text((670.0, SLIDES + 24.0), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::ALONG);
     // The distance of the axes, in the middle between them.
     d.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);
     let middle = (0.5 * (layout.work.0 + layout.cutter.0), cutter::DISTANCE);
     d.place(group::DISTANCE, SceneGroup { at: middle, ..SceneGroup::default() });
     d.within(group::DISTANCE, |d| {
-        d.text((0.0, -7.0), "middle", "", Font::Value, Paint::Ink).id = Some(node::APART);
+        d.text((0.0, -7.0), Anchor::Middle, "", Font::Value, Paint::Ink).id = Some(node::APART);
     });
 }
 

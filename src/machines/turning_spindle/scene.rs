@@ -29,6 +29,7 @@ use crate::text::number::filled;
 use crate::text::{columns, units};
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, SceneGroup};
 pub(super) use frame::{knob, lever};
@@ -86,14 +87,14 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         |d: &mut Drawing, field: &'static str, at, anchor, id: &'static str, values: &[(Option<u16>, &str)], part| {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
         };
-    d.text((252.0, 18.0), "start", "", Font::Label, Paint::Dim).id = Some(node::BOUND);
+    d.text((252.0, 18.0), Anchor::Start, "", Font::Label, Paint::Dim).id = Some(node::BOUND);
     let (left, radius) = layout.side(-layout.part_length, p.stock_diameter);
     let middle = 0.45 * (left.max(layout.chuck.front()) + layout.face) + 0.1 * layout.face;
     callout(
         d,
         "stock-diameter",
         (252.0, ROW),
-        "start",
+        Anchor::Start,
         "turning.scene.stock",
         &[(None, &mm(p.stock_diameter))],
         Some((middle - 24.0, AXIS - radius)),
@@ -103,27 +104,51 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let count = if p.path == Path::Taper { 2 } else { 1 };
     let low = p.finished_diameter.min(p.stock_diameter);
     let end = layout.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
-    callout(d, "finished-diameter", (376.0, ROW), "start", "turning.scene.finished", &finished[..count], Some(end));
+    callout(
+        d,
+        "finished-diameter",
+        (376.0, ROW),
+        Anchor::Start,
+        "turning.scene.finished",
+        &finished[..count],
+        Some(end),
+    );
     // The diameter there is that of the slides: a third line would lie on the turret.
-    callout(d, "cutting-speed", (TOOL, ROW), "start", "turning.scene.surface", &[(Some(node::SURFACE), "")], None);
+    callout(
+        d,
+        "cutting-speed",
+        (TOOL, ROW),
+        Anchor::Start,
+        "turning.scene.surface",
+        &[(Some(node::SURFACE), "")],
+        None,
+    );
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
-    callout(d, allowance, (664.0, ROW), "start", "turning.scene.left", &[(Some(node::LEFT), "")], None);
-    callout(d, "depth", (RIGHT, ROW), "end", "turning.scene.pass", &[(Some(node::PASS), "")], None);
+    callout(d, allowance, (664.0, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
+    callout(d, "depth", (RIGHT, ROW), Anchor::End, "turning.scene.pass", &[(Some(node::PASS), "")], None);
     let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 156.0), "end", "turning.scene.start", &[(None, &start)], None);
+    callout(d, "start-x", (RIGHT, 156.0), Anchor::End, "turning.scene.start", &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("turning.clearance"), mm(p.clearance));
-        d.text((RIGHT, 206.0), "end", &text, Font::Label, Paint::Dim);
+        d.text((RIGHT, 206.0), Anchor::End, &text, Font::Label, Paint::Dim);
     });
     let slides = [(Some(node::X), ""), (Some(node::Z), "")];
-    callout(d, "", (RIGHT, 230.0), "end", "turning.scene.slides", &slides, None);
+    callout(d, "", (RIGHT, 230.0), Anchor::End, "turning.scene.slides", &slides, None);
     if layout.has_tailstock() {
-        d.text((980.0, 478.0), "middle", &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
+        d.text((980.0, 478.0), Anchor::Middle, &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
     }
-    d.text((4.0, 250.0), "start", "", Font::Label, Paint::Rim).id = Some(node::STAGE);
-    d.text((4.0, 274.0), "start", "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
+    d.text((4.0, 250.0), Anchor::Start, "", Font::Label, Paint::Rim).id = Some(node::STAGE);
+    d.text((4.0, 274.0), Anchor::Start, "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
     if lathe.positions() {
-        callout(d, "keyway-angle", (RIGHT, 104.0), "end", "turning.scene.angle", &[(Some(node::ANGLE), "")], None);
+        callout(
+            d,
+            "keyway-angle",
+            (RIGHT, 104.0),
+            Anchor::End,
+            "turning.scene.angle",
+            &[(Some(node::ANGLE), "")],
+            None,
+        );
     }
     length(d, p, layout);
 }
@@ -166,11 +191,11 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
         let width = 0.6 * LETTER * UNIT * columns(&text) as f64;
         let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
         let (at, anchor) = if right - left > width + 20.0 {
-            ((0.5 * (left + right), y - 6.0), "middle")
+            ((0.5 * (left + right), y - 6.0), Anchor::Middle)
         } else if room > width {
-            ((right + 30.0, y + 5.0), "start")
+            ((right + 30.0, y + 5.0), Anchor::Start)
         } else {
-            ((left - 30.0, y + 5.0), "end")
+            ((left - 30.0, y + 5.0), Anchor::End)
         };
         d.text(at, anchor, &text, Font::Label, Paint::Ink);
     });

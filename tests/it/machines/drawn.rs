@@ -72,12 +72,7 @@ pub(super) fn texts(scene: &Scene, pose: &Pose) -> Vec<TextBox> {
         };
         let width = 0.6 * size * text.chars().count() as f64;
         y += line * LINE * size;
-        let left = x - width
-            * match *anchor {
-                "end" => 1.0,
-                "middle" => 0.5,
-                _ => 0.0,
-            };
+        let left = anchor.left(x, width);
         if !text.is_empty() {
             boxes.push((text.clone(), [left, y - 0.75 * size, left + width, y + 0.2 * size]));
         }

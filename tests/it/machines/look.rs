@@ -8,7 +8,9 @@ use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::math;
 use macroline::motion::{Snapshot, Visit};
 use macroline::view::look::{Gradient, Ramp};
-use macroline::view::{self, Callout, Drawing, Look, Paint, Placement, Pose, Scene, SceneGroup, Shape, Theme, svg};
+use macroline::view::{
+    self, Anchor, Callout, Drawing, Look, Paint, Placement, Pose, Scene, SceneGroup, Shape, Theme, svg,
+};
 
 /// The line at full speed, `t` seconds after X has its speed.
 fn running(t: f64) -> Snapshot {
@@ -79,7 +81,7 @@ fn nested() -> Scene {
     let values = [(Some(9), "1 r/min")];
     drawing.callout(&Callout {
         at: (5.0, 90.0),
-        anchor: "start",
+        anchor: Anchor::Start,
         name: "A & B",
         values: &values,
         part: Some((9.0, 9.0)),

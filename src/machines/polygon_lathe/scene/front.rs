@@ -7,6 +7,7 @@ use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::text::number::{fill, filled};
 use crate::view::drawing::{Drawing, barrel, polar, polygon, polyline, spoke};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup};
 
@@ -46,7 +47,7 @@ pub(super) fn draw_back(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) 
     );
     d.rect([left + 20.0, FLOOR - 44.0, 8.0, 26.0, 4.0], Look::fill(Paint::SteelBar).thin(Paint::Edge, 0.8));
     d.rect([left + 36.0, FLOOR - 42.0, 96.0, 22.0, 2.0], Look::fill(Paint::Steel).thin(Paint::Edge, 0.8));
-    d.text((left + 84.0, FLOOR - 27.0), "middle", &say("polygon.name"), Font::Engraved(11.0), Paint::Black);
+    d.text((left + 84.0, FLOOR - 27.0), Anchor::Middle, &say("polygon.name"), Font::Engraved(11.0), Paint::Black);
 }
 
 /// The motor of the main spindle on top of the headstock, with its fan's guard; its belt is inside.

@@ -10,6 +10,7 @@ use crate::text::catalog::number_text as show;
 use crate::text::number::{fill, filled};
 use crate::text::units;
 use crate::view::drawing::{Drawing, polyline};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup, Shape};
 
@@ -55,9 +56,9 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
     let [form, flatness, scales] = form(lathe, layout);
     d.lens((x, y, r), |d| {
-        d.text((x, y - 46.0), "middle", &scales, Font::Label, Paint::Dim).id = Some(node::SCALES);
-        d.text((x, y + 46.0), "middle", &form, Font::Label, Paint::Dim).id = Some(node::FORM);
-        d.text((x, y + 70.0), "middle", &flatness, Font::Value, Paint::Ink).id = Some(node::FLATNESS);
+        d.text((x, y - 46.0), Anchor::Middle, &scales, Font::Label, Paint::Dim).id = Some(node::SCALES);
+        d.text((x, y + 46.0), Anchor::Middle, &form, Font::Label, Paint::Dim).id = Some(node::FORM);
+        d.text((x, y + 70.0), Anchor::Middle, &flatness, Font::Value, Paint::Ink).id = Some(node::FLATNESS);
     });
 }
 

@@ -10,6 +10,7 @@ use crate::math::{self, PI};
 use crate::text::number::{fill, filled};
 use crate::text::{columns, units};
 use crate::view::drawing::Drawing;
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, SceneGroup};
 
@@ -106,7 +107,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) 
         let text = format!("{} {}", say("polygon.scene.length"), units::short(lathe.p.length, 3));
         let half = 0.3 * LETTER * UNIT * columns(&text) as f64;
         let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);
-        d.text((middle, y - 12.0), "middle", &text, Font::Label, Paint::Ink);
+        d.text((middle, y - 12.0), Anchor::Middle, &text, Font::Label, Paint::Ink);
     });
 }
 

@@ -10,7 +10,7 @@ use crate::text::catalog::number_text as show;
 use crate::text::number::{figure, filled};
 use crate::text::{columns, units};
 use crate::view::scene::{LETTER, LINE};
-use crate::view::{Callout, Drawing, Font, Look, Paint, SceneGroup};
+use crate::view::{Anchor, Callout, Drawing, Font, Look, Paint, SceneGroup};
 
 /// A smear as the lens shows it, mm.
 pub(crate) fn smear_text(smear: f64) -> String {
@@ -44,14 +44,14 @@ pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout
     let parts = [nip(&layout.unwinder), nip(&layout.pull), contact];
     for (((name, left), [first, second]), part) in names(p).iter().zip(lefts).zip(values).zip(parts) {
         let values = [(Some(first), ""), (Some(second), "")];
-        drawing.callout(&Callout { at: (left, base), anchor: "start", name, values: &values, part: Some(part) });
+        drawing.callout(&Callout { at: (left, base), anchor: Anchor::Start, name, values: &values, part: Some(part) });
     }
     let reel = &layout.supply;
     let ribbon = format!("{} × {}", units::plain(p.ribbon_thickness, 3, "mm"), units::text(p.ribbon_width, 1, "mm"));
     let line_height = LINE * LETTER * unit;
     drawing.callout(&Callout {
         at: (layout.view[0] + 12.0 * unit, reel.y - reel.r - 26.0 * unit - 2.0 * line_height),
-        anchor: "start",
+        anchor: Anchor::Start,
         name: &say("ribbon.scene.reel"),
         values: &[(None, &ribbon), (Some(node::UNWOUND), "")],
         part: Some((reel.x - 0.35 * reel.r, reel.y - 0.9 * reel.r)),
@@ -59,7 +59,7 @@ pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout
     drawing.showing("pitch", |drawing| {
         drawing.callout(&Callout {
             at: layout.take_up_text,
-            anchor: "start",
+            anchor: Anchor::Start,
             name: &say("ribbon.scene.take-up"),
             values: &[(Some(node::DOT_COUNT), ""), (None, &distance(p))],
             part: None,
@@ -80,7 +80,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     drawing.path(filled("M# #V#M# #H#M# #V#", &[x, top, bottom, x, bar, x + long, x + long, top, bottom]), Look::LEAD);
     let text = units::text(long, 3, "mm");
     let mut end = x + long + 6.0 * unit;
-    drawing.text((end, y), "start", &text, Font::Label, Paint::Dim);
+    drawing.text((end, y), Anchor::Start, &text, Font::Label, Paint::Dim);
     end += wide(&text) + gap;
     for (station, id, field, ratio) in [
         (&layout.unwinder, "ribbon.scene.inverter", "reduction-ratio", p.reduction_ratio),
@@ -91,12 +91,12 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
         let half = 0.5 * wide(&text);
         let middle = (station.x - 3.0 * station.scale).max(end + half);
         drawing.showing(field, |drawing| {
-            drawing.text((middle, y), "middle", &text, Font::Label, Paint::Dim);
+            drawing.text((middle, y), Anchor::Middle, &text, Font::Label, Paint::Dim);
         });
         end = middle + half + gap;
     }
     let note = format!("{} {}", say("ribbon.scene.thickness"), factor(layout.thickness / p.ribbon_thickness));
-    drawing.text((end, y), "start", &note, Font::Label, Paint::Dim);
+    drawing.text((end, y), Anchor::Start, &note, Font::Label, Paint::Dim);
 }
 
 /// Limits of the loop, ruler and pointer, and the slack below.
@@ -124,10 +124,10 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     });
     let plates = (layout.unwinder.x + 66.0 * layout.unwinder.scale, layout.pull.x - 52.0 * layout.pull.scale);
     let middle = 0.5 * (plates.0 + plates.1);
-    drawing.text((x - 4.0 * unit, -8.0 * unit), "end", "0", Font::Label, Paint::Dim);
+    drawing.text((x - 4.0 * unit, -8.0 * unit), Anchor::End, "0", Font::Label, Paint::Dim);
     let callout = Callout {
         at: (middle, -26.0 * unit - 2.0 * LINE * LETTER * unit),
-        anchor: "middle",
+        anchor: Anchor::Middle,
         name: &say("ribbon.scene.loop"),
         values: &[(Some(node::SLACK), ""), (Some(node::LOOP_STATE), "")],
         part: None,
@@ -145,7 +145,7 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
         let factor = 1.0 / layout.slack.share;
         limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
     }
-    drawing.text((middle, layout.full + 15.0 * unit), "middle", &limit, Font::Label, Paint::Dim);
+    drawing.text((middle, layout.full + 15.0 * unit), Anchor::Middle, &limit, Font::Label, Paint::Dim);
 }
 
 /// Rim and figures of the lens: smear and magnification.
@@ -156,8 +156,8 @@ pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
     let paint = if bad { Paint::Bad } else { Paint::Ink };
     drawing.lens((x, y, r), |drawing| {
-        drawing.text((x, low), "middle", &name, Font::Label, Paint::Dim);
-        drawing.text((x, low + LINE * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
+        drawing.text((x, low), Anchor::Middle, &name, Font::Label, Paint::Dim);
+        drawing.text((x, low + LINE * letter), Anchor::Middle, &smear_text(line.d.smear), Font::Value, paint);
     });
 }
 

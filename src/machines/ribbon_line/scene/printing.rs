@@ -7,7 +7,7 @@ use crate::machines::ribbon_line::params::Params;
 use crate::math::{self, PI};
 use crate::text::number::{fill, filled};
 use crate::view::drawing::{barrel, polar};
-use crate::view::{Drawing, Font, Look, Paint, SceneGroup};
+use crate::view::{Anchor, Drawing, Font, Look, Paint, SceneGroup};
 
 /// Heads that are drawn one by one; more are drawn as a dashed ring.
 const SINGLE: f64 = 60.0;
@@ -31,7 +31,7 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, letter: &str) {
         drawing.path(filled("M-31 #h66", &[88.0 + 0.45 * h]), joint);
         drawing.rect([26.0, 88.0 + 0.52 * h, 4.0, 24.0, 2.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.5));
         drawing.rect([-27.0, 102.0, 24.0, 13.0, 1.5], Look::fill(Paint::SteelLight).thin(Paint::Edge, 0.5));
-        drawing.text((-15.0, 112.2), "middle", letter, Font::Engraved(10.0), Paint::Dark);
+        drawing.text((-15.0, 112.2), Anchor::Middle, letter, Font::Engraved(10.0), Paint::Dark);
         drawing.rect([-39.0, 84.0 + h, 82.0, 4.0, 0.0], Look::fill(Paint::DarkShade));
         // Back-up below the contact.
         cabinet(drawing, [-12.0, 16.0, 24.0, 72.0], Paint::DarkFront, Paint::DarkLight, Paint::DarkShade);
@@ -135,7 +135,7 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, p: &Params) {
                 drawing.circle((x, y, 5.0), Look::HOLE);
             }
             drawing.path("M0 -10v6", Look::line(Paint::Rim, 1.8).round());
-            drawing.text((0.0, 38.0), "middle", "1", Font::Engraved(9.0), Paint::Dark);
+            drawing.text((0.0, 38.0), Anchor::Middle, "1", Font::Engraved(9.0), Paint::Dark);
         });
         drawing.within(group::PRINT_FRAME, |drawing| {
             drawing.path("M-40 -14A42 42 0 0 1 0 -42", Look::RIM);

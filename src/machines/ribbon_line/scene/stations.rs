@@ -5,7 +5,7 @@ use super::parts::group::Station as Part;
 use super::parts::node;
 use crate::text::number::filled;
 use crate::view::drawing::{barrel, polar};
-use crate::view::{Drawing, Font, Look, Paint, SceneGroup};
+use crate::view::{Anchor, Drawing, Font, Look, Paint, SceneGroup};
 
 /// Depth of cabinets and rollers of the plain size.
 pub(crate) const DEEP: (f64, f64) = (26.0, -16.0);
@@ -33,7 +33,7 @@ pub(crate) fn door(drawing: &mut Drawing, h: f64, letter: &str) {
     drawing.path(filled("M-34 #h62", &[0.55 * h]), joint);
     drawing.rect([19.0, 0.6 * h, 4.0, 24.0, 2.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.5));
     drawing.rect([-30.0, 107.0, 24.0, 13.0, 1.5], Look::fill(Paint::SteelLight).thin(Paint::Edge, 0.5));
-    drawing.text((-18.0, 117.2), "middle", letter, Font::Engraved(10.0), Paint::Dark);
+    drawing.text((-18.0, 117.2), Anchor::Middle, letter, Font::Engraved(10.0), Paint::Dark);
     drawing.rect([-42.0, h - 4.0, 78.0, 4.0, 0.0], Look::fill(Paint::DarkShade));
 }
 

@@ -7,6 +7,7 @@ use crate::machines::sheets::say;
 use crate::machines::turning_spindle::params::Params;
 use crate::text::number::filled;
 use crate::view::drawing::Drawing;
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, SceneGroup};
 
@@ -73,7 +74,7 @@ pub(super) fn draw_headstock(d: &mut Drawing, p: &Params) {
     d.path("M170 434v8M170 464v8", Look::line(Paint::DarkShade, 3.0));
     d.rect([8.0, 438.0, 9.0, 30.0, 4.5], Look::fill(Paint::SteelBar).thin(Paint::Edge, 0.8));
     d.rect([36.0, 442.0, 118.0, 22.0, 2.0], Look::fill(Paint::Steel).thin(Paint::Edge, 0.8));
-    d.text((95.0, 457.0), "middle", &say("turning.name"), Font::Engraved(11.5), Paint::Black);
+    d.text((95.0, 457.0), Anchor::Middle, &say("turning.name"), Font::Engraved(11.5), Paint::Black);
     gate(d, p);
 }
 
@@ -98,7 +99,7 @@ fn gate(d: &mut Drawing, p: &Params) {
             d.path(filled("M# #V#", &[x + dx, y, y + dy]), Look::line(Paint::Black, 10.0).round());
             let (aside, low) = if count == 1 { (-34.0, 5.0) } else { (if dx > 0.0 { 20.0 } else { -20.0 }, 5.0) };
             let text = stage.to_string();
-            d.text((x + dx + aside, y + dy + low), "middle", &text, Font::Engraved(14.0), Paint::Rim);
+            d.text((x + dx + aside, y + dy + low), Anchor::Middle, &text, Font::Engraved(14.0), Paint::Rim);
         });
     }
     if count > 2 {

@@ -7,6 +7,7 @@ use crate::math;
 use crate::text::catalog::number_text as show;
 use crate::text::number::{fill, filled};
 use crate::view::drawing::{Drawing, polar, spoke};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
 
@@ -71,7 +72,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle) {
     dial(d, lathe);
     meter(d, &lathe.p);
     for (x, id) in [(DIAL.0, node::SPEED), (METER.0, node::VOLTS)] {
-        d.text((x, y + h - 17.0), "middle", "", Font::Engraved(FIGURES), Paint::Rim).id = Some(id);
+        d.text((x, y + h - 17.0), Anchor::Middle, "", Font::Engraved(FIGURES), Paint::Rim).id = Some(id);
     }
 }
 
@@ -96,10 +97,10 @@ fn dial(d: &mut Drawing, lathe: &TurningSpindle) {
         let value = scale.step * f64::from(mark);
         let (x, y) = polar((x, y), scale.degrees(value), r - 17.0);
         let text = show(value / scale.unit, 1);
-        d.text((x, y + 0.36 * LETTERS), "middle", &text, Font::Engraved(LETTERS), Paint::Black);
+        d.text((x, y + 0.36 * LETTERS), Anchor::Middle, &text, Font::Engraved(LETTERS), Paint::Black);
     }
     let unit = if scale.unit > 1.0 { "×1000/min" } else { "r/min" };
-    d.text((x, y + r - 8.0), "middle", unit, Font::Engraved(7.5), Paint::Black);
+    d.text((x, y + r - 8.0), Anchor::Middle, unit, Font::Engraved(7.5), Paint::Black);
     limits(d, lathe, &scale);
     d.within(group::SPEED, |d| {
         d.path(filled("M-8 -1.6L# 0L-8 1.6Z", &[r - 7.0]), Look::fill(Paint::Needle));
@@ -158,7 +159,7 @@ fn meter(d: &mut Drawing, p: &Params) {
         let volts = if p.output == Output::Bipolar { 10.0 * part } else { 5.0 * (part + 1.0) };
         let (x, y) = polar(PIVOT, -90.0 + METER_SWEEP * part, METER_RADIUS - 17.0);
         let text = show(volts, 0);
-        d.text((x, y + 0.36 * LETTERS), "middle", &text, Font::Engraved(LETTERS), Paint::Black);
+        d.text((x, y + 0.36 * LETTERS), Anchor::Middle, &text, Font::Engraved(LETTERS), Paint::Black);
     }
     d.within(group::NEEDLE, |d| {
         d.path(filled("M0 -1.4L# 0L0 1.4Z", &[METER_RADIUS - 2.0]), Look::fill(Paint::Needle));
@@ -171,7 +172,7 @@ fn meter(d: &mut Drawing, p: &Params) {
     );
     d.path(cover, Look::fill(Paint::DarkShade));
     d.circle((PIVOT.0, PIVOT.1, 4.0), Look::fill(Paint::Black));
-    d.text((x - half + 12.0, y + half - 8.0), "middle", "V", Font::Engraved(LETTERS), Paint::Rim);
+    d.text((x - half + 12.0, y + half - 8.0), Anchor::Middle, "V", Font::Engraved(LETTERS), Paint::Rim);
 }
 
 /// Degrees of the needles of speed and voltage.

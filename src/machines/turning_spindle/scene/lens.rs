@@ -9,6 +9,7 @@ use crate::text::catalog::number_text as show;
 use crate::text::number::filled;
 use crate::text::{columns, units};
 use crate::view::drawing::{Drawing, polygon};
+use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, Placement, SceneGroup, Shape};
 
@@ -64,12 +65,12 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
     let value = units::short(p.depth, 3);
     let room = 60.0 - 0.3 * LETTER * UNIT * columns(&value) as f64;
     let below = ((0.5 * depth).min(room).max(0.0), 40.0);
-    let (at, anchor) = if p.path == Path::Facing { (below, "middle") } else { ((-58.0, 24.0), "start") };
+    let (at, anchor) = if p.path == Path::Facing { (below, Anchor::Middle) } else { ((-58.0, 24.0), Anchor::Start) };
     d.lens((x, y, r), |d| {
         d.showing("depth", |d| {
             d.text((x + at.0, y + at.1), anchor, &value, Font::Value, Paint::Ink);
         });
-        d.text((x, y + 64.0), "middle", &times, Font::Label, Paint::Ink);
+        d.text((x, y + 64.0), Anchor::Middle, &times, Font::Label, Paint::Ink);
     });
 }
 
