@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use super::drawing::crosses;
+use super::letters::LETTER_BOX;
 use super::look::Paint;
 use super::parts::DrawnPart;
 use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
@@ -24,8 +25,6 @@ const DIRECTIONS: u32 = 32;
 const BESIDE: u32 = 14;
 /// Share of the drawing's width and height from which a shape is a background, on which balloons may lie.
 const BACKGROUND: f64 = 0.5;
-/// Width of a letter and heights of its top and foot, in letter sizes.
-const LETTER_BOX: [f64; 3] = [0.6, 0.78, 0.25];
 
 /// A balloon in the drawing's coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,11 +106,7 @@ fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
         Font::Engraved(size) => size * scale,
         _ => LETTER * scene.unit * scale,
     };
-    let [wide, top, foot] = LETTER_BOX;
-    let width = wide * size * count as f64;
-    let left = anchor.left(x, width);
-    let base = y + line * LINE * size;
-    (seen && count > 0).then_some([left, base - top * size, left + width, base + foot * size])
+    (seen && count > 0).then(|| LETTER_BOX.area((x, y + line * LINE * size), *anchor, size, count))
 }
 
 /// Area of a filled shape in a pose; `None` for lines, paths, backgrounds, and shapes that are not visible.

@@ -1,6 +1,6 @@
 //! Builder for drawings of machines: shapes with materials in nested groups, labels with leaders, bodies with depth.
 
-use super::letters::Anchor;
+use super::letters::{Anchor, LETTER_BOX};
 use super::look::{Gradient, Look, Paint};
 use super::scene::{Font, LETTER, LINE, Node, Scene, SceneGroup, Shape};
 use crate::math::{self, PI};
@@ -50,8 +50,6 @@ struct Leader {
 
 /// Assumed maximum letters of a value written by poses, for leaders to keep clear.
 const VALUE_LETTERS: usize = 16;
-/// Width of a letter and heights of its top and foot, in letter sizes.
-const LETTER_BOX: [f64; 3] = [0.6, 0.75, 0.25];
 /// Number of starts of a leader along its text in the search for a clear one.
 const STARTS: u8 = 8;
 
@@ -198,7 +196,7 @@ impl Drawing {
                 Anchor::End => (at.0 - wide, at.0 - 0.5 * letter),
             };
             let from = (math::clamp(x, left, right), at.1 + below * letter);
-            let behind = at.0 + (LETTER_BOX[0] * columns(name) as f64 + 0.4) * letter;
+            let behind = at.0 + (LETTER_BOX.width * columns(name) as f64 + 0.4) * letter;
             let beside = (anchor == Anchor::Start).then_some((behind, at.1 - 0.35 * letter));
             self.leaders.push(Leader { node: self.nodes.len(), from: (left, right, from.1), beside, to: (x, y) });
             self.path(filled("M# #L# #", &[from.0, from.1, x, y]), Look::LEAD);
@@ -223,11 +221,7 @@ impl Drawing {
         let posed = self.value_letters.iter().find(|(label, _)| *label == node.label);
         let posed = posed.map_or(VALUE_LETTERS, |(_, letters)| *letters);
         let count = if node.id.is_some() { columns(text).max(posed) } else { columns(text) };
-        let [wide, top, foot] = LETTER_BOX;
-        let width = wide * letter * count as f64;
-        let left = anchor.left(*x, width);
-        let base = y + line * LINE * letter;
-        let area = [left, base - top * letter, left + width, base + foot * letter];
+        let area = LETTER_BOX.area((*x, y + line * LINE * letter), *anchor, letter, count);
         (node.label > 0 && node.group == 0).then_some((node.label, area))
     }
 

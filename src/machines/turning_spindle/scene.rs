@@ -29,7 +29,7 @@ use crate::text::number::filled;
 use crate::text::{columns, units};
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
-use crate::view::letters::Anchor;
+use crate::view::letters::{Anchor, LETTER_BOX};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, SceneGroup};
 pub(super) use frame::{knob, lever};
@@ -188,7 +188,7 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
         let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
         d.path([arrows, ends].concat(), Look::LEAD);
         let text = format!("{} {}", say(id), units::short(to - from, 3));
-        let width = 0.6 * LETTER * UNIT * columns(&text) as f64;
+        let width = LETTER_BOX.width * LETTER * UNIT * columns(&text) as f64;
         let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
         let (at, anchor) = if right - left > width + 20.0 {
             ((0.5 * (left + right), y - 6.0), Anchor::Middle)

@@ -1,7 +1,7 @@
 //! Names and live values of the ribbon line, the ruler of the loop, and the figures of the lens.
 
 use super::captions::{distance, names};
-use super::layout::{LETTER_WIDTH, Layout, Station, round_step};
+use super::layout::{Layout, Station, round_step};
 use super::parts::{group, node};
 use crate::machines::ribbon_line::params::Params;
 use crate::machines::ribbon_line::resolved::RibbonLine;
@@ -9,6 +9,7 @@ use crate::machines::sheets::say;
 use crate::text::catalog::number_text as show;
 use crate::text::number::{figure, filled};
 use crate::text::{columns, units};
+use crate::view::letters::LETTER_BOX;
 use crate::view::scene::{LETTER, LINE};
 use crate::view::{Anchor, Callout, Drawing, Font, Look, Paint, SceneGroup};
 
@@ -73,7 +74,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let unit = layout.unit;
     let left = layout.view[0];
     let (y, gap) = (layout.floor + 18.0 * unit, 8.0 * unit);
-    let wide = |text: &str| LETTER_WIDTH * LETTER * unit * columns(text) as f64;
+    let wide = |text: &str| LETTER_BOX.width * LETTER * unit * columns(text) as f64;
     let long = units::metric(round_step(units::value(45.0 * unit, "mm")), "mm");
     let (x, bar) = (left + 12.0 * unit, y - 4.0 * unit);
     let (top, bottom) = (bar - 4.0 * unit, bar + 4.0 * unit);

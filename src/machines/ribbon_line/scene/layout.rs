@@ -7,6 +7,7 @@ use super::slack_loop::SlackLoop;
 use super::web::Web;
 use crate::drives::reel;
 use crate::math;
+use crate::view::letters::LETTER_BOX;
 use crate::view::scene::{LETTER, LINE};
 
 use super::super::params::Params;
@@ -32,8 +33,6 @@ const ON_REEL: f64 = 0.9;
 
 /// Pixels of the stage for which the labels are laid out.
 const STAGE: (f64, f64) = (770.0, 480.0);
-/// Width of a letter over its height.
-pub(crate) const LETTER_WIDTH: f64 = 0.6;
 /// Widest value below a name, in letters.
 const VALUE: usize = 16;
 
@@ -205,7 +204,7 @@ impl Layout {
         let rho = (LENS * s).max(72.0 * unit);
         let lens_y = -rho - 24.0 * s;
         let lens_x = print.x + print.r.max(50.0 * print.scale) + depth.0 + 30.0 * s + rho;
-        let [w1, w2, w3, w4] = letters.map(|letters| letters.max(VALUE) as f64 * LETTER_WIDTH * LETTER * unit);
+        let [w1, w2, w3, w4] = letters.map(|letters| letters.max(VALUE) as f64 * LETTER_BOX.width * LETTER * unit);
         let wide = [w1, w2, w3];
         let names = in_row([unwinder.x, pull.x, print.x], wide, (left + 8.0 * unit, lens_x - rho), 10.0 * unit);
         let lens_x = lens_x.max(names[2] + wide[2] + 10.0 * unit + rho);
