@@ -24,8 +24,8 @@ use crate::args::{Command, Format, Paper};
 use crate::input;
 use crate::language::{self, failed};
 use crate::output::{
-    self, Failure, print, print_diagnostics, print_error, print_findings, print_json, refuse, refused, tell_silenced,
-    verdict,
+    self, Failure, fail_on_errors, print, print_diagnostics, print_error, print_findings, print_json, refuse, refused,
+    tell_silenced,
 };
 use crate::{export, lsp, pdf, run};
 
@@ -118,7 +118,7 @@ fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool
         }
     }
     print_findings(&all)?;
-    verdict(&all)
+    fail_on_errors(&all)
 }
 
 fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<(), Failure> {
@@ -140,7 +140,7 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
         print(&(origins::faults_text(&project) + &readouts + &repairs + &origins::text(&project)))?;
         print_findings(&all)?;
     }
-    verdict(&all)
+    fail_on_errors(&all)
 }
 
 fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failure> {
@@ -154,7 +154,7 @@ fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failur
         print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
         print_findings(&all)?;
     }
-    verdict(&all)
+    fail_on_errors(&all)
 }
 
 fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
@@ -180,7 +180,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
         print(&variants::comparison_text(&comparison))?;
         print_findings(&all)?;
     }
-    verdict(&all)
+    fail_on_errors(&all)
 }
 
 /// `pdf` requests report and summary as PDF on this paper size, printed by the named browser if there is one.
@@ -189,7 +189,7 @@ fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Pa
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     let (export, all) = answers::exported(&project, date, file);
     print_findings(&all)?;
-    verdict(&all)?;
+    fail_on_errors(&all)?;
     let mut files: Vec<_> = export.bytes().collect();
     for (document, print) in pdf::PRINTS {
         if let (Some((paper, browser)), Some((_, html))) = (pdf, files.iter().find(|(name, _)| *name == document)) {
@@ -254,5 +254,5 @@ fn check(
         }
         tell_silenced(checked.silenced)?;
     }
-    verdict(&checked.findings)
+    fail_on_errors(&checked.findings)
 }

@@ -104,7 +104,7 @@ pub(crate) fn print_json(json: &Json) -> Result<(), Failure> {
 }
 
 /// Fails if one of the diagnostics is an error.
-pub(crate) fn verdict(all: &[FileFindings]) -> Result<(), Failure> {
+pub(crate) fn fail_on_errors(all: &[FileFindings]) -> Result<(), Failure> {
     if has_errors(all) { Err(Failure::Reported) } else { Ok(()) }
 }
 

@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 
 use crate::args::RunArgs;
 use crate::input;
-use crate::output::{Failure, Printer, print_error, print_findings, refused, tell_silenced, verdict};
+use crate::output::{Failure, Printer, fail_on_errors, print_error, print_findings, refused, tell_silenced};
 
 fn ready(args: &RunArgs, keep: Retention, json: bool) -> Result<ReadyRun, Failure> {
     let settings = args.set.iter().map(|text| Setting::read(text)).collect::<Option<Vec<_>>>();
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> 
         tell_silenced(finished.silenced)?;
         print_error(&(finished.summary.text() + "\n"))?;
     }
-    verdict(&finished.findings)?;
+    fail_on_errors(&finished.findings)?;
     match finished.summary.ended {
         RunEnd::Blocks | RunEnd::Seconds => Err(Failure::Exhausted),
         RunEnd::Stop => Err(Failure::Waits),
@@ -101,7 +101,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
         return Err(Failure::usage(&msg!("cli.commands-failed", count = wrong)));
     }
     files.push(found);
-    verdict(&files)
+    fail_on_errors(&files)
 }
 
 /// The lines of standard input, each asked for where a person types them.
