@@ -21,6 +21,7 @@ use web_sys::{
 
 use crate::text::catalog::{self, Language};
 use crate::ui::words::sentence;
+use crate::view::Theme;
 
 /// Milliseconds since the page began.
 pub(crate) fn now() -> f64 {
@@ -191,11 +192,12 @@ pub(crate) fn prefers(query: &str) -> bool {
     window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
 }
 
-/// Whether the page is dark: as chosen, or as the system.
-pub(crate) fn is_dark() -> bool {
+/// Theme of the page: as chosen, or as the system.
+pub(crate) fn theme() -> Theme {
     let root = document().document_element();
     let chosen = root.and_then(|root| root.get_attribute("data-theme")).unwrap_or_default();
-    chosen == "dark" || chosen.is_empty() && prefers("(prefers-color-scheme: dark)")
+    let is_dark = chosen == "dark" || chosen.is_empty() && prefers("(prefers-color-scheme: dark)");
+    if is_dark { Theme::Dark } else { Theme::Light }
 }
 
 /// Decodes GBK with the browser's table; `None` unless all bytes are valid.

@@ -57,7 +57,7 @@ fn Gallery() -> impl IntoView {
             let _ = pictures.try_set(drawn);
         }
     };
-    page.project.with_untracked(|project| Client::here().ask(project, Request::Gallery(dom::is_dark()), show));
+    page.project.with_untracked(|project| Client::here().ask(project, Request::Gallery { theme: dom::theme() }, show));
     let group = move |(machine, examples): Group| {
         let found = move |example: &Example| {
             let text = [machine.name(), example.name, example.about].map(t).join(" ").to_lowercase();
@@ -166,7 +166,7 @@ mod tests {
     async fn gallery() -> ViewBench {
         let bench = mount(|| {
             Client::here().answer_here(|_, request| match request {
-                Request::Gallery(dark) => Some(Response::Pictures(pictures::gallery(dark))),
+                Request::Gallery { theme } => Some(Response::Pictures(pictures::gallery(theme))),
                 _ => None,
             });
             view! { <NewButton /> <GalleryDialog /> }

@@ -101,7 +101,7 @@ impl ReaderState {
                 let _ = self.silent.try_set(true);
             }
         };
-        let request = Request::Help(self.at.get_untracked(), dom::is_dark());
+        let request = Request::Help { id: self.at.get_untracked(), theme: dom::theme() };
         self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
     }
 
@@ -331,7 +331,7 @@ mod tests {
     fn answer(project: &Project, request: Request) -> Option<Response> {
         let texts = Texts::shipped(catalog::spoken());
         match request {
-            Request::Help(id, dark) => Some(Response::Help(help::page(project, &texts, &id, dark))),
+            Request::Help { id, theme } => Some(Response::Help(help::page(project, &texts, &id, theme))),
             Request::FindHelp(query) => Some(Response::Found(help::found(project, &texts, &query))),
             _ => None,
         }

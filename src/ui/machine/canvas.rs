@@ -6,11 +6,10 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement};
 
 use crate::ui::dom;
 use crate::ui::state::Page;
-use crate::view::svg::Theme;
 
 /// The drawing in the colours of the page.
 pub(super) fn drawing(page: Page) -> Option<String> {
-    page.player.picture(if dom::is_dark() { Theme::Dark } else { Theme::Light })
+    page.player.picture(dom::theme())
 }
 
 /// Draws a picture onto a canvas of its size times `fine`; `None` where the browser cannot.

@@ -43,15 +43,15 @@ fn with<T>(project: &Project, texts: &Texts, ask: impl FnOnce(&Help) -> T) -> T 
     })
 }
 
-/// The page with this id, or with a section or entry of this id; otherwise the page of the present machine. `dark` is the theme of its
+/// The page with this id, or with a section or entry of this id; otherwise the page of the present machine. `theme` is that of its
 /// drawing.
-pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, dark: bool) -> HelpPageHtml {
+pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, theme: Theme) -> HelpPageHtml {
     with(project, texts, |help| {
         let own = help.pages.iter().find(|page| page.id == id);
         let place = if own.is_none() { help.find(id) } else { None };
         let page = own.or(place.map(|place| place.page)).or(help.pages.first());
         let mut html = String::new();
-        page.iter().for_each(|page| write(&mut html, page, dark));
+        page.iter().for_each(|page| write(&mut html, page, theme));
         HelpPageHtml {
             page: page.map_or_else(String::new, |page| page.id.to_owned()),
             title: page.map_or_else(String::new, |page| page.title.clone()),
@@ -85,7 +85,7 @@ fn anchor(id: &str) -> String {
     format!("help-{}", id.split_once('/').map_or(id, |(_, id)| id).replace(' ', "_"))
 }
 
-fn write(out: &mut String, page: &HelpPage, dark: bool) {
+fn write(out: &mut String, page: &HelpPage, theme: Theme) {
     open(out, "nav class=\"contents\"", "aria-label", t("help.contents"));
     for section in &page.sections {
         link(out, &format!("{}/{}", page.id, section.id), &section.title);
@@ -101,7 +101,7 @@ fn write(out: &mut String, page: &HelpPage, dark: bool) {
             out.push_str("</ol>");
         }
         if !section.parts.is_empty() {
-            parts(out, page, section, dark);
+            parts(out, page, section, theme);
         }
         section.entries.iter().for_each(|e| entry(out, e));
         out.push_str("</section>");
@@ -110,17 +110,17 @@ fn write(out: &mut String, page: &HelpPage, dark: bool) {
 
 /// The drawing with its numbered parts. It is a separate picture, because its gradients have the same names as gradients on the page.
 /// Printed pages are never dark.
-fn parts(out: &mut String, page: &HelpPage, section: &HelpSection, dark: bool) {
+fn parts(out: &mut String, page: &HelpPage, section: &HelpSection, theme: Theme) {
     let Some(machine) = machines::find(page.id) else { return };
-    let mut picture = |theme, class| {
+    let mut picture = |theme: Theme, class: &str| {
         let data = STANDARD.encode(pages::drawing(machine, page.control, theme));
         open(out, &format!("img class=\"{class}\" src=\"data:image/svg+xml;base64,{data}\""), "alt", &page.title);
     };
-    if dark {
-        picture(Theme::Dark, "on-screen");
+    if theme == Theme::Dark {
+        picture(theme, "on-screen");
         picture(Theme::Light, "on-paper");
     } else {
-        picture(Theme::Light, "");
+        picture(theme, "");
     }
     out.push_str("<ol class=\"parts\">");
     section.parts.iter().for_each(|part| tagged(out, "li", part));
@@ -191,7 +191,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn alarm_is_on_the_page_of_its_control_with_cause_and_source() {
         let texts = Texts::shipped(catalog::spoken());
-        let shown = page(&project(), &texts, "alarm.P62", false);
+        let shown = page(&project(), &texts, "alarm.P62", Theme::Light);
         assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("mitsubishi-e60", "help-alarm.P62"));
         assert!(shown.html.contains("<article tabindex=\"-1\" id=\"help-alarm.P62\"><h4><code>P62</code>"));
         assert!(shown.html.contains("p.52"));
@@ -200,7 +200,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn unknown_id_opens_the_page_of_the_machine_and_is_never_shown() {
         let texts = Texts::shipped(catalog::spoken());
-        let shown = page(&project(), &texts, "<script>", false);
+        let shown = page(&project(), &texts, "<script>", Theme::Light);
         assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("ribbon-line", ""));
         assert!(!shown.html.contains("<script") && shown.html.contains("data:image/svg+xml;base64,"));
     }
@@ -208,7 +208,8 @@ mod tests {
     #[wasm_bindgen_test]
     fn dark_page_has_a_light_drawing_for_paper() {
         let texts = Texts::shipped(catalog::spoken());
-        let [light, dark] = [false, true].map(|dark| page(&project(), &texts, "ribbon-line", dark).html);
+        let [light, dark] =
+            [Theme::Light, Theme::Dark].map(|theme| page(&project(), &texts, "ribbon-line", theme).html);
         let drawing = |html: &str, class: &str| {
             let (_, from) = html.split_once(&format!("<img class=\"{class}\" "))?;
             from.split_once('>').map(|(drawing, _)| drawing.to_owned())
@@ -223,7 +224,7 @@ mod tests {
         let FoundHelp { hits, has_all_words } = found(&project(), &texts, "slack");
         assert!(hits.len() > 5 && has_all_words);
         for hit in hits.iter().filter(|hit| hit.id.contains('.')) {
-            let shown = page(&project(), &texts, &hit.id, false);
+            let shown = page(&project(), &texts, &hit.id, Theme::Light);
             assert!(shown.html.contains(&format!("id=\"{}\"", shown.anchor)), "{}", hit.id);
         }
     }

@@ -6,6 +6,7 @@ use web_sys::Blob;
 use crate::controls::Control;
 use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, Message, MessageValue, Place, Severity, Span, catalog};
 use crate::ui::words::Tone;
+use crate::view::Theme;
 
 /// Greatest number of shown lines of a program.
 pub(crate) const SHOWN: u32 = 5000;
@@ -19,6 +20,15 @@ pub(crate) struct Question {
     pub project: String,
     /// The work to do.
     pub request: Request,
+}
+
+/// Form in which a [`Theme`] is sent.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Theme")]
+enum SentTheme {
+    Light,
+    Dark,
+    Line,
 }
 
 /// Work of the worker.
@@ -42,12 +52,22 @@ pub(crate) enum Request {
     Compare([String; 2], String),
     /// The list of the projects that this browser keeps, the present one first.
     Shelf(Shelf),
-    /// Pictures of the examples of all machines, dark or not.
-    Gallery(bool),
+    /// Pictures of the examples of all machines.
+    Gallery {
+        /// Colours of the pictures.
+        #[serde(with = "SentTheme")]
+        theme: Theme,
+    },
     /// Documents that are exported with the programs.
     Export,
-    /// The page of help with an id, its drawing dark or not.
-    Help(String, bool),
+    /// A page of help.
+    Help {
+        /// Id of the page, or of a section or entry of it.
+        id: String,
+        /// Colours of its drawing.
+        #[serde(with = "SentTheme")]
+        theme: Theme,
+    },
     /// Search results of help for a query.
     FindHelp(String),
     /// The project with the parts of a table, by the name of its file and its text.
@@ -207,8 +227,9 @@ pub(crate) struct Shelf {
     pub aside: Vec<ShelfState>,
     /// Steps of undo as project files: before the present project, the oldest first, and after it, the next one last.
     pub steps: [Vec<String>; 2],
-    /// Whether the pictures are for a dark page.
-    pub dark: bool,
+    /// Colours of the pictures.
+    #[serde(with = "SentTheme")]
+    pub theme: Theme,
 }
 
 /// Store of a listed project.

@@ -10,24 +10,24 @@ use crate::view::svg::{Theme, picture};
 use crate::view::{Pose, Scene};
 
 /// Address of the picture of a project before its start.
-pub(super) fn before_start(project: &Project, dark: bool) -> String {
-    address(drawing::at(project, 0.0), dark)
+pub(super) fn before_start(project: &Project, theme: Theme) -> String {
+    address(drawing::at(project, 0.0), theme)
 }
 
 /// Addresses of the pictures of all examples in the middle of their runs, in the order of machines and examples.
-pub(in crate::ui) fn gallery(dark: bool) -> Vec<String> {
+pub(in crate::ui) fn gallery(theme: Theme) -> Vec<String> {
     let examples =
         machines::ALL.iter().flat_map(|machine| machine.examples().iter().map(|example| (*machine, example)));
     let drawn = |(machine, example): (&dyn AnyMachine, &Example)| {
         let project = Project::named(machine.id(), None, Some(example.id)).ok()?;
-        Some(address(drawing::halfway(&project), dark))
+        Some(address(drawing::halfway(&project), theme))
     };
     examples.map(|example| drawn(example).unwrap_or_default()).collect()
 }
 
 /// A drawing as the address of an image, without its labels.
-fn address((mut scene, pose): (Scene, Pose), dark: bool) -> String {
+fn address((mut scene, pose): (Scene, Pose), theme: Theme) -> String {
     scene.remove_labels();
-    let drawn = picture(&scene, &pose, if dark { Theme::Dark } else { Theme::Light });
+    let drawn = picture(&scene, &pose, theme);
     format!("data:image/svg+xml;base64,{}", STANDARD.encode(drawn))
 }

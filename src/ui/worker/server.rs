@@ -68,18 +68,18 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
             Request::Variants => Response::Html(documents::variants(&project)),
             Request::Compare(names, text) => Response::Html(documents::compared_with(&project, names, &text)),
             Request::Shelf(shelf) => Response::Projects(shelf::list(&project, &shelf)),
-            Request::Gallery(dark) => Response::Pictures(pictures::gallery(dark)),
+            Request::Gallery { theme } => Response::Pictures(pictures::gallery(theme)),
             Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
             Request::Flips => Response::Flips(
                 Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),
             ),
             Request::Repairs => Response::Repairs(documents::repairs(&project)),
-            Request::Help(..) | Request::FindHelp(_) => {
+            Request::Help { .. } | Request::FindHelp(_) => {
                 let (page, load) = (page.clone(), load.clone());
                 return wasm_bindgen_futures::spawn_local(async move {
                     let response = match (texts(&load).await, request) {
-                        (Some(texts), Request::Help(id, dark)) => {
-                            Response::Help(help::page(&project, &texts, &id, dark))
+                        (Some(texts), Request::Help { id, theme }) => {
+                            Response::Help(help::page(&project, &texts, &id, theme))
                         }
                         (Some(texts), Request::FindHelp(query)) => {
                             Response::Found(help::found(&project, &texts, &query))

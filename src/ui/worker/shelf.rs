@@ -51,7 +51,7 @@ fn listed(
     };
     ListedProject {
         kind: clauses([t(project.machine.name()), project.control.name]),
-        picture: if pictured { pictures::before_start(&project, shelf.dark) } else { String::new() },
+        picture: if pictured { pictures::before_start(&project, shelf.theme) } else { String::new() },
         versions: if place == ShelfPlace::Aside { Vec::new() } else { versions(&project, shelf, &state.id) },
         steps: if place == ShelfPlace::Present { steps(present, &shelf.steps) } else { Vec::new() },
         name: project.name,
@@ -113,6 +113,7 @@ mod tests {
 
     use super::*;
     use crate::ui::testing::project;
+    use crate::view::Theme;
 
     fn state(id: &str, of: &str, at: f64, text: String) -> ShelfState {
         ShelfState { id: id.to_owned(), of: of.to_owned(), at, version: VERSION, note: String::new(), text }
@@ -124,7 +125,7 @@ mod tests {
 
     fn list_of(states: Vec<ShelfState>) -> Vec<ListedProject> {
         let steps = [vec![named("Order 7")], vec![named("Order 9"), named("Order 8")]];
-        list(&project(), &Shelf { present: "p1".to_owned(), states, aside: Vec::new(), steps, dark: false })
+        list(&project(), &Shelf { present: "p1".to_owned(), states, aside: Vec::new(), steps, theme: Theme::Light })
     }
 
     #[wasm_bindgen_test]

@@ -133,7 +133,7 @@ impl ProjectActions {
             states,
             aside,
             steps: self.page.step_texts(),
-            dark: dom::is_dark(),
+            theme: dom::theme(),
         };
         let show = move |response: Option<Response>| match response {
             Some(Response::Projects(listed)) => drop(self.listed.try_set(listed)),
