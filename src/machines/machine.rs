@@ -332,18 +332,18 @@ pub struct MachineInfo {
     pub name: &'static str,
     /// Ids of the controls it goes with; the first is the default.
     pub controls: &'static [&'static str],
-    /// The published listing of the machine's program, word for word as printed; empty if none is known.
-    pub listing: &'static str,
+    /// The published listing of the machine's program, word for word as printed; `None` if none is known.
+    pub listing: Option<&'static str>,
     /// Blocks that the listing leaves out.
     pub left_out: &'static [LeftOut],
     /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
     pub speed: f64,
     /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
     pub growth: &'static [&'static str],
-    /// Id of the result that is its speed; empty if there is none.
-    pub speed_result: &'static str,
-    /// Id of the field with the customer's name; empty if there is none.
-    pub customer: &'static str,
+    /// Id of the result that is its speed; `None` if there is none.
+    pub speed_result: Option<&'static str>,
+    /// Id of the field with the customer's name; `None` if there is none.
+    pub customer: Option<&'static str>,
     /// The motors that its form describes, in the order of a bill.
     pub motors: &'static [FormMotor],
     /// Whether it has an [explorer](Prepared::explorer).
@@ -358,12 +358,12 @@ impl MachineInfo {
         id: "",
         name: "",
         controls: &[],
-        listing: "",
+        listing: None,
         left_out: &[],
         speed: 1.0,
         growth: &[],
-        speed_result: "",
-        customer: "",
+        speed_result: None,
+        customer: None,
         motors: &[],
         explores: false,
         examples: &[],

@@ -50,7 +50,7 @@ pub fn report(
 
 /// The customer that the form names.
 fn customer(machine: &dyn AnyMachine, values: &Values) -> String {
-    match values.get(machine.info().customer) {
+    match machine.info().customer.and_then(|field| values.get(field)) {
         Some(Value::Text(customer)) => customer.clone(),
         _ => String::new(),
     }

@@ -14,7 +14,7 @@ fn shortened(name: &str, most: usize) -> String {
 impl Project {
     /// The form's field for the customer, with the characters that it takes; `None` where the machine has none.
     fn customer_field(&self) -> Option<(FieldInfo, usize)> {
-        let id = self.machine.info().customer;
+        let id = self.machine.info().customer?;
         let field = self.machine.fields().into_iter().find(|field| field.id == id)?;
         match field.kind {
             FieldKindInfo::Text(most) => Some((field, most)),

@@ -260,9 +260,9 @@ impl Project {
         self.parts.iter().chain(shipped).collect()
     }
 
-    /// The published listing as printed, as a file.
-    pub fn listing(&self) -> Files {
-        Files::one("listing.nc", self.machine.info().listing)
+    /// The published listing as printed, as a file; `None` if none is known.
+    pub fn listing(&self) -> Option<Files> {
+        self.machine.info().listing.map(|text| Files::one("listing.nc", text))
     }
 
     /// The machine with the project's values on its control, prepared once per change.

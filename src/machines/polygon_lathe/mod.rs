@@ -104,13 +104,13 @@ impl Machine for PolygonLathe {
         id: "polygon-lathe",
         name: "polygon.name",
         controls: &["knd-k2000t"],
-        listing: include_str!("listing.nc"),
+        listing: Some(include_str!("listing.nc")),
         speed: 0.05,
         growth: &["speed", "feed", "depth"],
-        speed_result: "work-speed",
+        speed_result: Some("work-speed"),
         motors: parts_list::MOTORS,
         explores: true,
-        customer: "customer",
+        customer: Some("customer"),
         examples: examples::EXAMPLES,
         ..MachineInfo::BASE
     };

@@ -112,7 +112,7 @@ impl Machine for RibbonLine {
             "fanuc-0i-tf",
             "fanuc-0i-mf",
         ],
-        listing: include_str!("listing.nc"),
+        listing: Some(include_str!("listing.nc")),
         left_out: &[LeftOut {
             number: 30,
             variable: 115,
@@ -121,9 +121,9 @@ impl Machine for RibbonLine {
         }],
         speed: 0.05,
         growth: &["spindle-speed", "head-mass", "pitch"],
-        speed_result: "line-speed",
+        speed_result: Some("line-speed"),
         motors: parts_list::MOTORS,
-        customer: "customer",
+        customer: Some("customer"),
         examples: examples::EXAMPLES,
         ..MachineInfo::BASE
     };

@@ -79,9 +79,9 @@ impl Machine for TurningSpindle {
         controls: &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"],
         speed: 1.0,
         growth: &["cutting-speed", "feed", "depth"],
-        speed_result: "speed-largest",
+        speed_result: Some("speed-largest"),
         motors: parts_list::MOTORS,
-        customer: "customer",
+        customer: Some("customer"),
         examples: examples::EXAMPLES,
         ..MachineInfo::BASE
     };

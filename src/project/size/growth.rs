@@ -212,7 +212,8 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let FieldKindInfo::Number { decimals, .. } = field.kind else { return None };
     let entry = (speed.field, number_text(speed.value, decimals));
     let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
-    let told = results.iter().find(|row| row.id == project.machine.info().speed_result)?;
+    let result = project.machine.info().speed_result?;
+    let told = results.iter().find(|row| row.id == result)?;
     Some(Fastest {
         result: ResultName::from(told),
         value: told.value,

@@ -191,7 +191,7 @@ fn Tools(
         });
     };
     let paper = move |_| {
-        page.edit("", |project| project.edited = Some(project.listing()));
+        page.edit("", |project| project.edited = project.listing());
         page.view.file.set(0);
         page.view.program.set(ProgramView::Listing);
         let told = t("page.paper-shown");
@@ -209,7 +209,7 @@ fn Tools(
     };
     let unpublished = move || {
         page.machine.track();
-        page.project.with_untracked(|project| project.machine.info().listing.is_empty())
+        page.project.with_untracked(|project| project.machine.info().listing.is_none())
     };
     // The debugger steps through the listing.
     let step = move |_| {
@@ -391,7 +391,7 @@ mod tests {
         let bench = tab().await;
         bench.press_button(t("page.paper")).await;
         assert!(bench.has(".detached"));
-        let listing = bench.page.project.with_untracked(crate::project::Project::listing);
+        let listing = bench.page.project.with_untracked(|project| project.listing().unwrap());
         assert_eq!(bench.page.program.text(0), listing.0[0].text);
         bench.page.undo();
         settled().await;

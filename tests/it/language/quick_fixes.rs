@@ -643,7 +643,7 @@ fn mended(text: &str, choice: FixChoice) -> (usize, String, usize) {
 
 #[test]
 fn listing_of_the_paper_is_mended_in_two_steps() {
-    let listing = Project::of("ribbon-line", None).unwrap().listing();
+    let listing = Project::of("ribbon-line", None).unwrap().listing().unwrap();
     let (errors, certain, count) = mended(&listing.0[0].text, FixChoice::Certain);
     assert!(errors >= 20 && count >= 17, "{errors} errors, {count} fixes");
     let (left, first, _) = mended(&certain, FixChoice::First);
@@ -654,7 +654,7 @@ fn listing_of_the_paper_is_mended_in_two_steps() {
 #[test]
 fn mended_listing_has_equation_4_and_the_papers_figures() {
     let project = Project::of("ribbon-line", None).unwrap();
-    let listing = project.listing();
+    let listing = project.listing().unwrap();
     let certain = mended(&listing.0[0].text, FixChoice::Certain).1;
     let first = mended(&certain, FixChoice::First).1;
     assert!(first.contains("N30 #115=#105*SQRT[#107*#107+#110*#110]/#107\n"), "{first}");

@@ -201,7 +201,7 @@ fn example_has_its_figures() {
 /// The printed listing with the fixes that are certain, and then the first of each choice.
 fn mended() -> Files {
     let project = example("ribbon-line", "paper");
-    [FixChoice::Certain, FixChoice::First].into_iter().fold(project.listing(), |files, choice| {
+    [FixChoice::Certain, FixChoice::First].into_iter().fold(project.listing().unwrap(), |files, choice| {
         let found = nc::parse(&files, project.control).diagnostics().to_vec();
         project.with_fixes(&files, &found, choice).0
     })
@@ -209,7 +209,7 @@ fn mended() -> Files {
 
 fn listing_does_not_load() {
     let project = example("ribbon-line", "paper");
-    let parsed = nc::parse(&project.listing(), project.control);
+    let parsed = nc::parse(&project.listing().unwrap(), project.control);
     let errors = || parsed.diagnostics().iter().filter(|found| found.severity == Severity::Error);
     assert!(errors().count() > 10);
     assert!(!nc::parse(&mended(), project.control).has_errors());
