@@ -107,6 +107,15 @@ impl Defaults {
     }
 }
 
+/// A file of an export beside programs and sheets.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MachineFile {
+    /// Its name and text.
+    pub file: File,
+    /// Catalog id of the words that say which file it is.
+    pub meaning: &'static str,
+}
+
 /// A variable that the operator reads and sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct MachineVariable {
@@ -223,8 +232,8 @@ pub trait Prepared: Send + Sync {
     fn variables(&self) -> Vec<MachineVariable>;
     /// Parameter sheet, interface, ladder list.
     fn sheets(&self) -> Vec<Sheet>;
-    /// Drawings for an export.
-    fn drawings(&self) -> Vec<File> {
+    /// Files of an export beside programs and sheets: drawings, programs in other codes.
+    fn files(&self) -> Vec<MachineFile> {
         Vec::new()
     }
     /// Catalog ids of the names of the shapes that can be explored; see [`MachineInfo::explores`].

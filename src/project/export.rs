@@ -7,7 +7,7 @@ use super::silence::silence;
 use super::size::Sizing;
 use super::{Project, encode};
 use crate::controls::options::CommentCharacters;
-use crate::machines::PreparedMachine;
+use crate::machines::{MachineFile, PreparedMachine};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::text::units::in_millimetres;
@@ -30,29 +30,52 @@ pub struct ExportOptions<'a> {
     pub sizing: Option<&'a Sizing>,
 }
 
+/// A file of an export.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExportFile {
+    /// Its name and text.
+    pub file: File,
+    /// Its role.
+    pub role: FileRole,
+}
+
+/// Role of a file in an export.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileRole {
+    /// A program, in the control's characters.
+    Program(CommentCharacters),
+    /// A file beside the programs: report, sheet, drawing, the project itself.
+    Document {
+        /// Catalog id of the words that say which.
+        meaning: &'static str,
+    },
+}
+
+impl ExportFile {
+    fn document(file: File, meaning: &'static str) -> ExportFile {
+        ExportFile { file, role: FileRole::Document { meaning } }
+    }
+}
+
 /// The files of an export, or the reasons why there is none.
 #[derive(Debug, Clone)]
 pub struct Export {
-    /// Files by name; empty where a diagnostic is an error.
-    pub files: Vec<File>,
+    /// Programs, then documents; empty where a diagnostic is an error.
+    pub files: Vec<ExportFile>,
     /// The report without programs, as HTML, where there are no files because of an error.
     pub draft: Option<String>,
     /// Invalid fields, findings about the program, and limits that operation exceeds.
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
     pub about: Files,
-    /// Catalog ids of what the files beside the programs are, in their order.
-    meanings: Vec<&'static str>,
-    /// Count of the files that are programs, which are the first ones, and their characters.
-    programs: (usize, CommentCharacters),
 }
 
 /// An error for each file with the name of an earlier one; capitals, and points and blanks at the end, do not distinguish names on the cards
 /// that controls read.
-fn same_names(files: &[File]) -> Vec<Diagnostic> {
+fn same_names(files: &[ExportFile]) -> Vec<Diagnostic> {
     let mut known = BTreeMap::new();
     let mut found = Vec::new();
-    for file in files {
+    for ExportFile { file, .. } in files {
         let name = file.name.to_lowercase().trim_end_matches(['.', ' ']).to_owned();
         if let Some(first) = known.insert(name, &file.name) {
             found.push(Diagnostic::error(msg!("project.same-name", file = first.as_str(), other = file.name.as_str())));
@@ -64,21 +87,26 @@ fn same_names(files: &[File]) -> Vec<Diagnostic> {
 impl Export {
     /// Name and bytes of each exported file: programs in the control's encoding, all others in UTF-8.
     pub fn bytes(&self) -> impl Iterator<Item = (&str, Vec<u8>)> {
-        let (programs, own) = self.programs;
-        self.files.iter().enumerate().map(move |(at, file)| {
-            let characters = if at < programs { own } else { CommentCharacters::Utf8 };
+        self.files.iter().map(|ExportFile { file, role }| {
+            let characters = match role {
+                FileRole::Program(characters) => *characters,
+                FileRole::Document { .. } => CommentCharacters::Utf8,
+            };
             (file.name.as_str(), encode::bytes(&file.text, characters))
         })
     }
 
-    /// The files beside the programs: report, sheets, drawings, the project itself.
-    pub fn documents(&self) -> &[File] {
-        self.files.get(self.about.0.len()..).unwrap_or_default()
+    /// The documents, each with the catalog id of the words that say which it is.
+    pub fn documents(&self) -> impl Iterator<Item = (&File, &'static str)> {
+        self.files.iter().filter_map(|ExportFile { file, role }| match role {
+            FileRole::Program(_) => None,
+            FileRole::Document { meaning } => Some((file, *meaning)),
+        })
     }
 
-    /// The files beside the programs, each with the catalog id of what it is.
-    pub fn explained_documents(&self) -> impl Iterator<Item = (&File, &'static str)> {
-        self.documents().iter().zip(self.meanings.iter().copied())
+    /// Names and texts of all files.
+    pub fn into_files(self) -> Vec<File> {
+        self.files.into_iter().map(|exported| exported.file).collect()
     }
 }
 
@@ -99,36 +127,28 @@ impl Project {
         silence(&mut diagnostics, &self.silenced);
         diagnostics.extend(found.iter().cloned());
         diagnostics.extend(options.sizing.iter().flat_map(|sizing| sizing.findings()));
-        let (mut files, mut meanings) = (Vec::new(), Vec::new());
+        let mut files = Vec::new();
         let mut draft = None;
         let options = ExportOptions { advice: &found, ..*options };
         if diagnostics.iter().any(|d| d.severity == Severity::Error) {
             let without_programs = Written { files: Files::default(), ..written.clone() };
             draft = Some(report::html(&self.report(&prepared, &without_programs, &options)));
         } else {
-            files.extend(written.files.0.iter().cloned());
-            for (document, meaning) in self.documents_of(&prepared, written, &options) {
-                files.push(document);
-                meanings.push(meaning);
-            }
+            let role = FileRole::Program(self.characters());
+            files.extend(written.files.0.iter().map(|file| ExportFile { file: file.clone(), role }));
+            files.extend(self.documents_of(&prepared, written, &options));
             let same = same_names(&files);
             if !same.is_empty() {
                 files.clear();
                 diagnostics.extend(same);
             }
         }
-        let programs = (written.files.0.len(), self.characters());
-        Export { files, draft, diagnostics, about: written.files.clone(), meanings, programs }
+        Export { files, draft, diagnostics, about: written.files.clone() }
     }
 
-    /// The files beside the programs, each with the catalog id of what it is.
-    fn documents_of(
-        &self,
-        prepared: &PreparedMachine,
-        written: &Written,
-        options: &ExportOptions,
-    ) -> Vec<(File, &'static str)> {
-        let file = |name: String, text, meaning| (File { name, text }, meaning);
+    /// The files beside the programs.
+    fn documents_of(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Vec<ExportFile> {
+        let file = |name: String, text, meaning| ExportFile::document(File { name, text }, meaning);
         let told = self.report(prepared, written, options);
         let mut files = vec![
             file(SUMMARY.to_owned(), report::summary(&told), "page.file.summary"),
@@ -144,15 +164,8 @@ impl Project {
                 files.push(file(format!("{}.svg", sheet.id), view::svg::alone(&sheet.drawing), sheet.title));
             }
         }
-        let kind = |name: &str| match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
-            "svg" => "page.file.drawing",
-            "dxf" => "page.file.outline",
-            _ => "page.file.other-program",
-        };
-        files.extend(prepared.drawings().into_iter().map(|drawing| {
-            let meaning = kind(&drawing.name);
-            (drawing, meaning)
-        }));
+        let own = prepared.files().into_iter();
+        files.extend(own.map(|MachineFile { file, meaning }| ExportFile::document(file, meaning)));
         files.push(file("project.json".to_owned(), self.to_json(), "page.file.project"));
         files
     }

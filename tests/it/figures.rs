@@ -7,7 +7,7 @@ use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::nc::{self, File, Files};
 use macroline::project::Project;
-use macroline::project::export::ExportOptions;
+use macroline::project::export::{ExportFile, ExportOptions, FileRole};
 use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
 
@@ -122,7 +122,8 @@ fn exported_programs_follow_the_control_syntax() {
         let named = project.control.syntax.names.is_some();
         let wanted =
             if named { ["L9100.SPF", "MPF9101.MPF", "MPF9102.MPF"] } else { ["O9100.nc", "O9101.nc", "O9102.nc"] };
-        let programs: Vec<_> = export.files.iter().filter(|f| wanted.contains(&f.name.as_str())).collect();
+        let programs: Vec<_> =
+            export.files.iter().map(|exported| &exported.file).filter(|f| wanted.contains(&f.name.as_str())).collect();
         assert_eq!(programs.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), wanted);
         for file in programs {
             let read = nc::parse(&Files::one(&file.name, file.text.as_str()), project.control);
@@ -183,9 +184,10 @@ fn the_written_programs_are_exported() {
     let mut written = project.written();
     written.files.0[0].text.push_str("(THIS VERY TEXT)\n");
     let export = project.export_with(&written, &ExportOptions::default());
-    let (programs, documents) = export.files.split_at(written.files.0.len());
+    let is_program = |exported: &&ExportFile| matches!(exported.role, FileRole::Program(_));
+    let programs: Vec<_> = export.files.iter().take_while(is_program).map(|exported| exported.file.clone()).collect();
     assert_eq!(programs, written.files.0);
-    assert_eq!(documents, export.documents());
+    assert_eq!(programs.len() + export.documents().count(), export.files.len());
 }
 
 #[test]

@@ -112,7 +112,7 @@ fn with_part(mut project: Project, text: &str) -> Project {
 /// A file of the export.
 #[track_caller]
 fn exported(project: &Project, name: &str) -> String {
-    let found = project.export().files.into_iter().find(|file| file.name == name);
+    let found = project.export().into_files().into_iter().find(|file| file.name == name);
     found.unwrap_or_else(|| panic!("no file {name}")).text
 }
 

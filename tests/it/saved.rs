@@ -368,7 +368,7 @@ fn hostile_program_name_stays_in_the_folder() {
         let mut json: serde_json::Value = serde_json::from_str(&ribbon().to_json()).unwrap();
         json["edited"] = edited;
         let project = Project::from_json(&json.to_string()).project.unwrap();
-        assert_eq!(project.export().files[0].name, bare);
+        assert_eq!(project.export().into_files()[0].name, bare);
     }
 }
 
@@ -597,7 +597,7 @@ fn project_and_its_programs_open_together() {
 fn export_opens_as_a_whole_without_its_documents() {
     for machine in macroline::machines::ALL {
         let order = Project::named(machine.id(), None, None).unwrap();
-        let mut files = order.export().files;
+        let mut files = order.export().into_files();
         for project_file in [true, false] {
             files.retain(|file| project_file || !file.name.ends_with(".json"));
             let opened = import::open(&ribbon(), &files);

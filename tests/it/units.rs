@@ -242,7 +242,7 @@ fn verdicts_in_inches_have_converted_limits() {
 fn files(project: &Project) -> Vec<nc::File> {
     let export = project.export();
     let for_people = |name: &str| ["report.html", "report.md", "summary.html", "drawing.svg"].contains(&name);
-    export.files.into_iter().filter(|file| !for_people(&file.name)).collect()
+    export.into_files().into_iter().filter(|file| !for_people(&file.name)).collect()
 }
 
 #[test]

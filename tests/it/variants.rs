@@ -308,7 +308,7 @@ fn values_and_settings_of_a_variant_are_checked() {
 fn report_has_the_offer_beside_the_variants() {
     let mut project = two();
     let report = |project: &Project, name: &str| {
-        let files = project.export().files;
+        let files = project.export().into_files();
         files.into_iter().find(|file| file.name == name).unwrap().text
     };
     let page = report(&project, "report.html");

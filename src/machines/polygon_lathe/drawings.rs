@@ -4,6 +4,7 @@ use super::native_code;
 use super::outlines::ideal;
 use super::resolved::PolygonLathe;
 use crate::drives::polygon::Section;
+use crate::machines::MachineFile;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::nc::File;
@@ -14,15 +15,16 @@ use crate::view::outline::{Dimension, LineKind, Outline, OutlineShape, Plate};
 const SPANS: u32 = 8;
 
 /// The files beside programs and sheets.
-pub(super) fn drawings(lathe: &PolygonLathe) -> Vec<File> {
-    let file = |name: &str, text: String| File { name: name.to_owned(), text };
-    let mut files: Vec<File> = native_code::file(lathe).into_iter().collect();
+pub(super) fn files(lathe: &PolygonLathe) -> Vec<MachineFile> {
+    let drawn = |name: &str, text: String, meaning| MachineFile { file: File { name: name.to_owned(), text }, meaning };
+    let other = native_code::file(lathe).map(|file| MachineFile { file, meaning: "page.file.other-program" });
+    let mut files: Vec<MachineFile> = other.into_iter().collect();
     let sections: Vec<(String, Outline)> =
         lathe.polygons().zip(NAMES).filter_map(|(one, name)| Some((title(lathe, one, name), section(one)?))).collect();
     if !sections.is_empty() {
         let plate = Plate::new(&sections);
-        files.push(file("section.svg", plate.svg(legend)));
-        files.push(file("section.dxf", plate.dxf()));
+        files.push(drawn("section.svg", plate.svg(legend), "page.file.drawing"));
+        files.push(drawn("section.dxf", plate.dxf(), "page.file.outline"));
     }
     files
 }

@@ -88,12 +88,12 @@ use crate::machines::driven::{
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
-    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, Prepared, Samples,
+    ControlContext, Design, Frame, Machine, MachineFile, MachineInfo, MachineProgram, MachineVariable, Prepared,
+    Samples,
 };
 use crate::machines::site::SevereSite;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
-use crate::nc::File;
 use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Explorer, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
@@ -164,8 +164,8 @@ impl Prepared for PolygonLathe {
         sheets::sheets(self)
     }
 
-    fn drawings(&self) -> Vec<File> {
-        drawings::drawings(self)
+    fn files(&self) -> Vec<MachineFile> {
+        drawings::files(self)
     }
 
     fn explored(&self) -> Vec<&'static str> {

@@ -55,7 +55,7 @@ fn answered(ask: &str, request: &str) -> Result<Json, Refused> {
             let (project, file) = request.project()?;
             let (export, all) = answers::exported(&project, request.date(), file);
             // Errors in the file of the project refuse the export as those of its program do.
-            let files = if has_errors(&all) { Vec::new() } else { export.files };
+            let files = if has_errors(&all) { Vec::new() } else { export.into_files() };
             let files: Vec<Json> = files.iter().map(|file| json!({ "name": file.name, "text": file.text })).collect();
             Ok(json!({ "files": files, "diagnostics": list_json(&all) }))
         }

@@ -199,7 +199,7 @@ pub(super) fn documents(project: &Project) -> ExportDocuments {
     };
     ExportDocuments {
         programs,
-        files: export.explained_documents().map(document).collect(),
+        files: export.documents().map(document).collect(),
         remarks: export.diagnostics.iter().map(remark).collect(),
         draft: export.draft,
     }

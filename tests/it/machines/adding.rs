@@ -91,14 +91,19 @@ fn form_checks_report_export_and_charts_appear() {
     project.values.insert("speed".to_owned(), Value::Number(12_000.0));
     assert_eq!(project.design().readouts.iter().map(|row| row.verdict).max(), Some(Verdict::Fail));
     let export = project.export();
-    let names: Vec<&str> = export.files.iter().map(|file| file.name.as_str()).collect();
+    let names: Vec<&str> = export.files.iter().map(|exported| &exported.file).map(|file| file.name.as_str()).collect();
     for name in ["report.md", "parameters.csv", "project.json"] {
         assert!(names.contains(&name), "{names:?}");
     }
-    let programs: Vec<&str> =
-        export.files.iter().map(|file| &file.text[..]).filter(|text| text.contains("M30")).collect();
+    let programs: Vec<&str> = export
+        .files
+        .iter()
+        .map(|exported| &exported.file)
+        .map(|file| &file.text[..])
+        .filter(|text| text.contains("M30"))
+        .collect();
     assert!(programs.iter().all(|text| text.contains("MACROLINE CUT-TO-LENGTH 1")) && programs.len() >= 2, "{names:?}");
-    let report = export.files.iter().find(|file| file.name == "report.md").unwrap();
+    let report = export.files.iter().map(|exported| &exported.file).find(|file| file.name == "report.md").unwrap();
     assert!(report.text.contains("mm/min") && report.text.contains("60 L / v + τ + t cut"), "{}", report.text);
     project.values.insert("length".to_owned(), Value::Number(-1.0));
     assert!(project.export().files.is_empty());

@@ -11,7 +11,7 @@ use macroline::project::Project;
 use super::polygon::project;
 
 fn exported(project: &Project, ending: &str) -> Vec<(String, String)> {
-    let files = project.export().files.into_iter().filter(|file| file.name.ends_with(ending));
+    let files = project.export().into_files().into_iter().filter(|file| file.name.ends_with(ending));
     files.map(|file| (file.name, file.text)).collect()
 }
 

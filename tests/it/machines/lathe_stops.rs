@@ -42,7 +42,12 @@ fn tables_of_both_lathes_name_every_interruption() {
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
         let export = project.export();
-        let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
+        let report = export
+            .files
+            .iter()
+            .map(|exported| &exported.file)
+            .find(|file| file.name.ends_with(".md"))
+            .expect("a report");
         let fault = if project.prepared().plc().watches_inverter() { ", inverter fault" } else { "" };
         let title = format!("## Hold, alarm, reset, emergency stop{fault}\n");
         assert!(report.text.contains(&title), "{}", project.control.id);

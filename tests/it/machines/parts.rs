@@ -66,7 +66,7 @@ fn balloons_leave_labels_and_each_other_free_for_any_form() {
 }
 
 fn exported(project: &Project, name: &str) -> String {
-    project.export().files.into_iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}")).text
+    project.export().into_files().into_iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}")).text
 }
 
 #[test]

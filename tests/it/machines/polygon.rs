@@ -660,7 +660,7 @@ fn charts_and_drawings_show_the_check_table_values() {
     // The larger the tip circle, the flatter at ratio 2; twice 45 mm is beyond the table's 80 mm.
     let lowest = &charts[5].series[0].points;
     assert!(lowest.windows(2).all(|pair| pair[0].1 < pair[1].1) && lowest.last().unwrap().1 > -17.26);
-    let files = project.export().files;
+    let files = project.export().into_files();
     let text = |name: &str| &files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}")).text;
     assert!(text("sequence.svg").contains("Reconstructed"));
     // Black without its colours.

@@ -108,7 +108,7 @@ fn explorer_and_sequence_have_every_polygon() {
 fn exported_sections_hold_every_polygon_by_name() {
     let third = [("third", "true"), ("third-shape", "square"), ("third-from-face", "60"), ("third-across-flats", "19")];
     let project = two(&third);
-    let files = project.export().files;
+    let files = project.export().into_files();
     let file = |name: &str| &files.iter().find(|file| file.name == name).unwrap().text;
     let names = ["First polygon, Z 0 .. -15", "Second polygon, Z -30 .. -45", "Third polygon, Z -60 .. -75"];
     let drawing = Drawing::load(&mut file("section.dxf").as_bytes()).unwrap();

@@ -99,7 +99,7 @@ fn machine_sheets_have_the_expected_rows() {
 fn exported_g51_2_file_reads_without_errors() {
     let control = macroline::controls::find("gsk-980tdc").unwrap();
     for changes in [&[][..], &[("shape", "hexagon"), ("work-start", "12.5"), ("lead", "300")]] {
-        let files = project(changes).export().files;
+        let files = project(changes).export().into_files();
         let own = files.into_iter().find(|file| file.name == "own-code.nc").unwrap();
         let parsed = nc::parse_with(&Files(vec![own]), control, &Switches::default());
         let errors: Vec<_> = parsed.diagnostics().iter().filter(|d| d.severity == Severity::Error).collect();
@@ -117,7 +117,7 @@ fn own_code_changes_the_cutter_where_the_program_does() {
         shaft.values.insert(id.to_owned(), value);
     }
     let cutters = |name: &str| {
-        let files = shaft.export().files;
+        let files = shaft.export().into_files();
         let text = files.into_iter().find(|file| file.name == name).unwrap().text;
         let is_tool = |word: &&str| word.strip_prefix('T').is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()));
         text.split_whitespace().filter(is_tool).map(str::to_owned).collect::<Vec<_>>()

@@ -17,7 +17,7 @@ fn named<'f>(files: &'f [File], name: &str) -> &'f str {
 fn html(project: &Project) -> String {
     let written = project.written();
     named(
-        &project.export_with(&written, &ExportOptions { date: "2026-11-22", ..ExportOptions::default() }).files,
+        &project.export_with(&written, &ExportOptions { date: "2026-11-22", ..ExportOptions::default() }).into_files(),
         "report.html",
     )
     .to_owned()
@@ -37,7 +37,7 @@ fn offer_has_motors_envelope_and_bill() {
         let export = project.export_with(&written, &options);
         let told: Vec<_> = export.diagnostics.iter().map(|found| &found.message).collect();
         assert!(sizing.findings().iter().all(|found| told.contains(&&found.message)), "{}: {told:?}", machine.id());
-        let files = export.files;
+        let files = export.into_files();
         let report = named(&files, "report.html");
         let page = read(report);
         let tables: Vec<&str> = page
@@ -136,8 +136,9 @@ fn summary_has_what_a_customer_decides_on_and_no_sources() {
         let project = Project::named(machine.id(), None, None).unwrap();
         let written = project.written();
         let sizing = macroline::project::size::size(&project, &written);
-        let files =
-            project.export_with(&written, &ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() }).files;
+        let files = project
+            .export_with(&written, &ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() })
+            .into_files();
         let page = read(named(&files, "summary.html"));
         let told = words(page.root_element());
         let first = |text: &str| words(of_class(&read(text), "conclusion")[0]);

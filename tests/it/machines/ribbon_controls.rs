@@ -139,7 +139,7 @@ fn feed_above_control_range_names_the_possible_speed() {
     );
     // The text is read all the same, and stops before anything moves.
     let export = fast.export();
-    assert!(export.files.iter().any(|file| file.name == "O9101.nc"));
+    assert!(export.files.iter().map(|exported| &exported.file).any(|file| file.name == "O9101.nc"));
     assert!(said(&export.diagnostics).iter().any(|text| text.starts_with("The vector feed would be 119391.393")));
     let mut stopped = over_time(&fast, vec![]);
     let RunEnd::Alarm(alarm) = ended(&mut stopped) else { panic!("it stops") };

@@ -423,7 +423,12 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
         assert!(rows.iter().flatten().all(|cell| !cell.is_empty() && !cell.contains("ribbon.")), "{rows:?}");
         // The report has it, too.
         let export = line(control.id, &[]).export();
-        let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
+        let report = export
+            .files
+            .iter()
+            .map(|exported| &exported.file)
+            .find(|file| file.name.ends_with(".md"))
+            .expect("a report");
         assert!(report.text.contains("## Hold, alarm, reset, emergency stop, inverter fault\n"), "{}", control.id);
     }
 }
@@ -538,7 +543,8 @@ fn table_of_stops_tells_the_operator_what_a_restart_asks() {
     for control in controls().map(|control| control.id) {
         let project = line(control, &[]);
         let export = project.export();
-        let report = &export.files.iter().find(|file| file.name == "report.md").unwrap().text;
+        let report =
+            &export.files.iter().map(|exported| &exported.file).find(|file| file.name == "report.md").unwrap().text;
         let row = |name: &str| {
             let found = report.lines().find(|line| line.starts_with(&format!("| {name} | ")));
             found.unwrap_or_else(|| panic!("{control}: no row {name}"))

@@ -139,7 +139,11 @@ fn other_lines_of_the_encoder_are_told_or_warned_of() {
         let design = project(id, &[("encoder-lines", "2048")]).design();
         let warned = design.diagnostics.iter().any(|found| found.message.id == "encoder.other-lines");
         let sheet = project(id, &[("encoder-lines", "2048")]).export();
-        let told = sheet.files.iter().any(|file| file.name == "parameters.csv" && file.text.contains("2048"));
+        let told = sheet
+            .files
+            .iter()
+            .map(|exported| &exported.file)
+            .any(|file| file.name == "parameters.csv" && file.text.contains("2048"));
         assert!(warned != told, "{}: warned {warned}, told {told}", controls::find(id).unwrap().name);
     }
 }

@@ -221,7 +221,13 @@ fn table_of_stops_tells_how_long_the_spindle_coasts() {
     for control in each_control() {
         let lathe = shaft(control, &[]);
         let export = lathe.export();
-        let report = &export.files.iter().find(|file| file.name == "report.md").expect("a report").text;
+        let report = &export
+            .files
+            .iter()
+            .map(|exported| &exported.file)
+            .find(|file| file.name == "report.md")
+            .expect("a report")
+            .text;
         let fault = report.lines().find(|line| line.starts_with("| Inverter fault | ")).expect("a row");
         // As in the operating envelope: with the knob at its highest position.
         let most = sized(&lathe).envelope.into_iter().filter(|row| row.event == OperatingEvent::PowerFailure);
