@@ -6,18 +6,18 @@ use super::gate::Gatekeeper;
 use super::plan::{Checkpoint, Planner};
 use super::program::RunningProgram;
 use super::records::Records;
-use super::setup::{PlanProgress, Retention};
+use super::setup::{GatedProgress, Retention};
 use crate::interp::{Canon, World};
 
 /// Number of newest commands kept for the debugger.
 const COMMANDS_KEPT: usize = 8;
 
 impl<P: RunningProgram> Planner<P> {
-    /// Plans like [`advance`](Planner::advance), but stops at a shut gate; returns whether it did. The log keeps the newest commands.
-    pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (PlanProgress, bool) {
-        let answer = self.plan(until, budget, Some(gate));
+    /// Plans like [`advance`](Planner::advance), but stops at a shut gate. The log keeps the newest commands.
+    pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> GatedProgress {
+        let progress = self.plan(until, budget, Some(gate));
         self.records.forget_log(COMMANDS_KEPT);
-        answer
+        progress
     }
 
     /// Calls `look` with the program at the end of the planned part and the machine as read by it, but with the present axis positions.

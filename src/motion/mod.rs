@@ -87,7 +87,7 @@ pub use plc::{
     WordPart,
 };
 pub use program::RunningProgram;
-pub use setup::{Budget, PlanProgress, Retention, RunEnd, Setup};
+pub use setup::{Budget, GatedProgress, PlanProgress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use stretches::{Mover, Stretch};
 pub use timeline::{Timeline, Visit};

@@ -12,7 +12,7 @@ use super::panel::{Action, Event, Panel};
 use super::path::Segment;
 use super::program::RunningProgram;
 use super::records::{RecordLengths, Records};
-use super::setup::{PlanProgress, Retention, RunEnd, Setup};
+use super::setup::{GatedProgress, PlanProgress, Retention, RunEnd, Setup};
 use super::sim::Sim;
 use super::state::SimState;
 use super::timeline::Timeline;
@@ -90,12 +90,12 @@ impl<P: RunningProgram> Planner<P> {
 
     /// Plans on until machine time `until`, standstill after the end of the run, or `budget` events: whichever is first.
     pub fn advance(&mut self, until: f64, budget: usize) -> PlanProgress {
-        self.plan(until, budget, None).0
+        self.plan(until, budget, None).progress
     }
 
-    /// Plans like [`advance`](Planner::advance), with an optional gate before each step of the program; returns whether the gate shut.
-    pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> (PlanProgress, bool) {
-        let mut shut = false;
+    /// Plans like [`advance`](Planner::advance), with an optional gate before each step of the program.
+    pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> GatedProgress {
+        let mut is_shut = false;
         let until = until.min(self.plant.limits.seconds);
         for _ in 0..budget {
             if self.ended.is_some() {
@@ -135,7 +135,7 @@ impl<P: RunningProgram> Planner<P> {
                     }
                     Gate::Shut => {
                         self.records.timeline.end = t.max(self.records.timeline.end);
-                        shut = true;
+                        is_shut = true;
                         break;
                     }
                 }
@@ -148,7 +148,8 @@ impl<P: RunningProgram> Planner<P> {
             // Other events may follow at the same time; the time counts as planned only after them.
             self.records.timeline.end = t.max(self.records.timeline.end);
         }
-        (PlanProgress { planned_to: self.records.timeline.end, ended: self.ended.clone() }, shut)
+        let progress = PlanProgress { planned_to: self.records.timeline.end, ended: self.ended.clone() };
+        GatedProgress { progress, is_shut }
     }
 
     /// Records a checkpoint before the first event at or after a whole second. All earlier events come before `due`.

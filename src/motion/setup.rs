@@ -69,3 +69,12 @@ pub struct PlanProgress {
     /// Cause of the end; set after axes and spindle have settled.
     pub ended: Option<RunEnd>,
 }
+
+/// Progress of planning that a gate may stop.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GatedProgress {
+    /// As without a gate.
+    pub progress: PlanProgress,
+    /// Whether the gate shut.
+    pub is_shut: bool,
+}

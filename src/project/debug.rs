@@ -8,7 +8,7 @@ pub use super::breakpoints::Stop;
 use super::run::Run;
 use crate::interp::inspect::{Change, Level};
 use crate::interp::{Interp, World};
-use crate::motion::{Event, Gate};
+use crate::motion::{Event, Gate, GatedProgress};
 use crate::nc::{self, Stmt};
 use crate::text::{Diagnostic, Place};
 
@@ -155,8 +155,8 @@ impl Debugger {
     pub fn advance(&mut self, points: &mut Breakpoints, until: f64, budget: usize) -> Option<Stop> {
         let gate = &mut self.gate;
         let gate = &mut |t: f64, interp: &Interp, world: &mut dyn World| gate.answer(points, t, interp, world);
-        let (progress, shut) = self.run.advance_to(until, budget, gate);
-        if shut { self.gate.stop.take() } else { progress.ended.map(Stop::Ended) }
+        let GatedProgress { progress, is_shut } = self.run.advance_to(until, budget, gate);
+        if is_shut { self.gate.stop.take() } else { progress.ended.map(Stop::Ended) }
     }
 
     /// Machine time in seconds.

@@ -260,8 +260,8 @@ impl ViewBench {
         pause(100).await;
         page.player.settle();
         until(move || {
-            let (planned, over) = page.player.planned.get_untracked();
-            planned > 4.0 || over
+            let planned = page.player.planned.get_untracked();
+            planned.end > 4.0 || planned.is_over
         })
         .await;
         self.drawn().await;

@@ -34,8 +34,8 @@ pub(crate) fn Header() -> impl IntoView {
                             {t("page.store-here")}
                         </button>
                     </Show>
-                    <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
-                    <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
+                    <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.undoable.get().undo) press=move || page.undo() />
+                    <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.undoable.get().redo) press=move || page.redo() />
                     <ProjectsButton />
                     <NewButton />
                     <OpenButton />

@@ -433,6 +433,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
+    use crate::ui::state::history::Undoable;
     use crate::ui::testing::{
         ViewBench, event, first_project, mount, mount_project, new_tab, pause, project, settled, until,
     };
@@ -579,7 +580,7 @@ mod tests {
         let visit = load();
         let bench = mount_project(visit.project.unwrap(), || ()).await;
         keep(bench.page, visit.stored);
-        assert_eq!(bench.page.can.get_untracked(), (true, false));
+        assert_eq!(bench.page.undoable.get_untracked(), Undoable { undo: true, redo: false });
         bench.page.undo();
         assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
     }

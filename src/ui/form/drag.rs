@@ -177,7 +177,7 @@ mod tests {
             assert_eq!(bench.setting("pitch"), Some(Value::Number(7.0)));
             bench.page.undo();
             assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
-            assert!(!bench.page.can.get_untracked().0);
+            assert!(!bench.page.undoable.get_untracked().undo);
         }
     }
 
@@ -207,7 +207,7 @@ mod tests {
         send(&bench, "label", "pointerdown", 10.0, false).await;
         send(&bench, "label", "pointermove", 12.0, false).await;
         send(&bench, "label", "pointerup", 12.0, false).await;
-        assert!(!bench.page.can.get_untracked().0);
+        assert!(!bench.page.undoable.get_untracked().undo);
         bench.press("label").await;
         assert_eq!(document().active_element().unwrap().id(), "pitch");
     }

@@ -126,7 +126,8 @@ mod tests {
         let player = bench.page.player;
         let end = move || player.ask_planner(|run| run.timeline().end());
         // The run is planned whole again, and the page shows it.
-        until(move || player.planned.get_untracked().1 && end() == Some(player.planned.get_untracked().0)).await;
+        until(move || player.planned.get_untracked().is_over && end() == Some(player.planned.get_untracked().end))
+            .await;
     }
 
     #[wasm_bindgen_test]

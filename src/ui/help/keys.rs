@@ -89,6 +89,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::ui::state::history::Undoable;
     use crate::ui::testing::{event, mount};
 
     fn key(key: &str) -> KeyboardEvent {
@@ -140,9 +141,9 @@ mod tests {
         page.set("pitch", crate::machines::form::Value::Number(9.0));
         assert!(!press(page, &key("?")) && !page.view.helping.get_untracked());
         assert!(press(page, &control_key("z", false)));
-        assert_eq!(page.can.get_untracked(), (false, true));
+        assert_eq!(page.undoable.get_untracked(), Undoable { undo: false, redo: true });
         assert!(press(page, &control_key("Z", true)));
-        assert_eq!(page.can.get_untracked(), (true, false));
+        assert_eq!(page.undoable.get_untracked(), Undoable { undo: true, redo: false });
         crate::ui::testing::settled().await;
     }
 

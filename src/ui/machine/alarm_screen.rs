@@ -37,11 +37,11 @@ struct ScreenText {
 fn screen_text(page: Page) -> Option<ScreenText> {
     let player = page.player;
     let at_once = page.outlook.stopped.with(Option::is_some);
-    let (planned, over) = player.planned.get();
-    let at_end = over && player.now.with(|now| now.t) >= planned;
+    let planned = player.planned.get();
+    let at_end = planned.is_over && player.now.with(|now| now.t) >= planned.end;
     match player.ended.get().filter(|_| at_once || at_end) {
         Some(RunEnd::Alarm(alarm)) => Some(of_alarm(page, &alarm, at_once)),
-        Some(RunEnd::Stop) => of_stop(page, planned, at_once),
+        Some(RunEnd::Stop) => of_stop(page, planned.end, at_once),
         _ => player.message.get().map(|headline| ScreenText {
             tone: Tone::Info,
             translation: of_program(&headline),
@@ -117,7 +117,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> ScreenText {
 /// Variables that a text names, with meaning and value at the end of the run.
 fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
     let control = page.project.with(|project| project.control);
-    let end = page.player.planned.get().0;
+    let end = page.player.planned.get().end;
     let names = |number| text.split_whitespace().any(|word| word == control.variable(number));
     let row = |MachineVariable { number, label, unit }: MachineVariable| {
         let value = page.player.ask_planner(|planner| run::shown(planner, control, number, end)).flatten();
@@ -184,7 +184,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
 /// Place of the operator's emergency stop that ended the run, in the list of actions.
 fn emergency_stop(page: Page) -> Option<usize> {
     let ended = page.player.now.with(|now| now.mode == Mode::EmergencyStop);
-    let (at, _) = page.player.planned.get();
+    let at = page.player.planned.get().end;
     let is_stop = |event: &Event| event.action == Action::EmergencyStop && event.t <= at;
     page.project.with(|project| project.panel.events().iter().rposition(is_stop)).filter(|_| ended)
 }
@@ -296,8 +296,8 @@ mod tests {
         let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
         bench.run().await;
         let player = bench.page.player;
-        until(move || player.planned.get_untracked().1).await;
-        bench.seek(player.planned.get_untracked().0).await;
+        until(move || player.planned.get_untracked().is_over).await;
+        bench.seek(player.planned.get_untracked().end).await;
         bench.drawn().await;
         assert_eq!(bench.text("h2"), t("size.hold"));
         assert!(bench.text(".alarm-screen p").starts_with("The loop is at its longest limit of 20 mm"));

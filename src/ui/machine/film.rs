@@ -228,7 +228,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn wheel_zooms_about_the_pointer_and_double_click_goes_back() {
         let bench = film().await;
-        until(|| bench.page.player.planned.get_untracked().1).await;
+        until(|| bench.page.player.planned.get_untracked().is_over).await;
         bench.drawn().await;
         let (from, to) = ends(&bench);
         at_middle(&bench, "PointerEvent", "pointermove", &[]).await;

@@ -161,8 +161,8 @@ pub(super) fn Marks(
     };
     // The end of a run that is over: its time and place.
     let end = move || {
-        let (planned, over) = page.player.planned.get();
-        Some((planned, place(planned).filter(|_| over)?))
+        let planned = page.player.planned.get();
+        Some((planned.end, place(planned.end).filter(|_| planned.is_over)?))
     };
     let shown = Memo::new(move |_| {
         let mut symbols: Vec<f64> =
@@ -208,6 +208,7 @@ mod tests {
 
     use super::*;
     use crate::project::Project;
+    use crate::ui::state::player::PlannedPart;
     use crate::ui::testing::{ViewBench, mount, mount_project, settled, until};
 
     fn rows(rows: &[(f64, &str, u8)]) -> Vec<Named> {
@@ -262,8 +263,8 @@ mod tests {
         let (bench, axis) = marks().await;
         bench.run().await;
         let player = bench.page.player;
-        until(move || player.planned.get_untracked().1).await;
-        axis.set((0.0, bench.page.player.planned.get_untracked().0));
+        until(move || player.planned.get_untracked().is_over).await;
+        axis.set((0.0, bench.page.player.planned.get_untracked().end));
         bench.drawn().await;
         let titles: Vec<String> = bench.all(".event").iter().filter_map(|mark| mark.get_attribute("title")).collect();
         for words in ["M3", t("ribbon.first-dot"), "M5", t("page.mark-end")] {
@@ -281,8 +282,8 @@ mod tests {
         let bench = mount_project(lathe, move || view! { <Marks axis=axis /> }).await;
         bench.run().await;
         let player = bench.page.player;
-        until(move || player.planned.get_untracked().1).await;
-        axis.set((0.0, player.planned.get_untracked().0));
+        until(move || player.planned.get_untracked().is_over).await;
+        axis.set((0.0, player.planned.get_untracked().end));
         bench.drawn().await;
         let titles: Vec<String> = bench.all(".event").iter().filter_map(|mark| mark.get_attribute("title")).collect();
         let passes: Vec<&str> = titles.iter().filter_map(|title| Some(title.split_once(": ")?.1)).collect();
@@ -299,10 +300,10 @@ mod tests {
     #[wasm_bindgen_test]
     async fn end_is_marked_only_when_the_run_is_over() {
         let (bench, _) = marks().await;
-        bench.page.player.planned.set((8.0, false));
+        bench.page.player.planned.set(PlannedPart { end: 8.0, is_over: false });
         settled().await;
         assert!(!bench.has(".mark.end"));
-        bench.page.player.planned.set((8.0, true));
+        bench.page.player.planned.set(PlannedPart { end: 8.0, is_over: true });
         settled().await;
         assert_eq!(bench.style(".mark.end", "--at"), "80");
     }

@@ -174,7 +174,7 @@ fn mark_causes(page: Page, host: NodeRef<html::Div>) {
 
 /// The reason why the run is over, at its end; alarms and messages of the program have a screen of their own.
 fn why(page: Page) -> String {
-    let (at, (planned, _)) = (page.player.now.with(|now| now.t), page.player.planned.get());
+    let (at, planned) = (page.player.now.with(|now| now.t), page.player.planned.get().end);
     match page.player.ended.get().filter(|_| at >= planned) {
         Some(RunEnd::Alarm(_)) | None => String::new(),
         Some(RunEnd::Stop) if page.player.message.with(Option::is_some) => String::new(),

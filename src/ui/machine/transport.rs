@@ -8,7 +8,7 @@ use crate::ui::parts::input::{Choice, number};
 use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
 use crate::ui::state::planning::HORIZON;
-use crate::ui::state::player::SPEEDS;
+use crate::ui::state::player::{PlannedPart, SPEEDS};
 use crate::ui::words::{clock, sentence, speed_text, t};
 
 /// The transport.
@@ -66,8 +66,8 @@ fn Clock() -> impl IntoView {
         }
     });
     let total = move || match player.planned.get() {
-        (planned, false) if planned >= HORIZON => format!("> {}", clock(planned)),
-        (planned, _) => clock(planned),
+        PlannedPart { end, is_over: false } if end >= HORIZON => format!("> {}", clock(end)),
+        PlannedPart { end, .. } => clock(end),
     };
     view! {
         <span class="time">

@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(bench.setting("heads"), Some(crate::machines::form::Value::Number(7.0)));
         bench.page.undo();
         assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(8.0)));
-        assert!(!bench.page.can.get_untracked().0);
+        assert!(!bench.page.undoable.get_untracked().undo);
     }
 
     #[wasm_bindgen_test]

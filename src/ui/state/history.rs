@@ -33,6 +33,13 @@ impl Step {
 /// Milliseconds within which changes of one field are one step.
 const ONE_STEP: f64 = 1000.0;
 
+/// Whether undo and redo have something to do.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Undoable {
+    pub undo: bool,
+    pub redo: bool,
+}
+
 /// Projects before and after the present one.
 #[derive(Default)]
 pub(crate) struct History {
@@ -80,8 +87,8 @@ impl History {
     }
 
     /// Whether there is a step back and a step forth.
-    pub(crate) fn can(&self) -> (bool, bool) {
-        (!self.past.is_empty(), !self.future.is_empty())
+    pub(crate) fn undoable(&self) -> Undoable {
+        Undoable { undo: !self.past.is_empty(), redo: !self.future.is_empty() }
     }
 
     /// The newest steps as a text for the browser's store.
@@ -146,7 +153,7 @@ mod tests {
         let mut history = History::default();
         [0.0, 900.0, 1800.0].into_iter().for_each(|now| history.note(&named(&now.to_string()), "pitch", now));
         assert_eq!(history.back(project()).unwrap().name, "0");
-        assert_eq!(history.can(), (false, true));
+        assert_eq!(history.undoable(), Undoable { undo: false, redo: true });
     }
 
     #[wasm_bindgen_test]
@@ -180,7 +187,7 @@ mod tests {
         history.note(&named("first"), "", 0.0);
         assert_eq!(history.back(named("second")).unwrap().name, "first");
         history.note(&named("first"), "", 1.0);
-        assert_eq!(history.can(), (true, false));
+        assert_eq!(history.undoable(), Undoable { undo: true, redo: false });
         assert!(history.forth(project()).is_none());
     }
 
@@ -218,10 +225,10 @@ mod tests {
     #[wasm_bindgen_test]
     fn any_text_is_read_as_steps_or_none() {
         let good = steps_to_json([("a", project().to_json().as_str())], []);
-        assert_eq!(History::from_json(&good).can(), (true, false));
+        assert_eq!(History::from_json(&good).undoable(), Undoable { undo: true, redo: false });
         let broken = steps_to_json([("a", project().to_json().as_str()), ("b", "{")], []);
         for text in ["", "[]", "{}", "\u{0}", &good.replace("\"version\":1", "\"version\":9"), &broken] {
-            assert_eq!(History::from_json(text).can(), (false, false), "{text:.60}");
+            assert_eq!(History::from_json(text).undoable(), Undoable { undo: false, redo: false }, "{text:.60}");
         }
     }
 }

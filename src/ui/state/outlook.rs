@@ -63,7 +63,7 @@ impl Outlook {
         match mode {
             _ if self.stopped.with(Option::is_some) => CycleStart::StopsAtOnce,
             Mode::Alarm | Mode::EmergencyStop => CycleStart::AfterReset,
-            Mode::Stopped | Mode::Hold if at >= self.player.planned.get().0 && self.comes_back.get() => {
+            Mode::Stopped | Mode::Hold if at >= self.player.planned.get().end && self.comes_back.get() => {
                 CycleStart::ComesBack
             }
             _ => CycleStart::Acts,

@@ -8,7 +8,7 @@ use leptos::prelude::*;
 use super::begun::Begun;
 use super::entries::{Entries, of_field};
 use super::field_changes::FieldChanges;
-use super::history::History;
+use super::history::{History, Undoable};
 use super::notices::{Notice, Notices};
 use super::outlook::Outlook;
 use super::player::Player;
@@ -65,7 +65,7 @@ pub(crate) struct Page {
     /// Id of its control.
     pub control: Memo<&'static str>,
     /// Whether undo and redo have something to do.
-    pub can: RwSignal<(bool, bool)>,
+    pub undoable: RwSignal<Undoable>,
     /// Results of the machine's formulas.
     pub results: Results,
     /// The program.
@@ -101,7 +101,7 @@ impl Page {
         let page = Page {
             machine: Memo::new(move |_| project.with(|project| project.machine.id())),
             control: Memo::new(move |_| project.with(|project| project.control.id)),
-            can: RwSignal::new((false, false)),
+            undoable: RwSignal::new(Undoable::default()),
             results: Results {
                 errors: RwSignal::new_local(errors(&design)),
                 design: RwSignal::new_local(Rc::new(design)),
@@ -324,7 +324,7 @@ impl Page {
 
     /// Takes the steps of the last visit.
     pub(crate) fn take_steps(self, history: History) {
-        self.can.set(history.can());
+        self.undoable.set(history.undoable());
         self.history.set_value(history);
     }
 
@@ -404,7 +404,7 @@ impl Page {
         });
         self.project.set(after);
         self.project.with_untracked(|after| self.field_changes.notify(before, after));
-        self.can.set(self.history.with_value(History::can));
+        self.undoable.set(self.history.with_value(History::undoable));
         self.player.settle();
     }
 
@@ -414,7 +414,7 @@ impl Page {
         // Turning a knob is one step.
         let knob = if event.action.is_knob() { kind_name(&event.action, before.control) } else { String::new() };
         self.history.update_value(|history| history.note(&before, &knob, dom::now()));
-        self.can.set(self.history.with_value(History::can));
+        self.undoable.set(self.history.with_value(History::undoable));
         self.project.update(|project| {
             project.panel.act(event);
         });
@@ -501,9 +501,12 @@ mod tests {
         let bench = mount(|| ()).await;
         let page = bench.page;
         page.set("pitch", Value::Number(9.0));
-        assert_eq!(page.can.get_untracked(), (true, false));
+        assert_eq!(page.undoable.get_untracked(), Undoable { undo: true, redo: false });
         page.undo();
-        assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(8.0), (false, true)));
+        assert_eq!(
+            (number(page, "pitch"), page.undoable.get_untracked()),
+            (Value::Number(8.0), Undoable { undo: false, redo: true })
+        );
         page.redo();
         assert_eq!(number(page, "pitch"), Value::Number(9.0));
     }
@@ -516,17 +519,23 @@ mod tests {
             .into_iter()
             .for_each(|(id, value)| page.set(id, Value::Number(value)));
         page.travel(-2);
-        assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(9.0), (true, true)));
+        assert_eq!(
+            (number(page, "pitch"), page.undoable.get_untracked()),
+            (Value::Number(9.0), Undoable { undo: true, redo: true })
+        );
         assert_eq!(page.step_texts().map(|steps| steps.len()), [1, 2]);
         page.travel(9);
-        assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(10.0), (true, false)));
+        assert_eq!(
+            (number(page, "pitch"), page.undoable.get_untracked()),
+            (Value::Number(10.0), Undoable { undo: true, redo: false })
+        );
     }
 
     #[wasm_bindgen_test]
     async fn setting_the_same_value_is_no_step() {
         let bench = mount(|| ()).await;
         bench.page.set("pitch", Value::Number(8.0));
-        assert_eq!(bench.page.can.get_untracked(), (false, false));
+        assert_eq!(bench.page.undoable.get_untracked(), Undoable { undo: false, redo: false });
     }
 
     #[wasm_bindgen_test]

@@ -5,15 +5,22 @@ use std::time::Duration;
 use leptos::prelude::*;
 
 use super::edit_pace::SLOW;
-use super::player::{AHEAD, Player};
+use super::player::{AHEAD, PlannedPart, Player};
 use super::put::put;
-use crate::motion::{Budget, Retention, RunEnd};
+use crate::motion::{Budget, PlanProgress, Retention};
 use crate::project::Project;
 use crate::project::debug::Goal;
 use crate::project::program::Written;
 use crate::project::run::{self, Run, RunOptions};
 use crate::text::Diagnostic;
 use crate::ui::dom;
+
+/// A slice of planning.
+struct PlanSlice {
+    progress: PlanProgress,
+    /// Whether there is more to plan.
+    more: bool,
+}
 
 /// Milliseconds of planning in one slice.
 const SLICE: f64 = 6.0;
@@ -119,7 +126,7 @@ impl Player {
 
     /// After a change of the run: steps again to the block before which the debugger had stopped.
     pub(super) fn replanned(self) {
-        let planned = self.planned.get_untracked().0;
+        let planned = self.planned.get_untracked().end;
         self.state.update_value(|state| state.expected = planned.max(state.expected));
         self.plans.update(|count| *count += 1);
         if self.end_stepping() {
@@ -149,35 +156,35 @@ impl Player {
         self.state.update_value(|state| {
             state.findings = state.planner.as_ref().map(|planner| planner.diagnostics().to_vec()).unwrap_or_default();
         });
-        let Some((planned, ended, more)) = advanced else { return false };
-        let over = ended.is_some();
+        let Some(PlanSlice { progress: PlanProgress { planned_to, ended }, more }) = advanced else { return false };
+        let planned = PlannedPart { end: planned_to, is_over: ended.is_some() };
         self.state.update_value(|state| {
-            if over || planned >= state.expected {
+            if planned.is_over || planned.end >= state.expected {
                 state.expected = 0.0;
             }
         });
         put(self.ended, ended);
-        if self.planned.get_untracked() != (planned, over) {
-            self.planned.set((planned, over));
+        if self.planned.get_untracked() != planned {
+            self.planned.set(planned);
             self.plans.update(|count| *count += 1);
         }
         more
     }
 
-    /// Plans without informing the page: planned time (s), why the run ended there, and whether there is more to plan.
-    fn advance_plan(self, until: f64, budget: f64) -> Option<(f64, Option<RunEnd>, bool)> {
+    /// Plans without informing the page; `None` without a run.
+    fn advance_plan(self, until: f64, budget: f64) -> Option<PlanSlice> {
         let begun = dom::now();
-        let progress = self.state.try_update_value(|state| {
+        let slice = self.state.try_update_value(|state| {
             let planner = state.planner.as_mut()?;
             loop {
                 let progress = planner.advance(until, STEPS);
                 let done = progress.ended.is_some() || progress.planned_to >= until;
                 if done || dom::now() - begun > budget {
-                    return Some((progress.planned_to, progress.ended, !done));
+                    return Some(PlanSlice { progress, more: !done });
                 }
             }
         });
-        progress.flatten()
+        slice.flatten()
     }
 
     /// Plans in slices between the frames, until the plan reaches its goal.

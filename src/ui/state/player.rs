@@ -76,8 +76,8 @@ pub(crate) struct Player {
     pub message: RwSignal<Option<String>>,
     /// The block that runs at the play head.
     pub running: RwSignal<Option<Place>>,
-    /// Seconds that are planned, and whether the run is over there.
-    pub planned: RwSignal<(f64, bool)>,
+    /// The part of the run that is planned.
+    pub planned: RwSignal<PlannedPart>,
     /// Reason why the run is over, once the plan has reached its end.
     pub ended: RwSignal<Option<RunEnd>, LocalStorage>,
     /// Seconds shown by film and charts; 0 is the whole plan.
@@ -90,6 +90,15 @@ pub(crate) struct Player {
     pub changed: RwSignal<String>,
     /// The debugger.
     pub stepper: RwSignal<Stepper, LocalStorage>,
+}
+
+/// The part of a run that is planned.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct PlannedPart {
+    /// Its end, in seconds.
+    pub end: f64,
+    /// Whether the run is over there.
+    pub is_over: bool,
 }
 
 /// A chosen part of the time axis.
@@ -158,7 +167,7 @@ impl Player {
             activity: RwSignal::new(None),
             message: RwSignal::new(None),
             running: RwSignal::new(None),
-            planned: RwSignal::new((0.0, false)),
+            planned: RwSignal::new(PlannedPart::default()),
             ended: RwSignal::new_local(None),
             window: RwSignal::new(0.0),
             zoom: RwSignal::new(None),
@@ -233,8 +242,8 @@ impl Player {
 
     /// Whether the play head is at the end of a finished run.
     pub(crate) fn at_end(self) -> bool {
-        let (planned, ended) = self.planned.get_untracked();
-        ended && self.head() >= planned
+        let planned = self.planned.get_untracked();
+        planned.is_over && self.head() >= planned.end
     }
 
     /// Goes to the next time at which a block within a place begins; from the end of the run to the first one.
@@ -307,7 +316,7 @@ impl Player {
 
     /// The charts of the whole plan, for a file.
     pub(crate) fn all_charts(self, points: usize) -> Vec<Chart> {
-        self.charts(0.0..=self.planned.get_untracked().0, points)
+        self.charts(0.0..=self.planned.get_untracked().end, points)
     }
 
     /// The drawing at the play head, as a picture of its own.
@@ -338,7 +347,7 @@ impl Player {
 
     /// Shows a part of the time axis, `factor` times as long, in which the time `about` stays at its place; the whole again where that is less.
     pub(crate) fn zoom_by(self, factor: f64, about: f64) {
-        let (head, planned) = (self.now.with_untracked(|now| now.t), self.planned.get_untracked().0);
+        let (head, planned) = (self.now.with_untracked(|now| now.t), self.planned.get_untracked().end);
         let (from, to) = self.axis(head, planned);
         let span = ((to - from) * factor).max(LEAST);
         let zoom = (span < planned).then(|| {
@@ -380,7 +389,7 @@ impl Player {
             }
             if self.at_end() {
                 let waits = self.ended.with_untracked(|end| matches!(end, Some(RunEnd::Stop | RunEnd::Alarm(_))));
-                if !waits && self.repeat.get_untracked() && self.planned.get_untracked().0 > 0.0 {
+                if !waits && self.repeat.get_untracked() && self.planned.get_untracked().end > 0.0 {
                     self.seek(0.0);
                 } else {
                     // What the operator does next counts from here: the run does not begin anew by itself.
@@ -422,21 +431,21 @@ impl Player {
             passed
         });
         let head = self.play_to(from, from + passed.unwrap_or_default() / 1000.0 * speed);
-        if head > self.planned.get_untracked().0 {
+        if head > self.planned.get_untracked().end {
             self.plan_in_frame();
         }
-        let (planned, ended) = self.planned.get_untracked();
+        let PlannedPart { end: planned, is_over } = self.planned.get_untracked();
         // At a breakpoint the play head may be ahead of the plan.
         let most = if self.playing.get_untracked() { planned.max(from) } else { head };
         self.state.update_value(|state| state.head = head.min(most));
-        if ended { f64::INFINITY } else { planned - head }
+        if is_over { f64::INFINITY } else { planned - head }
     }
 
     /// Writes the moment at the play head into the page. Charts and readouts follow some times a second, and pause while only the play head's
     /// time is planned.
     pub(super) fn show(self) {
         let time = dom::now();
-        let (planned, _) = self.planned.get_untracked();
+        let planned = self.planned.get_untracked().end;
         let playing = self.playing.get_untracked();
         let speed = self.speed_now();
         // A machine that stands on the page is sharp.
