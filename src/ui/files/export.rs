@@ -148,14 +148,14 @@ fn TitleBlockFields() -> impl IntoView {
     ];
     let row = |(label, entry): (&'static str, Entry)| {
         let value = move || page.project.with(|project| entry(&mut project.title_block.clone()).clone());
-        let change = move |text| page.edit("", |project| *entry(&mut project.title_block) = text);
+        let change = move |text| page.edit(|project| *entry(&mut project.title_block) = text);
         view! { <TitleBlockEntry label value change /> }
     };
     // Another machine may have no customer.
     let has_customer = Memo::new(move |_| page.project.with(|project| project.customer().is_some()));
     let customer = move || {
         let value = move || page.project.with(|project| project.customer().unwrap_or_default().to_owned());
-        let change = move |text: String| page.edit("", |project| project.set_customer(&text));
+        let change = move |text: String| page.edit(|project| project.set_customer(&text));
         has_customer.get().then(|| view! { <TitleBlockEntry label="form.customer" value change /> })
     };
     let in_program = move || {

@@ -12,8 +12,8 @@ use crate::controls;
 use crate::machines;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::{ContrastButton, Glyph, IconButton, LanguageButtons, Later, LengthsButton, ThemeButton};
-use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
+use crate::ui::state::{EditKey, Page};
 use crate::ui::words::t;
 use crate::ui::worker::client::Client;
 
@@ -114,7 +114,7 @@ fn ControlPicker() -> impl IntoView {
     };
     let choose = move |id: String| {
         if let Some(control) = controls::find(&id) {
-            page.edit("", |project| project.move_to(control));
+            page.edit(|project| project.move_to(control));
         }
     };
     view! {
@@ -131,7 +131,7 @@ fn ProjectName() -> impl IntoView {
     let page = Page::here();
     let take = move |event| {
         let name: String = event_target_value(&event).chars().filter(|c| !c.is_control()).take(120).collect();
-        page.edit("name", |project| project.name = name);
+        page.edit_merged(EditKey::Name, |project| project.name = name);
     };
     let kept = move || t(page.view.kept.get().words());
     view! {

@@ -103,7 +103,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn version_is_not_taken_where_the_project_has_no_room() {
         let bench = announced(Kept::Yes).await;
-        bench.page.edit("", |project| project.name = "x".repeat(6_000_000));
+        bench.page.edit(|project| project.name = "x".repeat(6_000_000));
         let denied = WithoutHistory::new();
         press(&bench);
         drop(denied);
@@ -114,7 +114,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn version_is_taken_where_the_tab_keeps_the_project() {
         let bench = announced(Kept::Yes).await;
-        bench.page.edit("", |project| project.name = "x".repeat(6_000_000));
+        bench.page.edit(|project| project.name = "x".repeat(6_000_000));
         press(&bench);
         assert_eq!(TAKEN.get(), 1);
         assert!(dom::stored("macroline.project").is_none());

@@ -286,7 +286,7 @@ mod tests {
         let notice = bench.page.notices.list.get_untracked().pop().unwrap();
         assert!(notice.text.starts_with("note.txt"), "{}", notice.text);
         // The project has changed meanwhile.
-        bench.page.edit("", |project| project.name = "Order 7".to_owned());
+        bench.page.edit(|project| project.name = "Order 7".to_owned());
         notice.offer.unwrap().1.run(());
         assert!(bench.page.program.text(0).starts_with("Hello"));
         assert_eq!(bench.page.project.with_untracked(|project| project.name.clone()), "Order 7");

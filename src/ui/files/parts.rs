@@ -29,7 +29,7 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
                 .notify(Tone::Info, sentence(&msg!("page.more-of-parts", count = (remarks.len() - NAMED) as u32)));
         }
         let Some(read) = Project::from_json(&project).project.filter(|_| added > 0) else { return };
-        page.edit("", |project| project.parts = read.parts);
+        page.edit(|project| project.parts = read.parts);
         page.view.tab.set(Tab::Sizing);
         page.notices.announce(sentence(&msg!("page.parts-added", count = added)));
     };

@@ -348,7 +348,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     let by_link = replaced.is_some();
     let mut steps = remembered(STEPS).filter(|_| !occupied).map(|steps| History::from_json(&steps)).unwrap_or_default();
     if let Some(before) = replaced {
-        steps.note(&before, "", dom::now());
+        steps.note(&before, None, dom::now());
     }
     page.take_steps(steps);
     let is_carried = carried(PROJECT).is_some();
@@ -433,6 +433,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
+    use crate::ui::state::EditKey;
     use crate::ui::state::history::Undoable;
     use crate::ui::testing::{
         ViewBench, event, first_project, mount, mount_project, new_tab, pause, project, settled, until,
@@ -529,7 +530,7 @@ mod tests {
             // With steps in the store the project would be stored in their space.
             dom::forget(STEPS);
             fill();
-            bench.page.edit("name", |project| project.name = "Order 7 ".repeat(12));
+            bench.page.edit_merged(EditKey::Name, |project| project.name = "Order 7 ".repeat(12));
             until(move || bench.page.view.kept.get_untracked() == Kept::No).await;
             shelf::keep_present(bench.page).await.unwrap();
             let latest = bench.page.project.get_untracked();
@@ -554,7 +555,7 @@ mod tests {
         stored_soon(bench.page).await;
         dom::forget(STEPS);
         fill();
-        bench.page.edit("name", |project| project.name = "Order 7 ".repeat(12));
+        bench.page.edit_merged(EditKey::Name, |project| project.name = "Order 7 ".repeat(12));
         until(move || bench.page.view.kept.get_untracked() == Kept::No).await;
         let latest = bench.page.project.get_untracked();
         drop(bench);

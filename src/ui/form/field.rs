@@ -14,7 +14,7 @@ use crate::math;
 use crate::text::{headed, number, units};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
-use crate::ui::state::{Page, of_field};
+use crate::ui::state::{EditKey, Page, of_field};
 use crate::ui::words::{sentence_with_hints, t};
 
 /// A field with label, unit, error, help and the origin of its value; a product field also with a slider.
@@ -179,7 +179,7 @@ fn TypedInput(
             Ok(value) => page.set(id, value),
             Err(problem) => {
                 if let Some(before) = before.get_value() {
-                    page.edit(id, |project| drop(project.values.insert(id.to_owned(), before)));
+                    page.edit_merged(EditKey::Field(id), |project| drop(project.values.insert(id.to_owned(), before)));
                 }
                 page.entries.refuse(id, *problem);
             }
@@ -316,7 +316,7 @@ mod tests {
     async fn symbol_is_spelled_as_the_control_spells_it() {
         let bench = mounted("pitch").await;
         let control = crate::controls::find(crate::machines::ALL[0].controls()[2]).unwrap();
-        bench.page.edit("", |project| project.move_to(control));
+        bench.page.edit(|project| project.move_to(control));
         settled().await;
         assert_eq!(bench.text("label small"), control.variable(107));
     }

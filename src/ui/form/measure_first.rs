@@ -128,7 +128,7 @@ mod tests {
         let found = Rc::new(Cell::new(None));
         let facts = Rc::clone(&found);
         let bench = mount(move || facts.set(Some(decisive_facts()))).await;
-        bench.page.edit("", |project| project.name = "Changed".to_owned());
+        bench.page.edit(|project| project.name = "Changed".to_owned());
         pause(600).await;
         assert!(found.get().unwrap().get_untracked().is_empty());
     }
@@ -165,7 +165,7 @@ mod tests {
         .await;
         let found = found.get().unwrap();
         for name in ["First", "Last"] {
-            bench.page.edit("", |project| project.name = name.to_owned());
+            bench.page.edit(|project| project.name = name.to_owned());
             settled().await;
         }
         assert!(found.get_untracked().is_empty(), "a change asks for nothing at once");

@@ -12,8 +12,8 @@ use crate::msg;
 use crate::project::operator::{in_steps, name, time_step};
 use crate::text::number::filled;
 use crate::ui::dom;
-use crate::ui::state::Page;
 use crate::ui::state::operator::{announce_action, change, event_at, place_after, remove};
+use crate::ui::state::{EditKey, Page};
 use crate::ui::words::{clock, t};
 
 /// Pixels before a press is a pull.
@@ -198,7 +198,7 @@ impl State {
         self.ended.set_value(moved.is_some());
         self.let_go();
         if let Some((at, seconds)) = moved {
-            self.put(at, seconds, "");
+            self.put(at, seconds, None);
         }
     }
 
@@ -209,7 +209,7 @@ impl State {
     }
 
     /// Gives an action another time; the focus stays on its mark.
-    fn put(self, at: usize, seconds: f64, key: &str) {
+    fn put(self, at: usize, seconds: f64, key: Option<EditKey>) {
         let Some(event) = event_at(self.page, at).map(|event| Event { t: seconds, ..event }) else { return };
         if let Some(to) = change(self.page, at, event.clone(), key) {
             announce_action(self.page, &event, |time, action| msg!("operator.at", time, action));
@@ -225,7 +225,7 @@ impl State {
         let by = |steps: f64| {
             if let Some(event) = event_at(self.page, at) {
                 // A mark may be moved beyond the end of the run; the plan is extended.
-                self.put(at, in_steps(event.t + steps * step, step), "operator");
+                self.put(at, in_steps(event.t + steps * step, step), Some(EditKey::ActionTime));
             }
         };
         match event.key().as_str() {

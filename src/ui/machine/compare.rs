@@ -352,6 +352,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
+    use crate::ui::state::EditKey;
     use crate::ui::testing::{ViewBench, mount, project, settled, until};
     use crate::ui::worker::documents;
 
@@ -382,10 +383,10 @@ mod tests {
         let bench = dialog().await;
         for pitch in [8.0, 9.0] {
             bench.page.set("pitch", Value::Number(pitch));
-            bench.page.edit("", |project| _ = project.keep_variant(""));
+            bench.page.edit(|project| _ = project.keep_variant(""));
         }
         bench.page.set("pitch", Value::Number(7.0));
-        bench.page.edit("name", |project| project.name = "Order 8".to_owned());
+        bench.page.edit_merged(EditKey::Name, |project| project.name = "Order 8".to_owned());
         bench.page.view.compared.set(Some(Compared::Variant(at)));
         settled().await;
         bench
@@ -435,7 +436,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn variant_beside_an_edited_program_has_its_own() {
         let bench = compared_with_variant(0).await;
-        bench.page.edit("", |project| project.edited = Some(project.written().files.clone()));
+        bench.page.edit(|project| project.edited = Some(project.written().files.clone()));
         let both = bench.page.project.with_untracked(|project| {
             project
                 .each_variant()

@@ -172,7 +172,7 @@ fn Value(
             Some(Event { action, ..present })
         });
         if let Some(turned) = turned {
-            change(list.page, at, turned, "");
+            change(list.page, at, turned, None);
         }
     };
     move || {
@@ -260,7 +260,7 @@ impl RowList {
         if column == "time" {
             // The key or press that confirmed the entry moves the focus first; the rows move after that.
             set_timeout(move || self.move_row(at, &present, event, &input), Duration::ZERO);
-        } else if change(self.page, at, event, "").is_some() {
+        } else if change(self.page, at, event, None).is_some() {
             self.write(at, column, &input);
         }
     }
@@ -279,7 +279,7 @@ impl RowList {
             return;
         }
         let had_focus = focused();
-        let Some(to) = change(self.page, at, event, "") else { return };
+        let Some(to) = change(self.page, at, event, None) else { return };
         self.write(at, "time", input);
         if let Some((row, column)) = had_focus.filter(|_| to != at) {
             self.focus(place_after(row, (at, to)), &column);
@@ -407,7 +407,7 @@ pub(super) mod tests {
             view! { <div style="height:360px;overflow:hidden;display:grid"><OperatorList /></div> }
         })
         .await;
-        bench.page.edit("", |project| project.panel = panel);
+        bench.page.edit(|project| project.panel = panel);
         settled().await;
         bench
     }
@@ -477,7 +477,7 @@ pub(super) mod tests {
         assert!(bench.text("#hand-list-reason").is_empty() && !bench.has("[aria-invalid]"));
         bench.choose(&selector(0, "time"), "soon").await;
         assert_eq!(bench.text("#hand-list-reason"), t("operator.time-from-0"));
-        bench.page.edit("", |project| drop(project.panel.remove(0)));
+        bench.page.edit(|project| drop(project.panel.remove(0)));
         settled().await;
         assert!(
             !bench.has("[aria-invalid]") && bench.text("#hand-list-reason").is_empty(),

@@ -293,7 +293,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn state_of_a_program_with_an_error_is_never_running() {
         let bench = stage().await;
-        bench.page.edit("", |project| project.edited = project.listing());
+        bench.page.edit(|project| project.edited = project.listing());
         bench.run().await;
         bench.page.player.playing.set(true);
         bench.drawn().await;

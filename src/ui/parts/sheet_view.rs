@@ -61,7 +61,7 @@ mod tests {
             }
         })
         .await;
-        bench.page.edit("", |project| project.name = "Customer".to_owned());
+        bench.page.edit(|project| project.name = "Customer".to_owned());
         settled().await;
         assert_eq!(bench.text("b"), "Customer");
         assert_eq!(bench.text(".sheets + .sheets"), t("page.no-sheet"));
@@ -92,7 +92,7 @@ mod tests {
             view! { <SheetView sheets=follow_sheets(|sheets| sheets.plc) /> }
         })
         .await;
-        bench.page.edit("", |project| assert_eq!(project.keep_variant("A"), Some(0)));
+        bench.page.edit(|project| assert_eq!(project.keep_variant("A"), Some(0)));
         settled().await;
         assert_eq!((bench.text("b").as_str(), bench.attribute(".sheets", "aria-busy").as_str()), ("0", "false"));
     }

@@ -191,7 +191,7 @@ fn Tools(
         });
     };
     let paper = move |_| {
-        page.edit("", |project| project.edited = project.listing());
+        page.edit(|project| project.edited = project.listing());
         page.view.file.set(0);
         page.view.program.set(ProgramView::Listing);
         let told = t("page.paper-shown");
@@ -257,7 +257,7 @@ fn Detached() -> impl IntoView {
     let page = Page::here();
     let kept = RwSignal::new(false);
     let again = move |_| {
-        page.edit("", |project| project.edited = None);
+        page.edit(|project| project.edited = None);
         page.view.file.set(0);
         page.view.program.set(ProgramView::Listing);
     };
@@ -282,7 +282,7 @@ fn Detached() -> impl IntoView {
 fn Silenced() -> impl IntoView {
     let page = Page::here();
     let count = page.program.silenced;
-    let again = move |_| page.edit("", |project| project.silenced.clear());
+    let again = move |_| page.edit(|project| project.silenced.clear());
     view! {
         <Show when=move || { count.get() > 0 }>
             <p class="silenced">
@@ -309,7 +309,7 @@ fn press(page: Page, event: &MouseEvent) {
     if let (Some(diagnostic), Some(fix)) = (number("data-d"), number("data-fix")) {
         page.apply_fix(diagnostic, fix);
     } else if let Some(id) = attribute("data-silence") {
-        page.edit("", |project| project.silenced.push(id));
+        page.edit(|project| project.silenced.push(id));
     } else if let Some(id) = attribute("data-explain") {
         page.view.explain(id);
     } else if let Some(line) = number("data-l") {
@@ -411,7 +411,7 @@ mod tests {
     async fn silenced_findings_are_counted_and_shown_again() {
         let bench = tab().await;
         assert!(!bench.has(".silenced"));
-        bench.page.edit("", |project| project.silenced.push("some-warning".to_owned()));
+        bench.page.edit(|project| project.silenced.push("some-warning".to_owned()));
         settled().await;
         bench.page.program.silenced.set(2);
         settled().await;

@@ -17,7 +17,7 @@ use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::parts::{chart_figure, scene};
-use crate::ui::state::Page;
+use crate::ui::state::{EditKey, Page};
 use crate::ui::words::t;
 use crate::view::{Explorer, Knob, Readout};
 
@@ -104,7 +104,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     let choose = move |event: leptos::ev::MouseEvent| {
         if let Some(values) = listed(page, &event) {
             draft.set(None);
-            take(page, "", values);
+            take(page, None, values);
         }
     };
     view! {
@@ -149,7 +149,7 @@ fn Slider(
     let drop = move |_| {
         if let Some(values) = draft.get_untracked() {
             draft.set(None);
-            take(page, field, values);
+            take(page, Some(EditKey::Field(field)), values);
         }
     };
     view! {

@@ -9,7 +9,7 @@ use crate::text::catalog::Language;
 use crate::ui::parts::followed::follow_sheets;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::sheet_view::SheetView;
-use crate::ui::state::Page;
+use crate::ui::state::{EditKey, Page};
 use crate::ui::words::{Tone, t};
 
 /// The parameters tab.
@@ -51,7 +51,7 @@ fn CommentLanguage() -> impl IntoView {
     let chosen = Signal::derive(move || page.project.with(|project| project.comments.code().to_owned()));
     let take = move |code: String| {
         if let Some(language) = Language::of_code(&code) {
-            page.edit("", |project| project.comments = language);
+            page.edit(|project| project.comments = language);
         }
     };
     let row = move || {
@@ -82,7 +82,7 @@ fn SwitchRow(
     let take = move |chosen: String| {
         let chosen = chosen.trim().to_owned();
         if switch.takes(&chosen) {
-            page.edit(switch.id(), |project| project.switches.set(switch, &chosen));
+            page.edit_merged(EditKey::Switch(switch.id()), |project| project.switches.set(switch, &chosen));
         } else {
             page.notices.notify(Tone::Warn, t("page.not-a-setting").to_owned());
         }
@@ -122,11 +122,11 @@ mod tests {
     async fn language_of_comments_is_offered_where_the_control_shows_it() {
         let bench = parameters().await;
         let gsk = crate::controls::find("gsk-980tdc").unwrap();
-        bench.page.edit("", |project| project.move_to(gsk));
+        bench.page.edit(|project| project.move_to(gsk));
         settled().await;
         assert!(!bench.has(".comments"));
         let row = gsk.switch("comment-characters").unwrap();
-        bench.page.edit("", |project| project.switches.set(row, "utf-8"));
+        bench.page.edit(|project| project.switches.set(row, "utf-8"));
         settled().await;
         bench.choose(".comments select", "zh").await;
         let title = bench.page.program.written.with_untracked(|written| written.files.0[0].text.clone());
@@ -172,7 +172,7 @@ mod tests {
     async fn control_has_its_own_points() {
         let bench = parameters().await;
         let control = crate::controls::find(crate::machines::ALL[0].controls()[2]).unwrap();
-        bench.page.edit("", |project| project.move_to(control));
+        bench.page.edit(|project| project.move_to(control));
         settled().await;
         assert_eq!(bench.all(".switches tr").len(), control.switches.len());
     }

@@ -35,7 +35,7 @@ pub(crate) fn SizingTab() -> impl IntoView {
     );
     let choose = move |event: MouseEvent| {
         if let Some(values) = listed(page, &event) {
-            take(page, "", values);
+            take(page, None, values);
         } else if let Some(t) = moment(&event) {
             page.player.seek(t);
         }

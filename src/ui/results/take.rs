@@ -7,7 +7,7 @@ use web_sys::Element;
 
 use crate::machines::form::{FieldInfo, Values};
 use crate::project::Project;
-use crate::ui::state::Page;
+use crate::ui::state::{EditKey, Page};
 use crate::ui::words::t;
 
 /// Sets fields from their texts.
@@ -20,15 +20,15 @@ pub(super) fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIte
     }
 }
 
-/// Sets values in the form: a step of the history, merged with steps of the same key that follow at once.
-pub(super) fn take(page: Page, key: &str, values: Values) {
+/// Sets values in the form: a step of the history, merged with steps of the same key, if it has one, that follow at once.
+pub(super) fn take(page: Page, key: Option<EditKey>, values: Values) {
     // Invalid entries of these fields are dropped.
     let changed: Vec<FieldInfo> = page.project.with_untracked(|project| {
         let changed = |field: &FieldInfo| values.get(field.id) != project.values.get(field.id);
         project.machine.fields().into_iter().filter(changed).collect()
     });
     changed.iter().for_each(|field| page.entries.accept(field.id));
-    page.edit(key, |project| project.values = values);
+    page.edit_as(key, |project| project.values = values);
     page.notices.announce(t("page.taken"));
 }
 

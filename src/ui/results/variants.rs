@@ -149,7 +149,7 @@ fn head_of(variants: &[Variant]) -> String {
 /// Keeps the present settings under a name.
 fn keep(page: Page, name: &str) {
     let mut kept = None;
-    page.edit("", |project| {
+    page.edit(|project| {
         let at = project.keep_variant(name);
         kept = at.and_then(|at| project.variants.get(at)).map(|variant| variant.name.clone());
     });
@@ -168,13 +168,13 @@ fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
     } else if let Some(at) = place("data-take") {
         // Invalid entries of the form are dropped.
         page.entries.invalid.set(Vec::new());
-        page.edit("", |project| project.take_variant(at));
+        page.edit(|project| project.take_variant(at));
         page.entries.show_again();
         page.notices.announce(t("page.taken"));
     } else if let Some(at) = place("data-compare") {
         page.view.compared.set(Some(Compared::Variant(at)));
     } else if let Some(at) = place("data-remove") {
-        page.edit("", |project| project.drop_variant(at));
+        page.edit(|project| project.drop_variant(at));
         page.notices.announce(t("page.variant-removed"));
         // The pressed button, which had the focus, no longer exists.
         if let Some(field) = dom::by_id(NAME) {

@@ -1,7 +1,9 @@
 //! The steps of a project for undo and redo.
 
 use std::cell::OnceCell;
+use std::mem::Discriminant;
 
+use crate::motion::Action;
 use crate::project::Project;
 use crate::project::saved::{StepTexts, steps_from_json, steps_to_json};
 
@@ -33,6 +35,25 @@ impl Step {
 /// Milliseconds within which changes of one field are one step.
 const ONE_STEP: f64 = 1000.0;
 
+/// Changes of one kind; those of the same key that follow at once are one step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum EditKey {
+    /// Value of this field.
+    Field(&'static str),
+    /// Origin of this field's value.
+    Origin(&'static str),
+    /// Setting of this switch of the control.
+    Switch(&'static str),
+    /// Name of the project.
+    Name,
+    /// Text of the program.
+    Text,
+    /// Time of an action of the operator, moved by keys; without the place of the action in the list, which follows from the time.
+    ActionTime,
+    /// This knob of the operator's panel.
+    Knob(Discriminant<Action>),
+}
+
 /// Whether undo and redo have something to do.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Undoable {
@@ -45,34 +66,35 @@ pub(crate) struct Undoable {
 pub(crate) struct History {
     past: Vec<Step>,
     future: Vec<Step>,
-    key: String,
+    /// Key of the last change; `None` if the next one is another step in any case.
+    key: Option<EditKey>,
     at: f64,
     held: bool,
 }
 
 impl History {
     /// Notes a change at `now` milliseconds. Changes with the same key, if they have one, that follow at once are one step.
-    pub(crate) fn note(&mut self, before: &Project, key: &str, now: f64) {
-        if key.is_empty() || self.key != key || !self.held && now - self.at > ONE_STEP {
+    pub(crate) fn note(&mut self, before: &Project, key: Option<EditKey>, now: f64) {
+        if key.is_none() || self.key != key || !self.held && now - self.at > ONE_STEP {
             self.past.push(before.clone().into());
             if self.past.len() > STEPS {
                 self.past.remove(0);
             }
         }
-        key.clone_into(&mut self.key);
+        self.key = key;
         self.at = now;
         self.future.clear();
     }
 
     /// Keeps the step open while a value is dragged; the end of the drag begins another step.
     pub(crate) fn hold(&mut self, held: bool) {
-        self.key.clear();
+        self.key = None;
         self.held = held;
     }
 
     /// The project before this one.
     pub(crate) fn back(&mut self, present: Project) -> Option<Project> {
-        self.key.clear();
+        self.key = None;
         let back = self.past.pop()?;
         self.future.push(present.into());
         Some(back.project)
@@ -80,7 +102,7 @@ impl History {
 
     /// The project after this one, if a step was taken back.
     pub(crate) fn forth(&mut self, present: Project) -> Option<Project> {
-        self.key.clear();
+        self.key = None;
         let forth = self.future.pop()?;
         self.past.push(present.into());
         Some(forth.project)
@@ -130,6 +152,8 @@ mod tests {
     use super::*;
     use crate::ui::testing::project;
 
+    const PITCH: Option<EditKey> = Some(EditKey::Field("pitch"));
+
     fn named(name: &str) -> Project {
         let mut project = project();
         project.name = name.to_owned();
@@ -143,7 +167,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn history_keeps_a_hundred_steps() {
         let mut history = History::default();
-        (0..130).for_each(|at| history.note(&named(&at.to_string()), "", f64::from(at)));
+        (0..130).for_each(|at| history.note(&named(&at.to_string()), None, f64::from(at)));
         assert_eq!(history.back(project()).unwrap().name, "129");
         assert_eq!(steps_back(&mut history), 99);
     }
@@ -151,7 +175,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn changes_of_a_field_within_a_second_are_one_step() {
         let mut history = History::default();
-        [0.0, 900.0, 1800.0].into_iter().for_each(|now| history.note(&named(&now.to_string()), "pitch", now));
+        [0.0, 900.0, 1800.0].into_iter().for_each(|now| history.note(&named(&now.to_string()), PITCH, now));
         assert_eq!(history.back(project()).unwrap().name, "0");
         assert_eq!(history.undoable(), Undoable { undo: false, redo: true });
     }
@@ -159,34 +183,41 @@ mod tests {
     #[wasm_bindgen_test]
     fn change_after_more_than_a_second_is_another_step() {
         let mut history = History::default();
-        [0.0, 1001.0].into_iter().for_each(|now| history.note(&project(), "pitch", now));
+        [0.0, 1001.0].into_iter().for_each(|now| history.note(&project(), PITCH, now));
         assert_eq!(steps_back(&mut history), 2);
     }
 
     #[wasm_bindgen_test]
     fn held_step_takes_changes_of_any_time() {
         let mut history = History::default();
-        history.note(&project(), "pitch", 0.0);
+        history.note(&project(), PITCH, 0.0);
         history.hold(true);
-        [1.0, 5000.0, 90000.0].into_iter().for_each(|now| history.note(&project(), "pitch", now));
+        [1.0, 5000.0, 90000.0].into_iter().for_each(|now| history.note(&project(), PITCH, now));
         history.hold(false);
-        history.note(&project(), "pitch", 90001.0);
+        history.note(&project(), PITCH, 90001.0);
         assert_eq!(steps_back(&mut history), 3);
     }
 
     #[wasm_bindgen_test]
     fn change_of_another_field_is_another_step() {
         let mut history = History::default();
-        ["pitch", "heads", "pitch"].into_iter().for_each(|key| history.note(&project(), key, 0.0));
+        [PITCH, Some(EditKey::Field("heads")), PITCH].into_iter().for_each(|key| history.note(&project(), key, 0.0));
         assert_eq!(steps_back(&mut history), 3);
+    }
+
+    #[wasm_bindgen_test]
+    fn value_and_origin_of_a_field_are_two_steps() {
+        let mut history = History::default();
+        [PITCH, Some(EditKey::Origin("pitch"))].into_iter().for_each(|key| history.note(&project(), key, 0.0));
+        assert_eq!(steps_back(&mut history), 2);
     }
 
     #[wasm_bindgen_test]
     fn change_after_undo_removes_the_steps_forth() {
         let mut history = History::default();
-        history.note(&named("first"), "", 0.0);
+        history.note(&named("first"), None, 0.0);
         assert_eq!(history.back(named("second")).unwrap().name, "first");
-        history.note(&named("first"), "", 1.0);
+        history.note(&named("first"), None, 1.0);
         assert_eq!(history.undoable(), Undoable { undo: true, redo: false });
         assert!(history.forth(project()).is_none());
     }
@@ -194,7 +225,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn steps_are_the_same_after_a_way_through_the_store() {
         let mut history = History::default();
-        ["a", "b", "c"].into_iter().for_each(|name| history.note(&named(name), "", 0.0));
+        ["a", "b", "c"].into_iter().for_each(|name| history.note(&named(name), None, 0.0));
         assert_eq!(history.back(named("d")).unwrap().name, "c");
         let mut read = History::from_json(&history.to_json());
         assert_eq!(read.forth(named("c")).unwrap().name, "d");
@@ -205,8 +236,8 @@ mod tests {
     #[wasm_bindgen_test]
     fn stored_steps_keep_the_ids_of_their_projects() {
         let mut history = History::default();
-        history.note(&project().with_id(Some("p1".to_owned())), "", 0.0);
-        history.note(&named("b"), "", 1.0);
+        history.note(&project().with_id(Some("p1".to_owned())), None, 0.0);
+        history.note(&named("b"), None, 1.0);
         let mut read = History::from_json(&history.to_json());
         let mut back = || read.back(project()).unwrap().id;
         assert_eq!([back(), back()], [None, Some("p1".to_owned())]);
@@ -217,7 +248,7 @@ mod tests {
         let mut history = History::default();
         let mut large = named("large");
         large.edited = Some(crate::nc::Files::one("O1.nc", "X1.\n".repeat(STORED / 8)));
-        [&named("old"), &large, &large, &named("new")].into_iter().for_each(|step| history.note(step, "", 0.0));
+        [&named("old"), &large, &large, &named("new")].into_iter().for_each(|step| history.note(step, None, 0.0));
         let mut read = History::from_json(&history.to_json());
         assert_eq!(steps_back(&mut read), 2);
     }

@@ -36,5 +36,6 @@ mod work_spans;
 
 pub(crate) use begun::Begun;
 pub(crate) use entries::of_field;
+pub(crate) use history::EditKey;
 pub(crate) use page::Page;
 pub(crate) use put::put;

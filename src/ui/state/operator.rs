@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use super::Page;
+use super::{EditKey, Page};
 use crate::machines::MachineVariable;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
@@ -50,10 +50,11 @@ pub(crate) fn act(page: Page, action: Action) {
     });
 }
 
-/// Replaces an action at a place of the list; its new place. Changes with the same key that follow at once are one step of the history.
-pub(crate) fn change(page: Page, at: usize, event: Event, key: &str) -> Option<usize> {
+/// Replaces an action at a place of the list; its new place. Changes with the same key, if they have one, that follow at once are one step
+/// of the history.
+pub(crate) fn change(page: Page, at: usize, event: Event, key: Option<EditKey>) -> Option<usize> {
     let mut to = None;
-    page.edit(key, |project| to = project.panel.replace(at, event));
+    page.edit_as(key, |project| to = project.panel.replace(at, event));
     to
 }
 
@@ -63,7 +64,7 @@ pub(crate) fn add(page: Page, t: f64, action: Action) -> usize {
     // Rounded so that a time shown by the clock is kept in spite of its last bit.
     let event = Event { t: (t * CLOCK + 1e-6).floor() / CLOCK, action };
     announce_action(page, &event, |time, action| msg!("operator.added", time, action));
-    page.edit("", |project| at = project.panel.add(event));
+    page.edit(|project| at = project.panel.add(event));
     at
 }
 
@@ -72,12 +73,12 @@ pub(crate) fn remove(page: Page, at: usize) {
     if let Some(event) = event_at(page, at) {
         announce_action(page, &event, |time, action| msg!("operator.removed", time, action));
     }
-    page.edit("", |project| drop(project.panel.remove(at)));
+    page.edit(|project| drop(project.panel.remove(at)));
 }
 
 /// Removes all actions.
 pub(crate) fn clear(page: Page) {
-    page.edit("", |project| project.panel = Panel::default());
+    page.edit(|project| project.panel = Panel::default());
 }
 
 /// Shows the list of the actions with the focus on the last one before the play head, or hides the list.
@@ -126,7 +127,7 @@ pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     if !broken {
         let names = listed(files.iter().map(|file| file.name.clone()));
         let taken = sentence(&msg!("operator.taken", files = names, count = events.len() as u32));
-        page.edit("", |project| project.panel = Panel::new(events));
+        page.edit(|project| project.panel = Panel::new(events));
         page.notices.confirm(taken);
     }
 }

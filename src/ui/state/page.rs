@@ -1,6 +1,7 @@
 //! [`Page`]: one project with its history, and everything that follows from it.
 
 use std::collections::BTreeMap;
+use std::mem::discriminant;
 use std::rc::Rc;
 
 use leptos::prelude::*;
@@ -8,7 +9,7 @@ use leptos::prelude::*;
 use super::begun::Begun;
 use super::entries::{Entries, of_field};
 use super::field_changes::FieldChanges;
-use super::history::{History, Undoable};
+use super::history::{EditKey, History, Undoable};
 use super::notices::{Notice, Notices};
 use super::outlook::Outlook;
 use super::player::Player;
@@ -22,7 +23,6 @@ use crate::nc;
 use crate::project::Project;
 use crate::project::check::{FixChoice, with_run};
 use crate::project::dependence::fields_by_result;
-use crate::project::operator::kind_name;
 use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
@@ -162,8 +162,18 @@ impl Page {
         self.project.with_untracked(|project| project.control.written(text))
     }
 
-    /// Changes the project in a step of the history. Changes with the same key, if they have one, that follow at once are one step.
-    pub(crate) fn edit(self, key: &str, change: impl FnOnce(&mut Project)) {
+    /// Changes the project in a step of the history.
+    pub(crate) fn edit(self, change: impl FnOnce(&mut Project)) {
+        self.edit_as(None, change);
+    }
+
+    /// Changes the project in a step of the history, merged with steps of the same key that follow at once.
+    pub(crate) fn edit_merged(self, key: EditKey, change: impl FnOnce(&mut Project)) {
+        self.edit_as(Some(key), change);
+    }
+
+    /// Changes the project in a step of the history, merged with steps of the same key, if it has one, that follow at once.
+    pub(crate) fn edit_as(self, key: Option<EditKey>, change: impl FnOnce(&mut Project)) {
         let mut after = self.project.get_untracked();
         change(&mut after);
         let before = self.project.get_untracked();
@@ -209,7 +219,7 @@ impl Page {
             Some(self.program.written.with_untracked(|written| nc::fix(&written.files, fix)))
         });
         if let Some(files) = fixed {
-            self.edit("", |project| project.edited = Some(files));
+            self.edit(|project| project.edited = Some(files));
             self.notices.announce(t("page.mended"));
         }
     }
@@ -222,7 +232,7 @@ impl Page {
         let (found, written) = (self.program.findings.get_untracked(), self.program.written.get_untracked());
         let (files, count) = self.project.with_untracked(|project| project.with_fixes(&written.files, &found, choice));
         if count > 0 {
-            self.edit("", |project| project.edited = Some(files));
+            self.edit(|project| project.edited = Some(files));
             self.notices.confirm(sentence(&crate::msg!("page.mended-all", count = count as u32)));
         }
     }
@@ -234,7 +244,7 @@ impl Page {
             return;
         }
         let files = self.program.written.with_untracked(|written| written.files.clone());
-        self.edit("text", |project| {
+        self.edit_merged(EditKey::Text, |project| {
             let edited = project.edited.get_or_insert(files);
             if let Some(file) = edited.0.get_mut(at) {
                 file.text = text;
@@ -313,7 +323,7 @@ impl Page {
         self.entries.invalid.set(Vec::new());
         self.player.zoom.set(None);
         self.player.seek(0.0);
-        self.edit("", |present| *present = project);
+        self.edit(|present| *present = project);
         self.entries.show_again();
     }
 
@@ -412,8 +422,8 @@ impl Page {
     pub(crate) fn note(self, event: Event) {
         let before = self.project.get_untracked();
         // Turning a knob is one step.
-        let knob = if event.action.is_knob() { kind_name(&event.action, before.control) } else { String::new() };
-        self.history.update_value(|history| history.note(&before, &knob, dom::now()));
+        let knob = event.action.is_knob().then(|| EditKey::Knob(discriminant(&event.action)));
+        self.history.update_value(|history| history.note(&before, knob, dom::now()));
         self.undoable.set(self.history.with_value(History::undoable));
         self.project.update(|project| {
             project.panel.act(event);
@@ -423,14 +433,14 @@ impl Page {
     /// Sets a field of the form.
     pub(crate) fn set(self, id: &'static str, value: Value) {
         self.entries.accept(id);
-        self.edit(id, |project| {
+        self.edit_merged(EditKey::Field(id), |project| {
             project.values.insert(id.to_owned(), value);
         });
     }
 
     /// Takes entries of the form as they would be typed, in one step: id of each field and its text.
     pub(crate) fn take_entries(self, entries: &[(&'static str, String)]) {
-        self.edit("", |project| {
+        self.edit(|project| {
             if let Some(after) = project.with_entries(entries) {
                 *project = after;
             }
@@ -442,7 +452,7 @@ impl Page {
 
     /// Notes where the value of a field comes from.
     pub(crate) fn set_provenance(self, id: &'static str, from: Provenance) {
-        self.edit(id, |project| {
+        self.edit_merged(EditKey::Origin(id), |project| {
             if from == Provenance::default() {
                 project.provenance.remove(id);
             } else {

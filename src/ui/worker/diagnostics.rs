@@ -54,7 +54,7 @@ mod tests {
         bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
         settled().await;
         assert!(bench.page.program.reviewed.with_untracked(Option::is_none));
-        bench.page.edit("", |project| project.edited = project.listing());
+        bench.page.edit(|project| project.edited = project.listing());
         settled().await;
         assert_eq!(bench.page.program.reviewed.with_untracked(|found| found.as_ref().map(Vec::len)), Some(0));
         assert!(!bench.page.program.pending.get_untracked());

@@ -10,8 +10,8 @@ use super::super::{set_aside, shelf};
 use crate::msg;
 use crate::project::Project;
 use crate::ui::dom;
-use crate::ui::state::Page;
 use crate::ui::state::view::Compared;
+use crate::ui::state::{EditKey, Page};
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{BEFORE_VERSION, ListedProject, Request, Response, Shelf, ShelfState};
@@ -247,7 +247,7 @@ impl ProjectActions {
         let Some(state) = self.state(id) else { return };
         let name: String = typed.chars().filter(|c| !c.is_control()).take(120).collect();
         if self.page.project.with_untracked(|present| present.id.as_ref() == Some(&state.id)) {
-            self.page.edit("name", |project| project.name = name);
+            self.page.edit_merged(EditKey::Name, |project| project.name = name);
             return self.show();
         }
         let Some(project) = Project::from_json(&state.text).project else { return };
