@@ -443,8 +443,8 @@ struct Trial {
 
 impl Trial {
     /// Results and errors with other entries of the form; `None` if the form rejects one of them.
-    fn with(&self, sets: &[(&'static str, String)]) -> Option<(Vec<Readout>, usize)> {
-        let values = with_entries(&self.values, &self.machine.fields(), sets)?;
+    fn with(&self, entries: &[(&'static str, String)]) -> Option<(Vec<Readout>, usize)> {
+        let values = with_entries(&self.values, &self.machine.fields(), entries)?;
         let prepared =
             self.machine.prepare(&values, ControlContext { control: self.control, switches: &self.switches });
         let results = prepared.results();
@@ -514,7 +514,7 @@ impl PreparedMachine {
         for readout in &mut design.readouts {
             let (id, verdict) = (readout.id, readout.verdict);
             for mut advice in core::mem::take(&mut readout.advice) {
-                let trial = if advice.sets.is_empty() { None } else { self.trial.with(&advice.sets) };
+                let trial = if advice.entries.is_empty() { None } else { self.trial.with(&advice.entries) };
                 let after = trial.filter(|(readouts, left)| {
                     let after = readouts.iter().find(|readout| readout.id == id);
                     *left <= errors && after.map_or(Verdict::None, |readout| readout.verdict) < verdict

@@ -12,7 +12,7 @@ pub fn say(id: &'static str) -> String {
 
 /// A row with its evidence.
 pub fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
-    Row { cells: cells.into(), grade: cite.grade, source: cite.source, sets: Vec::new() }
+    Row { cells: cells.into(), grade: cite.grade, source: cite.source, entries: Vec::new() }
 }
 
 /// The value of a parameter of the control.

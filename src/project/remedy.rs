@@ -38,9 +38,9 @@ pub fn stops_at_once(project: &Project) -> bool {
 pub fn remedy(project: &Project) -> Option<Advice> {
     let design = project.design();
     let failed = design.readouts.into_iter().filter(|readout| readout.verdict == Verdict::Fail);
-    let of_results = failed.flat_map(|readout| readout.advice).filter(|advice| !advice.sets.is_empty());
+    let of_results = failed.flat_map(|readout| readout.advice).filter(|advice| !advice.entries.is_empty());
     let of_errors = design.diagnostics.iter().filter_map(|found| of_error(project, found));
-    let moves = |advice: &Advice| project.with_entries(&advice.sets).is_some_and(|after| !stops_at_once(&after));
+    let moves = |advice: &Advice| project.with_entries(&advice.entries).is_some_and(|after| !stops_at_once(&after));
     of_errors.chain(of_results).find(moves)
 }
 

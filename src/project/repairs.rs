@@ -28,7 +28,7 @@ pub fn ways(project: &Project) -> Vec<RepairWay> {
     let before = Trial::of(project.clone());
     let first = found_after(before.clone(), Vec::new());
     let others = before.offered().into_iter().filter_map(|remedy| {
-        let after = Trial::of(project.with_entries(&remedy.sets)?);
+        let after = Trial::of(project.with_entries(&remedy.entries)?);
         let is_sound = after.faults.failing < before.faults.failing && after.faults.errors <= before.faults.errors;
         is_sound.then(|| found_after(after, vec![remedy]))
     });
@@ -53,7 +53,7 @@ pub fn ways(project: &Project) -> Vec<RepairWay> {
 
 /// The fields that changes enter.
 fn fields(changes: &[Repair]) -> BTreeSet<&'static str> {
-    changes.iter().flat_map(|change| &change.sets).map(|(field, _)| *field).collect()
+    changes.iter().flat_map(|change| &change.entries).map(|(field, _)| *field).collect()
 }
 
 /// Greedy search: takes the remedy after which the fewest results fail, then the fewest warn; of equals the first in the order of the results.
@@ -72,10 +72,12 @@ fn found_after(mut best: Trial, mut changes: Vec<Repair>) -> (Vec<Repair>, Trial
             fields.iter().any(|field| field.id == *id && field.essential && !field.role.is_fact())
         };
         let (of_product, of_machine): (Vec<Repair>, Vec<Repair>) =
-            best.offered().into_iter().partition(|repair| repair.sets.iter().any(essential));
+            best.offered().into_iter().partition(|repair| repair.entries.iter().any(essential));
         let Some((change, after)) = best.improved(of_machine).or_else(|| best.improved(of_product)) else { break };
         // A later entry of the same fields replaces the earlier one.
-        changes.retain(|earlier| !earlier.sets.iter().all(|(id, _)| change.sets.iter().any(|(other, _)| other == id)));
+        changes.retain(|earlier| {
+            !earlier.entries.iter().all(|(id, _)| change.entries.iter().any(|(other, _)| other == id))
+        });
         changes.push(change);
         best = after;
     }
@@ -128,7 +130,7 @@ impl Trial {
     /// The remedy after which the fewest faults are left, and the project with it; `None` if no remedy makes fewer results fail.
     fn improved(&self, offered: Vec<Repair>) -> Option<(Repair, Trial)> {
         let tried = offered.into_iter().filter_map(|repair| {
-            let after = Trial::of(self.project.with_entries(&repair.sets)?);
+            let after = Trial::of(self.project.with_entries(&repair.entries)?);
             let is_better = after.faults.failing < self.faults.failing && after.faults.errors <= self.faults.errors;
             is_better.then_some((repair, after))
         });
@@ -141,8 +143,8 @@ impl Trial {
         let mut offered: Vec<Repair> = Vec::new();
         for advice in failing.flat_map(|readout| &readout.advice) {
             let Some(text) = advice.button.clone() else { continue };
-            if offered.iter().all(|other| other.sets != advice.sets) {
-                offered.push(Repair { text, sets: advice.sets.clone() });
+            if offered.iter().all(|other| other.entries != advice.entries) {
+                offered.push(Repair { text, entries: advice.entries.clone() });
             }
         }
         offered

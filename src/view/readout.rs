@@ -96,10 +96,10 @@ impl Limit {
 pub struct Advice {
     /// The sentence.
     pub message: Message,
-    /// Short text of the remedy for a button; `None` if `sets` is empty.
+    /// Short text of the remedy for a button; `None` if `entries` is empty.
     pub button: Option<Message>,
     /// Id of each field that the remedy changes, and its new text; empty if the form cannot carry it out.
-    pub sets: Vec<(&'static str, String)>,
+    pub entries: Vec<(&'static str, String)>,
 }
 
 impl Advice {
@@ -107,9 +107,9 @@ impl Advice {
     pub fn setting<E: Into<(&'static str, String)>>(
         self,
         button: Message,
-        sets: impl IntoIterator<Item = E>,
+        entries: impl IntoIterator<Item = E>,
     ) -> Advice {
-        Advice { button: Some(button), sets: sets.into_iter().map(E::into).collect(), ..self }
+        Advice { button: Some(button), entries: entries.into_iter().map(E::into).collect(), ..self }
     }
 }
 
@@ -126,7 +126,7 @@ pub struct Repair {
     /// The change in words: those of the remedy's button.
     pub text: Message,
     /// Form entries, each the id of a field and its text.
-    pub sets: Vec<(&'static str, String)>,
+    pub entries: Vec<(&'static str, String)>,
 }
 
 /// Changes of the form with which the failing results of a design hold.
@@ -161,7 +161,7 @@ impl Repairs {
 
 impl From<Message> for Advice {
     fn from(message: Message) -> Advice {
-        Advice { message, button: None, sets: Vec::new() }
+        Advice { message, button: None, entries: Vec::new() }
     }
 }
 

@@ -12,7 +12,7 @@ pub struct Row {
     /// Source of the row.
     pub source: Phrase,
     /// Form entries set by choosing the row: field id and typed text; empty for a row that is not a choice.
-    pub sets: Vec<(&'static str, String)>,
+    pub entries: Vec<(&'static str, String)>,
 }
 
 impl Sheet {

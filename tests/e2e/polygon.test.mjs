@@ -82,14 +82,14 @@ test('drag previews the shape, release sets it, click takes a way', () =>
     assert.match(await card(page, 'Sides'), /Sides6.*exactly4/);
     await drag(page, 'sides', 6);
     await drop(page, 'sides');
-    const best = page.locator('[data-sets*="sides=6"]', { hasText: 'none' }).first();
+    const best = page.locator('[data-entries*="sides=6"]', { hasText: 'none' }).first();
     await best.waitFor();
     await accessible(page);
     // The other ways show their drawbacks.
-    await page.locator('[data-sets*="sides=6"]', { hasText: 'the sides are not flat enough' }).first().waitFor();
+    await page.locator('[data-entries*="sides=6"]', { hasText: 'the sides are not flat enough' }).first().waitFor();
     // The best way is already set: choose another one.
-    const other = page.locator('[data-sets*="sides=6"]:not([data-sets*="inserts=3;"])').first();
-    const [, inserts] = /inserts=(\d+)/.exec(await other.getAttribute('data-sets'));
+    const other = page.locator('[data-entries*="sides=6"]:not([data-entries*="inserts=3;"])').first();
+    const [, inserts] = /inserts=(\d+)/.exec(await other.getAttribute('data-entries'));
     await other.getByRole('button').click();
     await page.waitForFunction((inserts) => document.querySelector('#inserts').value === inserts, inserts);
     assert.match(await card(page, 'Sides'), /Sides6.*exactly6/);

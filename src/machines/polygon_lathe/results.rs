@@ -40,10 +40,10 @@ const ANGLE: &str = "orientation";
 
 /// Rewrites an advice about the first polygon for another one. The form can carry it out if every field has a counterpart there.
 fn advice(advice: Advice, at: usize) -> Advice {
-    let sets: Option<Vec<(&'static str, String)>> =
-        advice.sets.iter().map(|(id, text)| Some((field(id, at)?, text.clone()))).collect();
-    match (advice.button, sets) {
-        (Some(button), Some(sets)) => Advice::from(advice.message).setting(button, sets),
+    let entries: Option<Vec<(&'static str, String)>> =
+        advice.entries.iter().map(|(id, text)| Some((field(id, at)?, text.clone()))).collect();
+    match (advice.button, entries) {
+        (Some(button), Some(entries)) => Advice::from(advice.message).setting(button, entries),
         _ => Advice::from(advice.message),
     }
 }

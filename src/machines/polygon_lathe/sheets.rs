@@ -118,10 +118,10 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             format!("{} .. {}", surface_speed(choice.cutting_speed.0), surface_speed(choice.cutting_speed.1)),
         ];
         let terms = (f64::from(choice.ratio.tool()), f64::from(choice.ratio.work()));
-        let mut sets = own_shape(lathe.p.sides, (choice.cutter + 1) as f64, terms);
-        sets.push(("tip-radius", show(choice.radius, 3)));
-        sets.push(("speed", show(choice.speed, 0)));
-        Row { sets, ..row(cells, cite) }
+        let mut entries = own_shape(lathe.p.sides, (choice.cutter + 1) as f64, terms);
+        entries.push(("tip-radius", show(choice.radius, 3)));
+        entries.push(("speed", show(choice.speed, 0)));
+        Row { entries, ..row(cells, cite) }
     };
     Sheet {
         id: "choices",

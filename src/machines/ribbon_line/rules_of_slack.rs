@@ -82,7 +82,7 @@ pub(super) struct FormChange {
     /// Words of the button that makes it.
     button: Message,
     /// Entries of the form: ids of fields and typed texts.
-    sets: Vec<(&'static str, String)>,
+    entries: Vec<(&'static str, String)>,
 }
 
 /// An advice whose button takes several changes and names each.
@@ -91,13 +91,13 @@ fn taking(advice: Advice, changes: Vec<FormChange>) -> Advice {
         [only] => only.button.clone(),
         all => msg!("advice.several", changes = clauses(all.iter().map(|change| sentence(&change.button)))),
     };
-    advice.setting(button, changes.into_iter().flat_map(|change| change.sets).collect::<Vec<_>>())
+    advice.setting(button, changes.into_iter().flat_map(|change| change.entries).collect::<Vec<_>>())
 }
 
 /// The loop that holds `needed` mm.
 fn longer_loop(needed: f64) -> FormChange {
     let set = up(FIELDS, "loop-capacity", needed);
-    FormChange { button: msg!("advice.set-loop", capacity = set.text.as_str()), sets: vec![set.into()] }
+    FormChange { button: msg!("advice.set-loop", capacity = set.text.as_str()), entries: vec![set.into()] }
 }
 
 /// An advice with further changes after which a product lays `needed` mm, and the loop for it; without a button where no such loop is built.
@@ -148,7 +148,7 @@ pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         if shortest < left.min(d.loop_needed) {
             let said = msg!("ribbon.shorter-ramp", time = ramp.text.as_str(), capacity = (shortest.ceil(), 0));
             let button = msg!("advice.set-ramp", time = ramp.text.as_str());
-            offer(said, shortest, vec![FormChange { button, sets: vec![ramp.into()] }, steep.change]);
+            offer(said, shortest, vec![FormChange { button, entries: vec![ramp.into()] }, steep.change]);
         }
     }
     if d.slack_run != 0.0 && !p.dancer {
@@ -261,7 +261,7 @@ fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
     let set = matching_dwell(line, &form);
     let (dwell, typed) = (set.value, set.text.clone());
     let button = msg!("advice.set-dwell", time = typed.as_str());
-    let change = FormChange { button, sets: vec![("wait", "dwell".to_owned()), set.into()] };
+    let change = FormChange { button, entries: vec![("wait", "dwell".to_owned()), set.into()] };
     DweltForm { form: Params { wait: Wait::Dwell, dwell, ..form }, typed, change }
 }
 

@@ -616,7 +616,7 @@ pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<Hol
 /// The greatest entry of a field in the advice on failing results; 0 if there is none.
 fn asked_by_rules(project: &Project, field: &str) -> f64 {
     let results = project.prepared().results().readouts;
-    let sets = results.iter().flat_map(|row| &row.advice).flat_map(|advice| &advice.sets);
+    let sets = results.iter().flat_map(|row| &row.advice).flat_map(|advice| &advice.entries);
     sets.filter(|set| set.0 == field).filter_map(|set| set.1.parse::<f64>().ok()).fold(0.0, f64::max)
 }
 

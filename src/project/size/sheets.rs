@@ -158,7 +158,7 @@ impl Sizing {
             let speed = units::text(fastest.value, fastest.decimals, fastest.unit);
             let label = headed(say("size.fastest"), say(fastest.result.label));
             let cells = [label, speed, String::new(), beside(say(fastest.binding.label), &fastest.failing_anyway)];
-            Row { sets: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
+            Row { entries: vec![fastest.entry.clone()], ..row(cells, RUNS_OF_FORM) }
         });
         Sheet {
             id: "limits",
@@ -316,9 +316,9 @@ impl Sizing {
         let holding = |of: &&EnvelopeRow| self.holding_limits.iter().find(|limit| limit.id == of.id);
         let text = |limit: &HoldingLimit| at_least(limit.is_cut, units::text(limit.value, limit.decimals, limit.unit));
         let cells = watched.iter().map(|of| holding(of).map_or(String::new(), text));
-        let sets = watched.iter().filter_map(|of| holding(of)?.entry.clone()).collect();
+        let entries = watched.iter().filter_map(|of| holding(of)?.entry.clone()).collect();
         let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
-        (!self.holding_limits.is_empty()).then_some(Row { sets, ..told })
+        (!self.holding_limits.is_empty()).then_some(Row { entries, ..told })
     }
 }
 
@@ -473,7 +473,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
         // Only servo motors have limits of a series.
         let limits = if axis.chart.is_some() { of.limits.cite } else { CATALOGUE };
         let cite = Citation { grade: known(part.evidence.grade), ..limits };
-        Row { sets: of.entries.clone(), ..row(cells, cite) }
+        Row { entries: of.entries.clone(), ..row(cells, cite) }
     };
     // The demand above the motors where the catalogue has none to be bought.
     let lacking = axis.shortage().map(|shortage| {
@@ -526,7 +526,7 @@ fn gears(axis: &SizedAxis) -> Option<Sheet> {
             answer,
         ];
         let cite = Citation { grade: known(of.part.evidence.grade), ..GEARS };
-        Row { sets: of.entries.clone(), ..row(cells, cite) }
+        Row { entries: of.entries.clone(), ..row(cells, cite) }
     };
     Some(Sheet {
         id: "gears",

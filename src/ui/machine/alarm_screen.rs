@@ -200,7 +200,7 @@ fn Remedy(
     view! {
         <p class="way-out act">
             <span>{t("page.way-remedy")} " "</span>
-            <button type="button" class="primary remedy" title=why on:click=move |_| page.take_entries(&advice.sets)>
+            <button type="button" class="primary remedy" title=why on:click=move |_| page.take_entries(&advice.entries)>
                 {words}
             </button>
         </p>

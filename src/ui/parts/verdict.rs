@@ -34,7 +34,7 @@ fn VerdictLine(
         |readout: &Readout| format!("{} {}", verdict_words(readout.verdict), limit_text(readout).unwrap_or_default());
     let repair = move || {
         let advised = |readout: &Readout| {
-            let repair = |advice: &Advice| Some((sentence(advice.button.as_ref()?), advice.sets.clone()));
+            let repair = |advice: &Advice| Some((sentence(advice.button.as_ref()?), advice.entries.clone()));
             Some((readout.advice.iter().find_map(repair)?, title(readout)))
         };
         shown.with(advised).map(|((words, sets), title)| {

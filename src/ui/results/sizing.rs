@@ -148,8 +148,9 @@ mod tests {
     use crate::ui::words::Tone;
     use crate::ui::worker::client::Client;
 
-    fn sections(sets: &str) -> Option<Response> {
-        let html = format!("<table><tbody><tr data-sets=\"{sets}\"><td><button>M1</button></td></tr></tbody></table>");
+    fn sections(entries: &str) -> Option<Response> {
+        let html =
+            format!("<table><tbody><tr data-entries=\"{entries}\"><td><button>M1</button></td></tr></tbody></table>");
         let section = |id: &str, html: &str| ShownSection {
             id: id.to_owned(),
             title: format!("Title of {id}"),

@@ -11,9 +11,9 @@ use crate::ui::state::{EditKey, Page};
 use crate::ui::words::t;
 
 /// Sets fields from their texts.
-pub(super) fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIterator<Item = (&'t str, &'t str)>) {
+pub(super) fn set<'t>(project: &Project, values: &mut Values, entries: impl IntoIterator<Item = (&'t str, &'t str)>) {
     let fields = project.machine.fields();
-    for (id, text) in sets {
+    for (id, text) in entries {
         if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok()) {
             values.insert(id.to_owned(), value);
         }
@@ -35,12 +35,12 @@ pub(super) fn take(page: Page, key: Option<EditKey>, values: Values) {
 /// Values of the form with those of the clicked row; `None` if the click hit no such row.
 pub(super) fn listed(page: Page, event: &MouseEvent) -> Option<Values> {
     let target = event.target()?.dyn_into::<Element>().ok()?;
-    let row = target.closest("[data-sets]").ok().flatten()?;
-    let sets = row.get_attribute("data-sets")?;
-    let sets = sets.split('\n').filter_map(|set| set.split_once('='));
+    let row = target.closest("[data-entries]").ok().flatten()?;
+    let entries = row.get_attribute("data-entries")?;
+    let entries = entries.split('\n').filter_map(|entry| entry.split_once('='));
     page.project.with_untracked(|project| {
         let mut values = project.values.clone();
-        set(project, &mut values, sets);
+        set(project, &mut values, entries);
         Some(values)
     })
 }

@@ -99,7 +99,7 @@ mod tests {
         bench.run().await;
         assert_eq!(untrack(|| bench.page.outlook.cycle_start()), CycleStart::StopsAtOnce);
         let remedy = bench.page.outlook.stopped.get_untracked().unwrap().remedy.unwrap();
-        bench.page.take_entries(&remedy.sets);
+        bench.page.take_entries(&remedy.entries);
         bench.run().await;
         assert_eq!(bench.page.outlook.stopped.get_untracked(), None);
     }

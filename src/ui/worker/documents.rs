@@ -25,7 +25,7 @@ use crate::view::{Comparison, Readout, SheetKind, VariantCell, Verdict};
 pub(super) fn sheets(project: &Project) -> Sheets {
     let mut out = Sheets::default();
     for sheet in &project.prepared().sheets() {
-        let takes = sheet.rows.iter().any(|row| !row.sets.is_empty());
+        let takes = sheet.rows.iter().any(|row| !row.entries.is_empty());
         let tab = match sheet.kind {
             _ if takes => &mut out.ways,
             SheetKind::Parameters => &mut out.parameters,
@@ -52,7 +52,7 @@ fn found_repairs(way: &RepairWay) -> FoundRepairs {
     FoundRepairs {
         changes: found.texts(),
         consequences: way.consequences.iter().map(consequence).collect(),
-        entries: found.changes.iter().flat_map(|change| &change.sets).map(entry).collect(),
+        entries: found.changes.iter().flat_map(|change| &change.entries).map(entry).collect(),
         still_failing: found.still_failing as u32,
         errors: found.errors as u32,
     }

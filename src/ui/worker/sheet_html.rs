@@ -66,7 +66,7 @@ pub(super) fn table(out: &mut String, sheet: &Sheet, project: &Project) {
 
 /// Writes the rows of a sheet; of a choice the first products, and the others folded.
 fn offered(out: &mut String, sheet: &Sheet, project: &Project) {
-    let lead = sheet.rows.iter().take_while(|row| row.sets.is_empty()).count();
+    let lead = sheet.rows.iter().take_while(|row| row.entries.is_empty()).count();
     let shown = match sheet.kind {
         SheetKind::Choice if sheet.rows.len() > lead + OFFERED + 1 => lead + OFFERED,
         _ => sheet.rows.len(),
@@ -138,7 +138,7 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
         let cells: Vec<(Option<&Column>, &String)> =
             shown.iter().filter_map(|at| Some((sheet.columns.get(*at), row.cells.get(*at)?))).collect();
         match cells.as_slice() {
-            [(_, first), rest @ ..] if !row.sets.is_empty() => {
+            [(_, first), rest @ ..] if !row.entries.is_empty() => {
                 offer(out, row, first);
                 rest.iter().for_each(|(_, cell)| tagged(out, "td", cell));
             }
@@ -162,9 +162,9 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
 
 /// Opens a row whose entries the form can take, with its first cell as a button.
 fn offer(out: &mut String, row: &Row, first: &str) {
-    let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
-    out.push_str("<tr data-sets=\"");
-    escape(out, &sets.join("\n"));
+    let entries: Vec<String> = row.entries.iter().map(|(id, text)| format!("{id}={text}")).collect();
+    out.push_str("<tr data-entries=\"");
+    escape(out, &entries.join("\n"));
     out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
     escape(out, &format!("{} {first}", t("page.take")));
     out.push_str("\">");
@@ -253,7 +253,7 @@ mod tests {
         let cite = Citation::new("catalogue", Grade::Manual);
         let asked = row(["asked".to_owned(), "1 Nm".to_owned()], cite);
         let product = |at: usize| Row {
-            sets: vec![("motor-x", format!("M{at}"))],
+            entries: vec![("motor-x", format!("M{at}"))],
             ..row([format!("M{at}"), format!("{at} Nm")], cite)
         };
         let sheet = Sheet {
@@ -273,7 +273,7 @@ mod tests {
     fn choice_shows_its_first_products_and_folds_the_others() {
         let html = choice(9);
         let (first, others) = html.split_once("<details>").unwrap();
-        assert_eq!([first, others].map(|part| part.matches("data-sets").count()), [OFFERED, 4]);
+        assert_eq!([first, others].map(|part| part.matches("data-entries").count()), [OFFERED, 4]);
         assert!(others.contains(&sentence(&msg!("page.more-products", count = 4_u32))) && !others.contains("asked"));
         assert!(!choice(OFFERED + 1).contains("<details>"), "a single one is not folded");
     }

@@ -120,7 +120,8 @@ fn csv_of_more_than_ascii_begins_with_a_byte_order_mark() {
     angles.unit = "°";
     assert_eq!(csv::charts(&[angles]), "\u{feff}t [s],X [°]\r\n0.000000,1.000000\r\n");
     for (cell, mark) in [("motor", false), ("电机", true)] {
-        let row = Row { cells: vec![cell.to_owned()], grade: Grade::Manual, source: Phrase::new(""), sets: Vec::new() };
+        let row =
+            Row { cells: vec![cell.to_owned()], grade: Grade::Manual, source: Phrase::new(""), entries: Vec::new() };
         let rows = vec![row];
         let sheet = Sheet {
             id: "bill",

@@ -701,7 +701,7 @@ fn taken_way_gives_the_figures_of_its_row() {
         let ways = &sheets.iter().find(|sheet| sheet.id == "choices").unwrap().rows;
         assert!(!ways.is_empty());
         for way in ways {
-            let sets: Vec<(&str, &str)> = way.sets.iter().map(|(id, text)| (*id, text.as_str())).collect();
+            let sets: Vec<(&str, &str)> = way.entries.iter().map(|(id, text)| (*id, text.as_str())).collect();
             let taken = project(&[changes, &sets[..]].concat()).design();
             let shown = |id: &str, decimals: u8| {
                 let readout = taken.readouts.iter().find(|row| row.id == id).unwrap();

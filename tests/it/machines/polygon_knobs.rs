@@ -50,9 +50,9 @@ fn feed_knob_that_overloads_the_tool_drive_warns() {
     assert!(torque.value < torque.limit.unwrap().value(), "it holds at 100 %");
     assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "polygon.torque-at-feed-knob"));
     // The entered force does not change with the chip: two thirds of the feed that holds at 100 %.
-    let [("feed", feed)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
+    let [("feed", feed)] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
     near(feed.parse().unwrap(), 0.95 * torque.limit.unwrap().value() / torque.value / 1.5, 1e-3);
-    let slower = fast.with_entries(&torque.advice[0].sets).unwrap();
+    let slower = fast.with_entries(&torque.advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "tool-torque").verdict, Verdict::Ok);
     // C45 after Kienzle: f^0.78.
     let steel = |feed: &str| readout(&project(&[("material", "c45"), ("feed", feed)]), "tool-torque");
@@ -69,8 +69,8 @@ fn feed_knob_that_bends_the_work_warns() {
     let said = &bends.advice[0].message;
     assert_eq!((bends.verdict, said.id), (Verdict::Warn, "polygon.bends-at-feed-knob"));
     assert!(bends.limit.unwrap().holds(bends.value), "{bends:?}");
-    let less = key.with_entries(&bends.advice[0].sets).unwrap();
-    assert_eq!(readout(&less, "bending").verdict, Verdict::Ok, "{:?}", bends.advice[0].sets);
+    let less = key.with_entries(&bends.advice[0].entries).unwrap();
+    assert_eq!(readout(&less, "bending").verdict, Verdict::Ok, "{:?}", bends.advice[0].entries);
 }
 
 /// With work and tool faster by the same knob the chips stay as they are.
@@ -88,7 +88,7 @@ fn feed_knob_that_overloads_the_main_motor_warns() {
     let torque = readout(&heavy, "main-torque");
     assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "lathe.torque-at-knobs"));
     assert!(sentence(&torque.advice[0].message).contains("feed override at 150 %"), "{torque:?}");
-    let less = heavy.with_entries(&torque.advice[0].sets).unwrap();
+    let less = heavy.with_entries(&torque.advice[0].entries).unwrap();
     assert_eq!(readout(&less, "main-torque").verdict, Verdict::Ok);
 }
 
@@ -99,7 +99,7 @@ fn thread_up_to_the_shoulder_fails() {
     let full = run_out(&[("before-thread-length", "20")]);
     // M12 · 1.75: two pitches.
     assert_eq!((full.value, full.limit.unwrap().value(), full.verdict), (3.5, 0.0, Verdict::Fail));
-    assert_eq!(full.advice[0].sets, [("before-thread-length", "16.5".to_owned())]);
+    assert_eq!(full.advice[0].entries, [("before-thread-length", "16.5".to_owned())]);
     assert_eq!(run_out(&[("before-thread-length", "16.5")]).verdict, Verdict::Ok);
     assert_eq!(run_out(&[("before-thread-length", "16.501")]).verdict, Verdict::Fail);
     // A slide that lags by more than two pitches: 23.3 mm/s · (0.25 + 0.03) s.

@@ -39,8 +39,8 @@ fn cut_of_a_turned_end_is_judged_by_the_main_motor() {
     // 6 mm by 0.6 mm: less depth is offered.
     let deep = shaft(&[("before-depth", "6"), ("before-feed", "0.6")]);
     let torque = readout(&deep, "main-torque");
-    assert_eq!((torque.verdict, torque.advice[0].sets[0].0), (Verdict::Fail, "before-depth"));
-    let less = deep.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!((torque.verdict, torque.advice[0].entries[0].0), (Verdict::Fail, "before-depth"));
+    let less = deep.with_entries(&torque.advice[0].entries).unwrap();
     assert!(readout(&less, "main-torque").verdict < Verdict::Fail);
 }
 
@@ -50,8 +50,8 @@ fn cut_too_heavy_for_the_shaft_fan_gets_forced_cooling() {
     let heavy = shaft(&[("before-feed", "0.5")]);
     let torque = readout(&heavy, "main-torque");
     assert_eq!(torque.verdict, Verdict::Fail);
-    assert_eq!(torque.advice[0].sets, [("main-forced-cooling", "true".to_owned())]);
-    let cooled = heavy.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(torque.advice[0].entries, [("main-forced-cooling", "true".to_owned())]);
+    let cooled = heavy.with_entries(&torque.advice[0].entries).unwrap();
     let torque = readout(&cooled, "main-torque");
     // But for the feed override at its highest position.
     assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "lathe.torque-at-knobs"));
@@ -75,7 +75,7 @@ fn ramp_shorter_than_the_main_motor_gives_fails() {
     // Twice the first advice, for the speed of the form and for that of the knob at 254 %.
     let mut slower = hasty.clone();
     for after in [Verdict::Warn, Verdict::Ok] {
-        slower = slower.with_entries(&readout(&slower, "main-shortest-ramp").advice[0].sets).unwrap();
+        slower = slower.with_entries(&readout(&slower, "main-shortest-ramp").advice[0].entries).unwrap();
         assert_eq!(readout(&slower, "main-shortest-ramp").verdict, after);
     }
     let to_speed = inertia * 800.0 * std::f64::consts::PI / 30.0 / (1.5 * RATED - 2.0);
@@ -202,8 +202,8 @@ fn turned_end_faster_than_the_idling_motor_fails() {
     let fast = shaft(&[("before-speed", "1200")]);
     let speed = readout(&fast, "main-top-speed");
     assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Fail));
-    assert_eq!(speed.advice[0].sets, [("before-speed", "1000".to_owned())]);
-    let slower = fast.with_entries(&speed.advice[0].sets).unwrap();
+    assert_eq!(speed.advice[0].entries, [("before-speed", "1000".to_owned())]);
+    let slower = fast.with_entries(&speed.advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "main-top-speed").verdict, Verdict::Ok);
 }
 
@@ -227,7 +227,7 @@ fn shaft_fan_is_judged_at_the_lowest_knob_too() {
         assert_eq!(torque.verdict, verdict, "{} Nm", torque.value);
         for advice in torque.advice {
             assert_eq!(advice.message.id, "lathe.shaft-fan-at-knobs");
-            assert_eq!(readout(&lathe.with_entries(&advice.sets).unwrap(), "main-torque").verdict, Verdict::Ok);
+            assert_eq!(readout(&lathe.with_entries(&advice.entries).unwrap(), "main-torque").verdict, Verdict::Ok);
         }
     }
 }

@@ -217,8 +217,8 @@ fn body_of_the_cutter_touches_exactly_where_the_verdict_says() {
         // The advice mends it, to a thousandth.
         for row in rows.iter().filter(|row| row.verdict == Verdict::Fail) {
             let advice = &row.advice[0];
-            assert_eq!(advice.sets[0].0, "overhang");
-            let enough: f64 = advice.sets[0].1.parse().unwrap();
+            assert_eq!(advice.entries[0].0, "overhang");
+            let enough: f64 = advice.entries[0].1.parse().unwrap();
             assert!(enough >= row.value && enough < row.value + 1.001e-3, "{enough} for {}", row.value);
             let both = rows.iter().map(|row| row.value).fold(0.0, f64::max);
             let mended = two(&[&changes[..], &[("overhang", mm((both + 5e-4).min(1000.0)).as_str())]].concat());

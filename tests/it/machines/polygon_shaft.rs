@@ -326,7 +326,7 @@ fn advice_for_the_second_polygon_sets_its_own_fields() {
     let turned = project(&[&TWO[..], &[("second-work-start", "0")]].concat());
     let design = turned.design();
     let error = design.readouts.iter().find(|row| row.id == "second-angle-error").unwrap();
-    let sets: Vec<_> = error.advice.iter().flat_map(|advice| &advice.sets).collect();
+    let sets: Vec<_> = error.advice.iter().flat_map(|advice| &advice.entries).collect();
     assert_eq!(sets.len(), 1, "{:?}", error.advice);
     assert_eq!(sets[0].0, "second-work-start");
     let mended = project(&[&TWO[..], &[("second-work-start", sets[0].1.as_str())]].concat());
@@ -485,13 +485,13 @@ fn clearance_shorter_than_the_run_in_fails_and_is_mended() {
     let row = judged(&short);
     assert_eq!((row.verdict, row.advice.len()), (Verdict::Fail, 2));
     for advice in &row.advice {
-        let mended = short.with_entries(&advice.sets).expect("entries");
-        assert_eq!(judged(&mended).verdict, Verdict::Ok, "{:?}", advice.sets);
-        assert!(!refused(&mended), "{:?}", advice.sets);
+        let mended = short.with_entries(&advice.entries).expect("entries");
+        assert_eq!(judged(&mended).verdict, Verdict::Ok, "{:?}", advice.entries);
+        assert!(!refused(&mended), "{:?}", advice.entries);
     }
     // No room in front of the jaws: a slower speed alone.
     let tight = project(&[&thread[..], &[("clearance", "2"), ("free-length", "47.5")]].concat());
-    let sets: Vec<_> = judged(&tight).advice.into_iter().flat_map(|advice| advice.sets).map(|set| set.0).collect();
+    let sets: Vec<_> = judged(&tight).advice.into_iter().flat_map(|advice| advice.entries).map(|set| set.0).collect();
     assert_eq!(sets, ["before-speed"]);
     // A ramp so long and a loop so stiff that the lag is below 1 %.
     let stiff = project(&[&thread[..], &[("time-constant", "1000"), ("position-gain", "1000")]].concat());

@@ -134,11 +134,11 @@ fn feed_that_the_drive_holds_is_offered_to_the_last_digit() {
     near_share(torque.limit.unwrap().value(), 9549.3 * 5.5 * 0.9 / 1500.0 * 2.5, 1e-4);
     assert_eq!(torque.verdict, Verdict::Fail);
     // The last pass cuts nothing: its feed stays.
-    let [("feed", feed)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
-    let after = square.with_entries(&torque.advice[0].sets).unwrap();
+    let [("feed", feed)] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
+    let after = square.with_entries(&torque.advice[0].entries).unwrap();
     // It holds, but for the feed override at its highest position.
     assert_eq!(readout(&after, "tool-torque").verdict, Verdict::Warn);
-    let slower = after.with_entries(&readout(&after, "tool-torque").advice[0].sets).unwrap();
+    let slower = after.with_entries(&readout(&after, "tool-torque").advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "tool-torque").verdict, Verdict::Ok);
     let more = format!("{:.3}", feed.parse::<f64>().unwrap() + 0.001);
     let beyond = square.with_entries(&[("feed", more)]).unwrap();
@@ -168,7 +168,7 @@ fn strikes_heat_a_drive_more_than_their_mean() {
     let limit = effective.limit.unwrap().value();
     assert!(mean.value < 0.6 * limit && effective.value > limit, "{} {limit}", mean.value);
     assert_eq!(effective.verdict, Verdict::Warn);
-    let after = lathe.with_entries(&effective.advice[0].sets).unwrap();
+    let after = lathe.with_entries(&effective.advice[0].entries).unwrap();
     assert_eq!(readout(&after, "tool-torque-effective").verdict, Verdict::Ok);
 }
 
@@ -193,11 +193,11 @@ fn run_up_takes_both_to_one_longer_ramp() {
     let heavy = project(&[("work-inertia", "8"), ("tool-time-constant", "200")]);
     let run_up = readout(&heavy, "work-run-up");
     assert_eq!((run_up.verdict, readout(&heavy, "tool-run-up").verdict), (Verdict::Fail, Verdict::Ok));
-    let [("work-time-constant", work), ("tool-time-constant", tool)] = &run_up.advice[0].sets[..] else {
+    let [("work-time-constant", work), ("tool-time-constant", tool)] = &run_up.advice[0].entries[..] else {
         panic!("{:?}", run_up.advice)
     };
     assert_eq!(work, tool);
-    let after = heavy.with_entries(&run_up.advice[0].sets).unwrap();
+    let after = heavy.with_entries(&run_up.advice[0].entries).unwrap();
     assert_eq!((readout(&after, "work-run-up").verdict, readout(&after, "phase").verdict), (Verdict::Ok, Verdict::Ok));
     let less = format!("{:.1}", work.parse::<f64>().unwrap() - 0.1);
     let short = heavy.with_entries(&[("work-time-constant", less)]).unwrap();
@@ -217,7 +217,7 @@ fn worst_of_several_polygons_is_judged() {
     let down = project(&[("from-face", "20"), ("feed", "0.001"), ("finish-feed", "0.001")]);
     near_share(value(&down, "tool-torque"), 1750.0 * 3.0 * 0.1 * 0.045, 1e-9);
     let advised = project(&[("from-face", "20"), ("infeed", "1"), ("insert-width", "10")]);
-    let [("infeed", _)] = &readout(&advised, "tool-torque").advice[0].sets[..] else { panic!() };
+    let [("infeed", _)] = &readout(&advised, "tool-torque").advice[0].entries[..] else { panic!() };
 }
 
 #[test]
@@ -248,13 +248,13 @@ fn slender_work_that_bends_is_red_and_mended() {
     near_share(bends.value, by_hand, 1e-9);
     assert!(bends.value > 7.6, "{} mm", bends.value);
     assert_eq!(bends.verdict, Verdict::Fail);
-    let shorter = bends.advice.iter().find(|advice| !advice.sets.is_empty()).expect("a remedy");
-    assert_eq!(readout(&slender.with_entries(&shorter.sets).unwrap(), "bending").verdict, Verdict::Ok);
+    let shorter = bends.advice.iter().find(|advice| !advice.entries.is_empty()).expect("a remedy");
+    assert_eq!(readout(&slender.with_entries(&shorter.entries).unwrap(), "bending").verdict, Verdict::Ok);
     // In its place at the jaws a smaller depth helps.
     let longer = slender.with_entries(&[("free-length", "40".to_owned())]).unwrap();
-    for advice in readout(&longer, "bending").advice.iter().filter(|advice| !advice.sets.is_empty()) {
-        let mended = readout(&longer.with_entries(&advice.sets).unwrap(), "bending");
-        assert_eq!(mended.verdict, Verdict::Ok, "{:?}: {}", advice.sets, mended.value);
+    for advice in readout(&longer, "bending").advice.iter().filter(|advice| !advice.entries.is_empty()) {
+        let mended = readout(&longer.with_entries(&advice.entries).unwrap(), "bending");
+        assert_eq!(mended.verdict, Verdict::Ok, "{:?}: {}", advice.entries, mended.value);
     }
     // The part of the example bends less than its tolerance, but for the feed override at its highest position.
     assert_eq!(readout(&key, "bending").verdict, Verdict::Warn);

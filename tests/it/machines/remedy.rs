@@ -47,8 +47,8 @@ fn machine_on_any_control_moves_or_is_offered_a_remedy() {
                 }
                 let about = format!("{} on {control}", machine.id());
                 let remedy = remedy(&project).unwrap_or_else(|| panic!("{about}: no remedy"));
-                let after = project.with_entries(&remedy.sets).unwrap();
-                assert!(!stops_at_once(&after), "{about}: {:?}", remedy.sets);
+                let after = project.with_entries(&remedy.entries).unwrap();
+                assert!(!stops_at_once(&after), "{about}: {:?}", remedy.entries);
                 offered.push(about);
             }
         }
@@ -60,7 +60,7 @@ fn machine_on_any_control_moves_or_is_offered_a_remedy() {
 fn remedy_is_the_highest_speed_that_the_control_runs() {
     for control in ["gsk-980tdc", "sinumerik-802d"] {
         let project = ribbon(control);
-        let sets = remedy(&project).unwrap().sets;
+        let sets = remedy(&project).unwrap().entries;
         // The clamp keeps the knob from going further.
         let [("spindle-speed", speed), ("speed-clamp", clamp)] = &sets[..] else { panic!("{sets:?}") };
         assert_eq!(clamp, speed);
@@ -86,8 +86,8 @@ fn larger_stock_is_offered_a_start_outside_it() {
                 continue;
             }
             let remedy = remedy(&project).unwrap_or_else(|| panic!("{machine} on {control}"));
-            assert_eq!(remedy.sets[0].0, "start-x", "{machine} on {control}");
-            let after = project.with_entries(&remedy.sets).unwrap();
+            assert_eq!(remedy.entries[0].0, "start-x", "{machine} on {control}");
+            let after = project.with_entries(&remedy.entries).unwrap();
             assert!(after.design().diagnostics.iter().all(|found| found.field != Some("start-x")), "{control}");
         }
     }

@@ -22,7 +22,7 @@ fn failing(project: &Project) -> usize {
 fn repaired(project: &Project) -> (Project, usize) {
     let found = repairs(project);
     let after =
-        found.changes.iter().fold(project.clone(), |project, change| project.with_entries(&change.sets).unwrap());
+        found.changes.iter().fold(project.clone(), |project, change| project.with_entries(&change.entries).unwrap());
     (after, found.still_failing)
 }
 
@@ -94,8 +94,11 @@ fn several_ways_are_offered_with_their_consequences() {
     assert!(ways.len() > 1, "{ways:?}");
     assert_eq!(ways[0].repairs, repairs(&paper));
     for way in &ways {
-        let after =
-            way.repairs.changes.iter().fold(paper.clone(), |after, change| after.with_entries(&change.sets).unwrap());
+        let after = way
+            .repairs
+            .changes
+            .iter()
+            .fold(paper.clone(), |after, change| after.with_entries(&change.entries).unwrap());
         assert_eq!((failing(&after), way.repairs.still_failing, way.repairs.errors), (0, 0, 0));
         let design = after.design();
         for (before, told) in &way.consequences {
@@ -105,7 +108,7 @@ fn several_ways_are_offered_with_their_consequences() {
         assert!(way.consequences.iter().any(|(_, after)| after.id == "surface-ratio"));
     }
     let fields = |way: &RepairWay| -> BTreeSet<&str> {
-        way.repairs.changes.iter().flat_map(|change| &change.sets).map(|(field, _)| *field).collect()
+        way.repairs.changes.iter().flat_map(|change| &change.entries).map(|(field, _)| *field).collect()
     };
     assert_eq!(ways.iter().map(fields).collect::<BTreeSet<_>>().len(), ways.len());
 }
@@ -116,7 +119,7 @@ fn roller_thinner_than_its_walls_is_no_remedy() {
     let offers = |wall: &str| {
         let project = paper.with_entries(&[("print-roller-wall", wall.to_owned())]).unwrap();
         let ratio = project.design().readouts.into_iter().find(|readout| readout.id == "surface-ratio").unwrap();
-        ratio.advice.iter().flat_map(|advice| &advice.sets).any(|(field, _)| *field == "print-roller-diameter")
+        ratio.advice.iter().flat_map(|advice| &advice.entries).any(|(field, _)| *field == "print-roller-diameter")
     };
     // The heads of the paper would match a roller of 15.28 mm.
     assert_eq!([offers("7.6"), offers("7.7")], [true, false]);

@@ -77,15 +77,15 @@ fn long_ramp_is_repaired_by_a_shorter_one() {
         let line = project(control.id, &entries);
         let needed = readout(&line, "loop-needed");
         assert!(needed.value > 5000.0 && needed.verdict == Verdict::Fail, "{}", control.id);
-        assert!(needed.advice[0].sets.is_empty(), "{}: {:?}", control.id, needed.advice);
+        assert!(needed.advice[0].entries.is_empty(), "{}: {:?}", control.id, needed.advice);
         let steep =
-            needed.advice.iter().find(|advice| advice.sets.iter().any(|(id, _)| *id == "inverter-ramp")).unwrap();
-        let after = line.with_entries(&steep.sets).unwrap();
+            needed.advice.iter().find(|advice| advice.entries.iter().any(|(id, _)| *id == "inverter-ramp")).unwrap();
+        let after = line.with_entries(&steep.entries).unwrap();
         assert!(readout(&after, "loop-needed").verdict < Verdict::Fail, "{}", control.id);
         // A button that changes several entries names each change.
         let said = sentence(steep.button.as_ref().unwrap());
         assert!(said.contains("Set a ramp of") && said.contains("Set a dwell of"), "{said}");
-        let loops = repairs(&line).changes.into_iter().flat_map(|change| change.sets);
+        let loops = repairs(&line).changes.into_iter().flat_map(|change| change.entries);
         let loops = loops.filter(|(id, _)| *id == "loop-capacity").map(|(_, text)| text.parse::<f64>().unwrap());
         assert!(loops.fold(0.0, f64::max) <= 5000.0, "{}", control.id);
     }
@@ -137,6 +137,6 @@ fn advice_against_a_taut_start_names_no_fitted_dancer() {
     let line = project("mitsubishi-e60", &stiff);
     let all: Vec<_> = line.design().readouts.into_iter().flat_map(|readout| readout.advice).collect();
     let slack = all.iter().find(|advice| advice.message.id == "ribbon.nip-slack");
-    assert_eq!(slack.map(|advice| advice.sets[0].0), Some("dwell"), "{all:?}");
+    assert_eq!(slack.map(|advice| advice.entries[0].0), Some("dwell"), "{all:?}");
     assert!(all.iter().all(|advice| !sentence(&advice.message).contains("dancer")), "{all:?}");
 }

@@ -215,11 +215,11 @@ fn nip_that_slips_before_x_stops_fails() {
     let project = film("mitsubishi-e60", "100", &[]);
     let row = judged(&project);
     assert_eq!((row.verdict, row.advice.len()), (Verdict::Fail, 1), "{row:?}");
-    let pressed = project.with_entries(&row.advice[0].sets).unwrap();
+    let pressed = project.with_entries(&row.advice[0].entries).unwrap();
     assert_eq!(judged(&pressed).verdict, Verdict::Ok);
     // A film that breaks within the way of X is not helped by the nip.
     let weak = film("mitsubishi-e60", "1000", &[("tensile-strength", "10")]);
-    assert_eq!((judged(&weak).verdict, judged(&weak).advice[0].sets.len()), (Verdict::Fail, 0));
+    assert_eq!((judged(&weak).verdict, judged(&weak).advice[0].entries.len()), (Verdict::Fail, 0));
 }
 
 #[test]

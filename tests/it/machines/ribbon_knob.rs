@@ -17,8 +17,8 @@ fn knob(t: f64, percent: f64) -> Event {
 /// The project with the entries of the first advice on a result that sets some.
 fn mended(project: &Project, id: &str) -> Project {
     let mut after = project.clone();
-    let advice = readout(project, id).advice.into_iter().find(|advice| !advice.sets.is_empty());
-    let sets = advice.unwrap_or_else(|| panic!("{id} has no remedy")).sets;
+    let advice = readout(project, id).advice.into_iter().find(|advice| !advice.entries.is_empty());
+    let sets = advice.unwrap_or_else(|| panic!("{id} has no remedy")).entries;
     let sets: Vec<_> = sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
     after.values.extend(values(&sets));
     after
@@ -41,7 +41,7 @@ fn block_time_is_judged_at_the_end_of_the_knob() {
     let Some(Limit::AtLeast(limit)) = block.limit else { panic!("{:?}", block.limit) };
     assert!((limit - 28.1 * 1480.0 / 1200.0).abs() < 1e-9, "{limit}");
     assert!((readout(&line, "knob-holds").value - 31.830988618 / 28.1 * 100.0).abs() < 1e-6);
-    assert_eq!(block.advice[0].sets, [("pitches-per-block", "2".to_owned())]);
+    assert_eq!(block.advice[0].entries, [("pitches-per-block", "2".to_owned())]);
     let better = mended(&line, "block-time");
     assert_eq!(readout(&better, "block-time").verdict, Verdict::Ok);
     assert!((readout(&better, "knob-holds").value - 1480.0 / 12.0).abs() < 1e-9);
@@ -169,7 +169,7 @@ proptest! {
         for _ in 0..3 {
             for id in JUDGED {
                 let row = readout(&line, id);
-                if row.verdict == Verdict::Fail && row.advice.iter().any(|advice| !advice.sets.is_empty()) {
+                if row.verdict == Verdict::Fail && row.advice.iter().any(|advice| !advice.entries.is_empty()) {
                     line = mended(&line, id);
                 }
             }

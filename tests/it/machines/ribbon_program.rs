@@ -438,7 +438,7 @@ fn listing_calculated_before_its_loop_reaches_its_speed() {
     assert_eq!(verdict("precomputed").verdict, Verdict::Warn);
     let starved = verdict("published");
     assert_eq!(starved.verdict, Verdict::Fail);
-    assert!(starved.advice.iter().any(|advice| advice.sets.contains(&("variant", "precomputed".to_owned()))));
+    assert!(starved.advice.iter().any(|advice| advice.entries.contains(&("variant", "precomputed".to_owned()))));
 }
 
 #[test]

@@ -66,7 +66,7 @@ fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
         other.values.extend(values(&[("loop-capacity", &mm.to_string())]));
         assert_eq!(readout(&other, "loop-needed").verdict, verdict, "{mm}");
     }
-    let buttons: Vec<_> = needed.advice.iter().map(|advice| advice.sets.clone()).collect();
+    let buttons: Vec<_> = needed.advice.iter().map(|advice| advice.entries.clone()).collect();
     assert_eq!(buttons[0], [("loop-capacity", "1212.8".to_owned())]);
 }
 
@@ -157,8 +157,8 @@ fn ribbon_missing_after_the_start_counts_in_the_tension() {
         assert_eq!((ended(&mut held), held.is_held_by_plc()), (RunEnd::Stop, true));
         assert!(held.diagnostics().iter().any(|found| found.message_id() == "ribbon.held-web-tight"));
         // A longer dwell misses nothing.
-        let mended = project.with_entries(&tension.advice[0].sets).unwrap();
-        assert_eq!(tension.advice[0].sets[0].0, "dwell");
+        let mended = project.with_entries(&tension.advice[0].entries).unwrap();
+        assert_eq!(tension.advice[0].entries[0].0, "dwell");
         assert_eq!((readout(&mended, "tension").verdict, readout(&mended, "tension").value), (Verdict::Ok, 0.0));
     }
     // 1200 r/min: 47.8 mm, 254 N.
@@ -207,12 +207,12 @@ fn advice_on_the_loop_makes_it_hold() {
             let project = line(control.id, more);
             let needed = readout(&project, "loop-needed");
             assert_eq!(needed.verdict, Verdict::Fail, "{} {more:?}", control.id);
-            assert!(needed.advice.iter().any(|advice| !advice.sets.is_empty()));
-            for advice in needed.advice.iter().filter(|advice| !advice.sets.is_empty()) {
+            assert!(needed.advice.iter().any(|advice| !advice.entries.is_empty()));
+            for advice in needed.advice.iter().filter(|advice| !advice.entries.is_empty()) {
                 let mut after = project.clone();
-                let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+                let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
                 after.values.extend(values(&sets));
-                assert_eq!(readout(&after, "loop-needed").verdict, Verdict::Ok, "{} {:?}", control.id, advice.sets);
+                assert_eq!(readout(&after, "loop-needed").verdict, Verdict::Ok, "{} {:?}", control.id, advice.entries);
             }
         }
     }
@@ -373,13 +373,13 @@ fn loop_that_a_coasting_unwinder_overfills_is_red_and_mended() {
         let project = line(control.id, &[("loop-capacity", &capacity.to_string())]);
         let judged = readout(&project, "loop-coasting");
         assert_eq!((judged.verdict, judged.limit), (Verdict::Fail, Some(Limit::AtMost(capacity))), "{}", control.id);
-        let fields: Vec<_> = judged.advice.iter().map(|advice| advice.sets[0].0).collect();
+        let fields: Vec<_> = judged.advice.iter().map(|advice| advice.entries[0].0).collect();
         assert_eq!(fields, ["unwinder-motor-brake", "loop-capacity"], "{}", control.id);
         // The loop is not longer than needed; brakes are offered in steps of 0.5 Nm.
         for (advice, least) in judged.advice.iter().zip([0.0, needed - 0.1]) {
-            let mended = readout(&project.with_entries(&advice.sets).unwrap(), "loop-coasting");
-            assert_eq!(mended.verdict, Verdict::Ok, "{} {:?}", control.id, advice.sets);
-            assert!(mended.value > least, "{} {:?}: {}", control.id, advice.sets, mended.value);
+            let mended = readout(&project.with_entries(&advice.entries).unwrap(), "loop-coasting");
+            assert_eq!(mended.verdict, Verdict::Ok, "{} {:?}", control.id, advice.entries);
+            assert!(mended.value > least, "{} {:?}: {}", control.id, advice.entries, mended.value);
         }
     }
 }
@@ -391,7 +391,7 @@ fn brake_is_offered_in_sizes_that_are_sold() {
             let project = line(control.id, &[("loop-capacity", &capacity.to_string())]);
             let judged = readout(&project, "loop-coasting");
             let set =
-                judged.advice.iter().flat_map(|advice| &advice.sets).find(|(id, _)| *id == "unwinder-motor-brake");
+                judged.advice.iter().flat_map(|advice| &advice.entries).find(|(id, _)| *id == "unwinder-motor-brake");
             set.unwrap().1.parse::<f64>().unwrap()
         };
         let needed = readout(&line(control.id, &[]), "loop-coasting").value.floor();

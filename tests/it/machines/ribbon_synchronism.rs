@@ -58,11 +58,11 @@ fn knob_that_the_axes_do_not_follow_fails() {
         panel.switches.0.push(("spindle-knob".to_owned(), "50-to-120".to_owned()));
         assert!((readout(&panel, "slack-rate-knob").value + K * 400.0).abs() < 1e-6);
         // Every remedy helps.
-        let advice: Vec<_> = row.advice.iter().filter(|advice| !advice.sets.is_empty()).collect();
+        let advice: Vec<_> = row.advice.iter().filter(|advice| !advice.entries.is_empty()).collect();
         assert!(!advice.is_empty(), "{}", control.id);
         for advice in advice {
             let mut after = free.clone();
-            let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
             after.values.extend(values(&sets));
             assert_eq!(readout(&after, "slack-rate-knob").verdict, Verdict::Ok, "{} {sets:?}", control.id);
         }
@@ -212,10 +212,10 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
             // The result fails, and its advice helps.
             let row = readout(&line, "slack-rate");
             assert_eq!(row.verdict, Verdict::Fail, "{name}");
-            let advice = row.advice.iter().find(|advice| !advice.sets.is_empty());
+            let advice = row.advice.iter().find(|advice| !advice.entries.is_empty());
             let advice = advice.unwrap_or_else(|| panic!("{name}: {:?}", row.advice));
             let mut after = line.clone();
-            let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
             after.values.extend(values(&sets));
             assert!(readout(&after, "slack-rate").value.abs() < 0.5 * wanted.abs(), "{name} {sets:?}");
         }

@@ -15,7 +15,7 @@ fn screw_near_its_critical_speed_fails() {
     let by_hand =
         0.8 * 30.0 / std::f64::consts::PI * 3.9266 * 3.9266 * 0.0272 / 4.0 / 9.0 * (206e9_f64 / 7850.0).sqrt();
     assert!((screw.limit.unwrap().value() - by_hand).abs() < 1e-6 && (by_hand - 455.9).abs() < 0.05, "{by_hand}");
-    let slower = long.with_entries(&screw.advice[0].sets).unwrap();
+    let slower = long.with_entries(&screw.advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "z-screw-speed").verdict, Verdict::Ok);
     // A longer lead turns it more slowly.
     let steep = long.with_entries(&[("lead-z", "40".to_owned())]).unwrap();

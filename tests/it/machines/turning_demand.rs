@@ -101,8 +101,8 @@ fn acceleration_of_a_face_adds_to_its_cut() {
         assert!(row.verdict < Verdict::Fail && row.limit.unwrap().holds(row.value), "{id}");
     }
     let [advice] = &demand.advice[..] else { panic!("{:?}", demand.advice) };
-    let slower = lathe.with_entries(&advice.sets).unwrap();
-    assert_eq!(readout(&slower, "peak-torque").verdict, Verdict::Ok, "{:?}", advice.sets);
+    let slower = lathe.with_entries(&advice.entries).unwrap();
+    assert_eq!(readout(&slower, "peak-torque").verdict, Verdict::Ok, "{:?}", advice.entries);
 }
 
 #[test]

@@ -39,7 +39,7 @@ fn warning(project: &Project, id: &str) -> String {
 /// The result after its advice.
 fn mended(project: &Project, id: &str) -> Readout {
     let row = readout(project, id);
-    readout(&project.with_entries(&row.advice[0].sets).unwrap(), id)
+    readout(&project.with_entries(&row.advice[0].entries).unwrap(), id)
 }
 
 /// Force grows with f^0.78: 55.47 Nm · 1.5^0.78 + 2 Nm = 78.1 Nm at 150 % of feed.

@@ -96,11 +96,11 @@ fn ramp_fails_just_below_the_shortest_one() {
         }
         // The advice is the least entry that holds.
         let short = shaft(control, &[("spindle-ramp", "0.1")]);
-        let sets = readout(&short, "shortest-ramp").advice[0].sets.clone();
+        let sets = readout(&short, "shortest-ramp").advice[0].entries.clone();
         let [("spindle-ramp", typed)] = &sets[..] else { panic!("{control}: {sets:?}") };
         assert_eq!(typed.parse::<f64>().unwrap(), hundredths / 100.0, "{control}");
         let at_form = short.with_entries(&sets).unwrap();
-        let at_knob = at_form.with_entries(&readout(&at_form, "shortest-ramp").advice[0].sets).unwrap();
+        let at_knob = at_form.with_entries(&readout(&at_form, "shortest-ramp").advice[0].entries).unwrap();
         assert_eq!(readout(&at_knob, "shortest-ramp").verdict, Verdict::Ok, "{control}");
     }
 }
@@ -119,7 +119,7 @@ fn friction_above_the_torque_of_the_motor_has_no_ramp() {
     let lathe = shaft("gsk-980tdc", &[("spindle-friction", "100")]);
     let judged = readout(&lathe, "shortest-ramp");
     assert_eq!((judged.value, judged.verdict), (f64::INFINITY, Verdict::Fail));
-    assert!(judged.advice.iter().all(|advice| advice.sets.is_empty()));
+    assert!(judged.advice.iter().all(|advice| advice.entries.is_empty()));
     assert_eq!(value(&lathe, "run-up-time"), f64::INFINITY);
     // Braking is all the sooner.
     assert!(value(&lathe, "braking-time") < value(&shaft("gsk-980tdc", &[]), "braking-time"));

@@ -51,8 +51,8 @@ fn lower_stage_with_enough_torque_is_offered() {
     let stalls = project("gsk-980tdc", &[&STALLS[..], &stages].concat());
     let torque = readout(&stalls, "torque");
     assert_eq!(torque.verdict, Verdict::Fail);
-    assert_eq!(torque.advice[0].sets, [("gear", "1".to_owned())]);
-    let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(torque.advice[0].entries, [("gear", "1".to_owned())]);
+    let after = stalls.with_entries(&torque.advice[0].entries).unwrap();
     // 286.5 Nm, of which the feed override at 150 % takes more.
     assert!(readout(&after, "torque").verdict < Verdict::Fail);
 }
@@ -155,9 +155,9 @@ fn less_depth_is_offered_where_the_force_follows_from_it() {
     let cut = [&STALLS[..], &[("material", "c45"), ("depth", "5")]].concat();
     let stalls = project("gsk-980tdc", &cut);
     let torque = readout(&stalls, "torque");
-    let [("depth", depth)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
+    let [("depth", depth)] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
     assert!(depth.parse::<f64>().unwrap() < 5.0);
-    let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
+    let after = stalls.with_entries(&torque.advice[0].entries).unwrap();
     assert!(readout(&after, "torque").verdict < Verdict::Fail);
 }
 
@@ -208,7 +208,7 @@ fn positioning_asks_no_more_than_the_motor_gives() {
     assert_eq!(torque.verdict, Verdict::Fail);
     let inertia = value(&hard, "inertia");
     near(torque.value, inertia * 6000.0 * std::f64::consts::PI / 30.0 + 2.0, 1e-6 * torque.value);
-    let softer = hard.with_entries(&torque.advice[0].sets).unwrap();
+    let softer = hard.with_entries(&torque.advice[0].entries).unwrap();
     assert_eq!(readout(&softer, "positioning-torque").verdict, Verdict::Ok);
     assert_eq!(readout(&keyway("500"), "positioning-torque").verdict, Verdict::Ok);
 }
@@ -230,7 +230,7 @@ fn no_speed_is_offered_where_none_is_slow_enough() {
     let power = readout(&project("gsk-980tdc", &cut), "power");
     assert_eq!(power.verdict, Verdict::Fail);
     let [advice] = &power.advice[..] else { panic!("{:?}", power.advice) };
-    assert_eq!((advice.message.id, advice.sets.len()), ("turning.far-too-little-power", 0));
+    assert_eq!((advice.message.id, advice.entries.len()), ("turning.far-too-little-power", 0));
 }
 
 /// Materials of the form.

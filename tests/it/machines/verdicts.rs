@@ -242,7 +242,7 @@ fn ok_keeps_the_limit_and_fail_violates_it() {
 fn taken(project: &Project, advice: &Advice) -> Project {
     let mut after = project.clone();
     let fields = project.machine.fields();
-    for (id, typed) in &advice.sets {
+    for (id, typed) in &advice.entries {
         let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
         let value = field.read(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}"));
         after.values.insert((*id).to_owned(), value);
@@ -347,8 +347,8 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
         let design = project.design();
         for readout in &design.readouts {
             for (at, advice) in readout.advice.iter().enumerate() {
-                assert_eq!(advice.button.is_none(), advice.sets.is_empty(), "{}: {about}", readout.id);
-                if advice.sets.is_empty() {
+                assert_eq!(advice.button.is_none(), advice.entries.is_empty(), "{}: {about}", readout.id);
+                if advice.entries.is_empty() {
                     let text = || format!("{}: {}", readout.id, sentence(&advice.message));
                     without.entry(advice.message.id).or_insert_with(text);
                     continue;
@@ -361,7 +361,7 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
                 if verdict >= readout.verdict || errors(&after) > errors(&design) {
                     found.push(format!(
                         "{}: {:?} to {verdict:?} by {:?}\n    {about}",
-                        readout.id, readout.verdict, advice.sets
+                        readout.id, readout.verdict, advice.entries
                     ));
                 }
                 let turned: BTreeSet<_> = red(&after.readouts).difference(&red(&design.readouts)).copied().collect();
@@ -384,15 +384,15 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
 fn project(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Project {
     let (machine, control) = (machines::find(machine).unwrap(), macroline::controls::find(control).unwrap());
     let plain = Project::of_form(machine, control);
-    let sets = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
-    taken(&plain, &Advice { sets, button: None, message: macroline::msg!("polygon.no-b") })
+    let entries = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+    taken(&plain, &Advice { entries, button: None, message: macroline::msg!("polygon.no-b") })
 }
 
 /// Words of the buttons of a result, with their entries.
 fn buttons(project: &Project, id: &str) -> Vec<String> {
     let written = |advice: &Advice| {
         let button = sentence(advice.button.as_ref()?);
-        let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| format!("{id}={typed}")).collect();
+        let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| format!("{id}={typed}")).collect();
         Some(format!("{button}: {}", sets.join(" ")))
     };
     readout(project, id).advice.iter().filter_map(written).collect()

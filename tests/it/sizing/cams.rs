@@ -130,8 +130,8 @@ fn knob_at_its_end_decides_and_the_button_keeps_it() {
     assert_eq!((result(&fast, "cam-peak-torque").verdict, start.verdict), (Verdict::Ok, Verdict::Fail));
     let mut slower = fast.clone();
     let advice = &start.advice[0];
-    assert!(!advice.sets.is_empty(), "{advice:?}");
-    for (id, typed) in &advice.sets {
+    assert!(!advice.entries.is_empty(), "{advice:?}");
+    for (id, typed) in &advice.entries {
         slower.values.insert((*id).to_owned(), Value::Number(typed.parse().unwrap()));
     }
     let kept = result(&slower, "cam-start-torque");

@@ -644,7 +644,7 @@ fn unwinder_is_judged_by_its_ramp_too() {
     };
     let failing = result(&heavy);
     assert_eq!(failing.verdict, Verdict::Fail);
-    let mended = heavy.with_entries(&failing.advice[0].sets).unwrap();
+    let mended = heavy.with_entries(&failing.advice[0].entries).unwrap();
     assert_eq!(result(&mended).verdict, Verdict::Ok);
 }
 

@@ -192,7 +192,7 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     let sizing = sized(&project);
     assert_eq!(row(&sizing, OperatingEvent::PowerFailure, "loop").verdict, Verdict::Fail);
     let sheet = sizing.sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
-    let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.sets).collect();
+    let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.entries).collect();
     let told =
         |sizing: &Sizing| -> Vec<String> { sizing.findings().iter().map(|found| sentence(&found.message)).collect() };
     let lines = told(&sizing);
@@ -210,7 +210,7 @@ fn loop_that_would_hold_at_every_event_is_offered() {
             .sheets()
             .iter()
             .filter(|sheet| sheet.id == "envelope")
-            .all(|sheet| sheet.rows.iter().all(|row| row.sets.is_empty()))
+            .all(|sheet| sheet.rows.iter().all(|row| row.entries.is_empty()))
     );
 }
 
@@ -219,7 +219,7 @@ fn loop_that_is_offered_holds_by_every_rule_too() {
     let mut project = Project::named("ribbon-line", None, None).unwrap();
     project.values.insert("loop-capacity".to_owned(), Value::Number(100.0));
     let sheet = sized(&project).sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
-    let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.sets).collect();
+    let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.entries).collect();
     let after = project.with_entries(&sets).unwrap();
     let readouts = after.design().readouts;
     let judged: Vec<_> = readouts.iter().filter(|row| row.id.starts_with("loop-")).collect();
@@ -253,7 +253,7 @@ fn knob_turned_up_overfills_the_loop_as_the_formula_says() {
     project.values.insert("loop-capacity".to_owned(), Value::Number(300.0));
     let judged = row(&project);
     assert_eq!((judged.verdict, judged.advice.len()), (Verdict::Warn, 1));
-    let longer = project.with_entries(&judged.advice[0].sets).unwrap();
+    let longer = project.with_entries(&judged.advice[0].entries).unwrap();
     assert_eq!(row(&longer).verdict, Verdict::Ok);
 }
 

@@ -127,8 +127,8 @@ fn results_of_the_reel_follow_the_formulas() {
 fn mended(project: &Project, id: &str) -> (Verdict, Vec<(&'static str, Verdict)>) {
     let row = readout(project, id);
     let after = |sets: &[(&'static str, String)]| readout(&project.with_entries(sets).unwrap(), id).verdict;
-    let repairs = row.advice.iter().filter(|advice| !advice.sets.is_empty());
-    (row.verdict, repairs.map(|advice| (advice.sets[0].0, after(&advice.sets))).collect())
+    let repairs = row.advice.iter().filter(|advice| !advice.entries.is_empty());
+    (row.verdict, repairs.map(|advice| (advice.entries[0].0, after(&advice.entries))).collect())
 }
 
 #[test]

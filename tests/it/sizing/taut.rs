@@ -37,7 +37,7 @@ fn taut_ribbon_beyond_the_grip_fails_the_nip() {
     same("nip", nip.value, 100.0 * tautest(80.0) / 40.0, 1e-9);
     assert!((nip.value - 157.4).abs() < 0.05, "{}", nip.value);
     assert_eq!((nip.verdict, nip.limit), (Verdict::Fail, Some(Limit::AtMost(50.0))));
-    let sets: Vec<_> = nip.advice.iter().map(|advice| advice.sets.clone()).collect();
+    let sets: Vec<_> = nip.advice.iter().map(|advice| advice.entries.clone()).collect();
     assert_eq!(sets[0], [("pinch-force", "314.8".to_owned())]);
     // 0.87 s of dwell miss no ribbon.
     assert_eq!(sets[1], [("dwell", "0.87".to_owned())]);
@@ -106,7 +106,7 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
     let weak = project.with_entries(&[("motor-peak-x", "1.6".to_owned())]).unwrap();
     let peak = readout(&weak, "x-peak-torque");
     assert_eq!(peak.verdict, Verdict::Fail);
-    assert_eq!(peak.advice[0].sets, [("dwell", "0.87".to_owned())]);
+    assert_eq!(peak.advice[0].entries, [("dwell", "0.87".to_owned())]);
     let mut listed = project.clone();
     for (model, most) in [("WEAK", 1.6), ("STRONG", 1.61)] {
         let table = format!(

@@ -41,7 +41,7 @@ fn stop_beyond_what_the_inverter_takes_back_fails() {
     // 20 % of 5 Nm without a resistor.
     assert_eq!((braking.verdict, braking.limit), (Verdict::Fail, Some(Limit::AtMost(1.0))));
     // Others are notes about results that the longer ramp makes fail.
-    let sets: Vec<_> = braking.advice.iter().map(|advice| &advice.sets).filter(|sets| !sets.is_empty()).collect();
+    let sets: Vec<_> = braking.advice.iter().map(|advice| &advice.entries).filter(|sets| !sets.is_empty()).collect();
     for set in &sets {
         let after = heavy.with_entries(set).unwrap();
         assert_eq!(readout(&after, "unwinder-braking-torque").verdict, Verdict::Ok, "{set:?}");
@@ -77,7 +77,7 @@ fn motor_with_a_shaft_fan_is_derated_at_low_frequency() {
     let now: f64 = 5.0 * (0.5 + 0.5 * 160.0 / 1480.0);
     assert!((now - 2.77).abs() < 0.01 && limit >= 2.5 && limit <= now + 1e-9, "{limit}");
     assert_eq!(torque.verdict, Verdict::Fail);
-    let cooled = slow.with_entries(&torque.advice[0].sets).unwrap();
+    let cooled = slow.with_entries(&torque.advice[0].entries).unwrap();
     let cooled = readout(&cooled, "unwinder-torque");
     assert_eq!((cooled.verdict, cooled.limit), (Verdict::Ok, Some(Limit::AtMost(5.0))));
 }
