@@ -12,6 +12,7 @@ mod flow;
 mod loops;
 mod messages;
 mod points;
+mod position;
 mod retract;
 mod roles;
 mod settings;

@@ -1,17 +1,22 @@
 //! Retractions at cutting feed on a lathe: away from the cut, and past the end of the preceding rapid.
 
-use super::super::ast::{Dimensioning, Stmt, Word};
-use super::context::{Lint, measure};
-use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
+use super::super::ast::Stmt;
+use super::context::Lint;
+use super::position::{PositionReader, UNKNOWN, keeps_positions};
+use super::roles::{CURVED, INCREMENTAL, LINEAR, RAPID, Roles};
 use crate::controls::Address;
 use crate::msg;
 
-/// Codes after which positions are unknown.
-const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
+/// Positions across and along the spindle; `None` where unknown.
+type Position = [Option<f64>; 2];
 
-/// A position across and along the spindle, in the unit of words. Unknown is NaN, for which no comparison is true.
-type Place = [f64; 2];
-const NOWHERE: Place = [f64::NAN; 2];
+/// Whether a move leads from beside the end of the preceding rapid past it: not inward of it across the spindle, and beyond it along the
+/// spindle. `None` where a position is unknown.
+fn leads_out(free: Position, at: Position, to: Position) -> Option<bool> {
+    let ([across, along], [at_across, at_along], [to_across, to_along]) = (free, at, to);
+    let is_out = at_across? >= across? && to_across? >= across?;
+    Some(is_out && at_along? < along? && to_along? > along?)
+}
 
 /// Reports the first retraction at cutting feed of every program.
 pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
@@ -20,18 +25,13 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
     let along = axes.iter().find(|axis| axis.letter == Address::Z);
     let (Some(across), Some(along)) = (across, along) else { return };
     let axes = [across, along];
-    let increments = lint.increments()[0];
-    let least = lint.control.limits.increment;
-    let value = |word: &Word| match word.form {
-        Dimensioning::Plain => measure(word, increments, least).unwrap_or(f64::NAN),
-        _ => f64::NAN,
-    };
+    let reader = PositionReader::new(lint);
     for program in &deck.programs {
-        let (mut at, mut free, mut cuts) = (NOWHERE, NOWHERE, false);
+        let (mut at, mut free, mut cuts) = ([None; 2], [None; 2], false);
         for (index, block) in (program.first..).zip(deck.blocks_of(program)) {
             if !matches!(block.stmt, Stmt::Words { .. }) {
-                if !matches!(block.stmt, Stmt::Empty | Stmt::Assign { .. } | Stmt::Message(_)) {
-                    (at, free) = (NOWHERE, NOWHERE);
+                if !keeps_positions(block.stmt) {
+                    (at, free) = ([None; 2], [None; 2]);
                 }
                 continue;
             }
@@ -42,16 +42,16 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
             }
             cuts = (cuts || bits & LINEAR != 0) && bits & (RAPID | CURVED) == 0;
             if bits & UNKNOWN != 0 {
-                (at, free) = (NOWHERE, NOWHERE);
+                (at, free) = ([None; 2], [None; 2]);
                 continue;
             }
             let (mut to, mut last) = (at, None);
             for word in words {
                 for (place, axis) in to.iter_mut().zip(axes) {
                     if word.letter == axis.letter {
-                        *place = value(word);
+                        *place = reader.position(word);
                     } else if axis.incremental == Some(word.letter) {
-                        *place = f64::NAN;
+                        *place = None;
                     } else {
                         continue;
                     }
@@ -59,10 +59,9 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
                 }
             }
             let Some(last) = last else { continue };
-            let out = at[0] >= free[0] && to[0] >= free[0];
             if !cuts {
                 free = to;
-            } else if out && at[1] < free[1] && to[1] > free[1] {
+            } else if leads_out(free, at, to) == Some(true) {
                 let (place, word) = lint.written(index, last.span(block));
                 lint.warn(place, msg!("lint.slow-retract", word));
                 break;

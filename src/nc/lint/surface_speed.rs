@@ -1,9 +1,10 @@
 //! Constant surface speed: cuts to the turning centre without a speed limit, and offsets that move work zero off the centre.
 
-use super::super::ast::{Dimensioning, Stmt, Word};
-use super::context::{Lint, measure};
+use super::super::ast::{Stmt, Word};
+use super::context::Lint;
 use super::facts::Facts;
-use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
+use super::position::{PositionReader, UNKNOWN, keeps_positions};
+use super::roles::{CURVED, INCREMENTAL, LINEAR, RAPID, Roles};
 use crate::controls::{Address, AxisDef, Code, CodeDef, Group};
 use crate::msg;
 use crate::text::{Severity, Span};
@@ -11,18 +12,24 @@ use crate::text::{Severity, Span};
 /// Diameter (mm) below which a cut counts as one to the centre: at 100 m/min it needs 16 000 r/min.
 const CENTRE: f64 = 2.0;
 
-/// Codes after which the position across the spindle is unknown.
-const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
-
-/// State of the check in one program. Diameters in mm, as words count; unknown is NaN, for which no comparison is true.
+/// State of the check in one program. Diameters in mm, as words count; `None` where unknown.
 struct Course {
     /// Constant surface speed is on.
     surface: bool,
     cuts: bool,
-    at: f64,
+    at: Option<f64>,
     /// Offset of X, and its last word with the index of its block.
-    shift: f64,
+    shift: Option<f64>,
     shifted: Option<(u32, Span)>,
+}
+
+/// Size of an offset from the centre, the lesser one first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum OffsetSize {
+    /// A remark.
+    Small,
+    /// A warning.
+    Large,
 }
 
 /// Reports the first cut to the centre and the first offset across the spindle of every program with constant surface speed.
@@ -71,12 +78,13 @@ impl Check<'_, '_, '_> {
     fn program(mut self, program: usize) {
         let deck = self.lint.deck;
         let Some(program) = deck.programs.get(program) else { return };
-        let mut course = Course { surface: false, cuts: false, at: f64::NAN, shift: 0.0, shifted: None };
-        let mut told = 0;
+        let mut course = Course { surface: false, cuts: false, at: None, shift: Some(0.0), shifted: None };
+        let mut told = None;
+        let reader = PositionReader::new(self.lint);
         for (index, block) in (program.first..).zip(deck.blocks_of(program)) {
             if !matches!(block.stmt, Stmt::Words { .. }) {
-                if !matches!(block.stmt, Stmt::Empty | Stmt::Assign { .. } | Stmt::Message(_)) {
-                    course.at = f64::NAN;
+                if !keeps_positions(block.stmt) {
+                    course.at = None;
                 }
                 continue;
             }
@@ -84,35 +92,26 @@ impl Check<'_, '_, '_> {
             let bits = self.roles.block(words);
             self.codes(&mut course, words);
             let across =
-                words.iter().find(|word| word.letter == self.cross.letter).map(|word| (word, self.value(word)));
+                words.iter().find(|word| word.letter == self.cross.letter).map(|word| (word, reader.position(word)));
             self.offset(&mut course, words, across.map(|(word, value)| ((index, word.span(block)), value)));
             told = told.max(self.tell_offset(&course, told));
             course.cuts = (course.cuts || bits & (LINEAR | CURVED) != 0) && bits & RAPID == 0;
             if bits & INCREMENTAL != 0 || bits & UNKNOWN & !CURVED != 0 {
-                course.at = f64::NAN;
+                course.at = None;
                 continue;
             }
             let Some((word, to)) = across else {
                 if words.iter().any(|word| self.cross.incremental == Some(word.letter)) {
-                    course.at = f64::NAN;
+                    course.at = None;
                 }
                 continue;
             };
-            let reaches = to.abs() <= CENTRE || course.at * to < 0.0;
+            let reaches = to.is_some_and(|to| to.abs() <= CENTRE || course.at.is_some_and(|from| from * to < 0.0));
             if course.surface && course.cuts && reaches && !self.limited {
                 self.tell_centre(index, word.span(block));
                 self.limited = true;
             }
             course.at = to;
-        }
-    }
-
-    /// A dimension in mm; NaN if calculated or incremental.
-    fn value(&self, word: &Word) -> f64 {
-        let (increments, least) = (self.lint.increments()[0], self.lint.control.limits.increment);
-        match word.form {
-            Dimensioning::Plain => measure(word, increments, least).unwrap_or(f64::NAN),
-            _ => f64::NAN,
         }
     }
 
@@ -130,15 +129,15 @@ impl Check<'_, '_, '_> {
     }
 
     /// Applies the offset of a block.
-    fn offset(&self, course: &mut Course, words: &[Word], across: Option<((u32, Span), f64)>) {
+    fn offset(&self, course: &mut Course, words: &[Word], across: Option<((u32, Span), Option<f64>)>) {
         let code = rows(self.lint, words)
             .map(|row| row.code)
             .find(|code| matches!(code, Code::Offset | Code::OffsetMore | Code::LocalCoordinates));
-        let value = across.map_or(0.0, |(_, value)| value);
+        let value = across.map_or(Some(0.0), |(_, value)| value);
         match code {
             Some(Code::Offset) => course.shift = value,
             Some(Code::LocalCoordinates) if across.is_some() => course.shift = value,
-            Some(Code::OffsetMore) => course.shift += value,
+            Some(Code::OffsetMore) => course.shift = course.shift.zip(value).map(|(shift, more)| shift + more),
             _ => return,
         }
         if let Some((place, _)) = across {
@@ -146,15 +145,15 @@ impl Check<'_, '_, '_> {
         }
     }
 
-    /// Reports work zero off the centre, as a remark if the offset is small: the first of each size. Returns 1 for a small offset, 2 for a
-    /// large one; `told` is the largest size reported so far.
-    fn tell_offset(&mut self, course: &Course, told: u8) -> u8 {
-        let offset = course.shift.abs() / self.words;
-        let Some((index, span)) = course.shifted.filter(|_| course.surface && offset > 1e-9) else { return 0 };
+    /// Reports work zero off the centre, as a remark if the offset is small: the first of each size. Returns the size of the reported
+    /// offset; `told` is the largest size reported so far.
+    fn tell_offset(&mut self, course: &Course, told: Option<OffsetSize>) -> Option<OffsetSize> {
+        let offset = course.shift?.abs() / self.words;
+        let (index, span) = course.shifted.filter(|_| course.surface && offset > 1e-9)?;
         let small = offset <= self.lint.parsed.dialect().spindle().small_offset + 1e-9;
-        let size = if small { 1 } else { 2 };
+        let size = Some(if small { OffsetSize::Small } else { OffsetSize::Large });
         if size <= told {
-            return 0;
+            return None;
         }
         let (place, word) = self.lint.written(index, span);
         let error = (2.0 * offset, 4);
