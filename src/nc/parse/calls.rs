@@ -88,6 +88,12 @@ impl Reader<'_> {
         self.m_row(word) == Some(Code::SubCall)
     }
 
+    /// Whether a `<` behind the words of a block from `first` on begins the name of the program that they call.
+    pub(super) fn is_call_by_name(&self, first: usize) -> bool {
+        let calls = |word: &Word| self.calls_sub(word) || self.caller(word).is_some();
+        self.control.syntax.bracket_names && self.deck.words[first..].iter().any(calls)
+    }
+
     /// Reports a call with the letter of a program number in place of P.
     #[cold]
     pub(super) fn letter_for_p(&mut self, alarm: Alarm, start: usize) {

@@ -345,7 +345,7 @@ impl<'a> Reader<'a> {
             b'#' if self.deck.words.len() > first => {
                 return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed")).at_word());
             }
-            b'<' if self.control.syntax.bracket_names => return Err(self.call_by_name()),
+            b'<' if self.is_call_by_name(first) => return Err(self.call_by_name()),
             b'.' => self.stray_point(),
             b')' => self.stray_round()?,
             b']' => self.stray_square(),
