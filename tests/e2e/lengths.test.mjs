@@ -20,12 +20,12 @@ async function turnTo(page, name) {
 // A header that has room for the choice of units; in a shorter one it is in help.
 const WIDE = { width: 1600, height: 900 };
 
-// Texts on the page with a number of millimetres or metres, except in programs and in values of the control.
+// Texts on the page with a number of millimetres or metres, except in programs and in values of the control, of which the positions name theirs.
 const metric = (page) =>
   page.evaluate(() => {
     const found = new Set();
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-    const control = '.listing, .lengths, option, .panel, script, style, noscript';
+    const control = '.listing, .lengths, .now, option, .panel, script, style, noscript';
     for (let text; (text = texts.nextNode()); ) {
       const place = text.parentElement;
       if (place.closest(control)) continue;
