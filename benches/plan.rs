@@ -58,6 +58,7 @@ fn ribbon(seconds: f64, keep: Retention) -> Planner<Interp> {
         panel: Panel::default(),
         limits: Budget { blocks: u64::MAX, seconds },
         keep,
+        findings: Vec::new(),
     })
 }
 

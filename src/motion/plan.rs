@@ -59,7 +59,7 @@ impl<P: RunningProgram> Planner<P> {
             timeline.put_segment(Segment { t: 0.0, from: home, velocity: [0.0; AXES], circle: 0 }, None);
         }
         Planner {
-            records: Records { timeline, log: VecDeque::new(), taken: 0, first_kept: 0, diagnostics: Vec::new() },
+            records: Records { timeline, log: VecDeque::new(), taken: 0, first_kept: 0, diagnostics: setup.findings },
             state,
             plant,
             panel: setup.panel,

@@ -43,6 +43,8 @@ pub struct Setup<'a, P> {
     pub limits: Budget,
     /// Records to keep.
     pub keep: Retention,
+    /// Findings about the run before it begins.
+    pub findings: Vec<Diagnostic>,
 }
 
 /// Cause of the end of a run. A further operator event continues the run.

@@ -11,7 +11,7 @@ use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Dialect, Syntax, VarKind};
 use crate::interp::canon::{AXES, Line};
 use crate::interp::world::MachineAtRest;
-use crate::interp::{Interp, StartProgram, Step};
+use crate::interp::{End, Interp, StartProgram, Step};
 use crate::machines::ControlContext;
 use crate::motion::{
     Action, AxisPlant, AxisState, BenchPlc, Budget, Event, GearShift, PMC_AXES, Panel, Planner, Plant, Plc, Retention,
@@ -26,7 +26,7 @@ use crate::text::{Diagnostic, clauses};
 pub type Run = Planner<Interp>;
 
 /// Steps that the program which sets the project's values may take.
-const SETUP_STEPS: usize = 100_000;
+const SETUP_STEPS: u32 = 100_000;
 
 /// Events that are planned before the log is taken.
 const SLICE: usize = 4096;
@@ -86,9 +86,9 @@ pub struct RunOptions<'a> {
 pub fn of_project(project: &Project, written: &Written, begin: &RunOptions) -> Run {
     let start = begin.start.unwrap_or(StartProgram::Program(written.main));
     let mut interp = Interp::new(Rc::clone(&written.parsed), start);
-    set_up(&mut interp, project, written);
+    let unset = set_up(&mut interp, project, written);
     let machine = project.prepared();
-    started(interp, &machine.plant(), machine.plc(), panel_of(project), begin)
+    started((interp, unset), (&machine.plant(), machine.plc()), panel_of(project), begin)
 }
 
 /// The operator's actions of a run: the form sets the knob, which the operator may turn later.
@@ -118,10 +118,16 @@ pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, be
         }
         None => bench(control, &dialect),
     };
-    started(interp, &plant, plc, panel, begin)
+    started((interp, None), (&plant, plc), panel, begin)
 }
 
-fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Panel, begin: &RunOptions) -> Run {
+/// Begins a run of a program, with a finding about its values, on a plant with its PLC.
+fn started(
+    (mut interp, unset): (Interp, Option<Diagnostic>),
+    (plant, plc): (&Plant, Box<dyn Plc>),
+    mut panel: Panel,
+    begin: &RunOptions,
+) -> Run {
     let control = interp.control();
     let dialect = Rc::clone(interp.parsed().dialect());
     for setting in begin.settings {
@@ -135,19 +141,34 @@ fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Pane
         }
     }
     let panel = io_names::panel(&panel, control, &dialect);
-    Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
+    let findings = unset.into_iter().collect();
+    Planner::new(Setup {
+        program: interp,
+        control,
+        plant,
+        plc,
+        panel,
+        limits: begin.limits,
+        keep: begin.keep,
+        findings,
+    })
 }
 
-/// Sets the variables to the values of the project's setup program, run on a machine at rest.
-fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
-    let Some(number) = written.setup else { return };
+/// Sets the variables to the values of the project's setup program, run on a machine at rest. Returns the alarm with which it ends, or a
+/// finding if it does not end: the variables behind that block are not set.
+fn set_up(interp: &mut Interp, project: &Project, written: &Written) -> Option<Diagnostic> {
+    let number = written.setup?;
     let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(number));
     let mut world = MachineAtRest::default();
-    for _ in 0..SETUP_STEPS {
-        if let Step::Ended(_) = setup.step(&mut world) {
-            break;
-        }
-    }
+    let ended = (0..SETUP_STEPS).find_map(|_| match setup.step(&mut world) {
+        Step::Ended(end) => Some(end),
+        _ => None,
+    });
+    let unset = match ended {
+        Some(End::Alarm(alarm)) => Some(*alarm),
+        Some(_) => None,
+        None => Some(Diagnostic::error(msg!("run.endless-setup", steps = SETUP_STEPS))),
+    };
     for row in project.control.vars.iter().filter(|row| matches!(row.kind, VarKind::Common | VarKind::Retained)) {
         for number in row.first..=row.last {
             if let Some(value) = setup.variable(number) {
@@ -155,6 +176,7 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
             }
         }
     }
+    unset
 }
 
 /// The bench of a control as a plant with its PLC.

@@ -66,6 +66,7 @@ fn planned<P: RunningProgram>(control: &Control, program: P) -> Planner<P> {
         panel: Panel::new([knob]),
         limits: Budget { blocks: 5000, seconds: 600.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     });
     for _ in 0..40 {
         if planner.advance(f64::INFINITY, 100_000).ended != Some(RunEnd::Stop) {

@@ -121,6 +121,7 @@ fn planner_with(plc: Box<dyn Plc>, plant: &Plant, events: Vec<Event>, lines: Vec
         panel: Panel::new(events),
         limits: Budget { blocks: 1_000_000, seconds: 3600.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     })
 }
 

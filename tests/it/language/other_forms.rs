@@ -87,9 +87,13 @@ fn program_names_in_angle_brackets_are_named() {
             5:1 warning - <SUB1> names this program. Programs are called by their numbers here: calls of this name are not simulated.
         "#]],
     );
-    check_on("fanuc-0i-mf", "G0 <X1>", expect![[r#"
+    check_on(
+        "fanuc-0i-mf",
+        "G0 <X1>",
+        expect![[r#"
         1:4 error PS0009 The control has no character “<”.
-    "#]]);
+    "#]],
+    );
     check_on(
         "knd-k2000t",
         "M98 <SUB1>",

@@ -481,6 +481,7 @@ fn planned(values: &Values, events: Vec<Event>) -> Planner<Interp> {
         panel: Panel::new(events),
         limits: Budget { blocks: 10_000_000, seconds: 3600.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     })
 }
 

@@ -85,3 +85,18 @@ fn written_programs_have_no_findings() {
         }
     }
 }
+
+#[test]
+fn alarm_of_the_program_that_sets_the_values_is_in_the_run() {
+    let mut project = Project::of("ribbon-line", Some("mitsubishi-e60")).unwrap();
+    let mut files = project.written().files.clone();
+    let setup = files.0.iter_mut().find(|file| file.name.contains("O9102")).unwrap();
+    setup.text = setup.text.replacen("N5", "#3000=5(STOP)\nN5", 1);
+    project.edited = Some(files);
+    let limits = Budget { blocks: 20_000, seconds: 600.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Log };
+    let mut planner = run::of_project(&project, &project.written(), &begin);
+    let summary = run::to_end(&mut planner, AtStop::End, |_| Ok::<(), Infallible>(())).unwrap();
+    let first = summary.diagnostics.first().map(|found| sentence(&found.message));
+    assert_eq!(first.as_deref(), Some("The program raises its alarm 5: STOP"), "{:?}", summary.diagnostics);
+}

@@ -98,6 +98,7 @@ fn budget_ends_an_endless_program() {
         panel: Panel::default(),
         limits,
         keep: Retention::Log,
+        findings: Vec::new(),
     };
     let mut blocks = Planner::new(setup(Budget { blocks: 10_000, seconds: 3600.0 }));
     let (_, end) = finish(&mut blocks);
@@ -121,6 +122,7 @@ fn log_holds_begun_commands_in_program_order() {
             panel: Panel::new(events),
             limits: Budget { blocks: 100, seconds: 10.0 },
             keep: Retention::Log,
+            findings: Vec::new(),
         });
         let (mut log, mut t) = (vec![], 0.0);
         while planner.advance(t, 100).ended.is_none() {

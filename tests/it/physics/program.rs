@@ -53,6 +53,7 @@ fn ribbon(seconds: f64, events: Vec<Event>) -> Planner<Interp> {
         panel: Panel::new(events),
         limits: Budget { blocks: u64::MAX, seconds },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     })
 }
 
@@ -88,6 +89,7 @@ fn program_alarm_waits_for_the_blocks_before_it() {
         panel: Panel::default(),
         limits: Budget { blocks: 100, seconds: 10.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     });
     let progress = planner.advance(f64::INFINITY, usize::MAX);
     assert!(matches!(progress.ended, Some(RunEnd::Alarm(_))));
@@ -132,6 +134,7 @@ fn sample(switches: &[(&str, &str)], lines: &str) -> Planner<Interp> {
         panel: Panel::default(),
         limits: Budget { blocks: 1000, seconds: 600.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     });
     planner.advance(f64::INFINITY, usize::MAX);
     planner
@@ -212,6 +215,7 @@ M30
         panel: Panel::default(),
         limits: Budget { blocks: u64::MAX, seconds: 60.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     });
     planner.advance(1.0, 1_000_000);
     let seen = |planner: &Planner<Interp>, numbers: &[u32]| -> Vec<Option<f64>> {

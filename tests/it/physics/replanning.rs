@@ -116,8 +116,16 @@ fn run_of_which_only_the_log_is_kept_takes_no_other_actions() {
     let (plant, panel) = (plant(), Panel::new([]));
     let limits = Budget { blocks: 1_000_000, seconds: 3600.0 };
     let program = Script::new(busy());
-    let mut planner =
-        Planner::new(Setup { program, control: control(), plant: &plant, plc, panel, limits, keep: Retention::Log });
+    let mut planner = Planner::new(Setup {
+        program,
+        control: control(),
+        plant: &plant,
+        plc,
+        panel,
+        limits,
+        keep: Retention::Log,
+        findings: Vec::new(),
+    });
     assert!(!planner.replace_panel(Panel::new([at(1.0, Action::Hold)])));
     assert!(planner.panel().events().is_empty());
 }

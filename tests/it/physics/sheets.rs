@@ -62,6 +62,7 @@ impl Lathe {
             panel: Panel::new(self.events),
             limits: Budget { blocks: 10_000, seconds: 3600.0 },
             keep: Retention::Timeline,
+            findings: Vec::new(),
         });
         planner.advance(f64::INFINITY, usize::MAX);
         planner

@@ -172,6 +172,7 @@ fn time_budget_also_limits_the_time_to_standstill() {
         panel: Panel::new([at(0.8, Action::EmergencyStop)]),
         limits: Budget { blocks: 1000, seconds: 0.9 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     });
     let (t, end) = finish(&mut planner);
     assert!(matches!(end, RunEnd::Alarm(_)));

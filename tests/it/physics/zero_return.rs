@@ -31,6 +31,7 @@ fn lathe(control: &str, lines: &str, events: &[(f64, Action)]) -> Planner<Interp
         panel: Panel::new(events.iter().map(|(t, action)| at(*t, action.clone()))),
         limits: Budget { blocks: 1000, seconds: 600.0 },
         keep: Retention::Timeline,
+        findings: Vec::new(),
     });
     planner.advance(f64::INFINITY, usize::MAX);
     planner
