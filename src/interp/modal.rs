@@ -161,8 +161,8 @@ impl Modal {
             [axis(first), axis(second), axis(third)]
         };
         match row.code {
-            Rapid | Linear | ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread => self.motion = row.code,
-            NotSimulated | Tapping if row.group == Group::Motion => self.motion = row.code,
+            Rapid | Linear | ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread => self.begin_motion(control, row.code),
+            NotSimulated | Tapping if row.group == Group::Motion => self.begin_motion(control, row.code),
             NotSimulated | Cancel if row.group == Group::Cycle => self.unmoved.cycle = row.code == NotSimulated,
             _ if row.group == Group::Positions => self.unmoved.replaced = row.code == ReplacesPositions,
             WorkingArea(on) => self.area.off = !on,
@@ -196,6 +196,18 @@ impl Modal {
                 self.place_zero();
             }
             _ => {}
+        }
+    }
+
+    /// Puts a motion in force. It ends a fixed cycle as its cancel code does (GSK 980TDi manual, 3.23.9, note 1; the same in RS274/NGC).
+    fn begin_motion(&mut self, control: &Control, motion: Code) {
+        self.motion = motion;
+        if self.unmoved.cycle {
+            self.unmoved.cycle = false;
+            let cancel = control.codes.iter().find(|row| row.group == Group::Cycle && row.code == Code::Cancel);
+            if let Some(row) = cancel {
+                self.codes[Group::Cycle as usize] = row.id;
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 mod axis_words;
 mod coverage;
 mod fixing;
+mod hole_cycles;
 mod options_act;
 mod parameters;
 mod precheck;
