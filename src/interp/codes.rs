@@ -86,7 +86,7 @@ impl RunState {
                         let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", number = written));
                         return Err(trap.within(word.span(block)));
                     };
-                    self.g_code(cx, row, at, codes);
+                    self.g_code(cx, cx.codes().meant(row, words), at, codes);
                 }
                 // After a macro call, M is an argument.
                 Address::M if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
@@ -198,6 +198,7 @@ impl RunState {
             Tapping if row.group == Group::OneShot => codes.special = Some(row.code),
             ExactStopOnce => codes.exact = true,
             ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
+            MoreCoordinates => codes.any_word = true,
             NotSimulated | Cancel => {
                 codes.any_word = true;
                 codes.unmoved |= row.code == NotSimulated && row.group == Group::OneShot;

@@ -4,7 +4,7 @@ use super::ast::{Word, WordValue};
 use super::dec::Dec;
 use crate::controls::Address;
 use crate::controls::macros::CodeCall;
-use crate::controls::{CodeDef, CodeId, CodeNumber, Control, Dialect};
+use crate::controls::{Code, CodeDef, CodeId, CodeNumber, Control, Dialect};
 
 /// Table size for G codes: G0 to G99.9.
 const G_SLOTS: usize = 1000;
@@ -109,6 +109,18 @@ impl Codes {
     #[inline]
     pub(crate) fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
         self.row(code_of(word)?)
+    }
+
+    /// Row of the code that a code means beside the words of its block: work coordinate system 1 with P is an additional one.
+    #[inline]
+    pub fn meant(&self, row: &'static CodeDef, words: &[Word]) -> &'static CodeDef {
+        let numbered = row.code == Code::WorkCoordinates(1) && words.iter().any(|word| word.letter == Address::P);
+        if numbered { self.more_coordinates().unwrap_or(row) } else { row }
+    }
+
+    /// Row of the additional work coordinate systems.
+    pub fn more_coordinates(&self) -> Option<&'static CodeDef> {
+        self.control.codes.iter().find(|row| row.code == Code::MoreCoordinates)
     }
 
     /// Program call of a code word with a constant number.

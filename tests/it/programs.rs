@@ -2,6 +2,7 @@
 
 mod axis_words;
 mod coverage;
+mod data_input;
 mod fixing;
 mod hole_cycles;
 mod options_act;

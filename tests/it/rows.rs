@@ -38,6 +38,7 @@ const OWN_CODES: &[(&str, &str, &[&str])] = &[
             "NotSimulated Cycle: G75",
             "NotSimulated FeedUnit: G93",
             "NotSimulated Motion: G2.1 G3.1",
+            "NotSimulated Coordinates: G54.1",
             "NotSimulated OneShot: G5 G7 G12 G13 G34 G35 G36 G37.1 G38 G39 G45 G46 G47 G48",
             "NotSimulated Other: G41 G41.1 G42 G42.1",
             "ReplacesPositions Positions: G12.1",

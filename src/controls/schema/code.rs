@@ -53,6 +53,8 @@ pub enum Code {
     MachineRapid,
     /// Work coordinate system 1 to 6.
     WorkCoordinates(u8),
+    /// Additional work coordinate systems, numbered by P (G54.1). Work coordinate system 1 with P is the same code. Not simulated.
+    MoreCoordinates,
     /// Setting of the coordinate system; with S, maximum spindle speed.
     SetCoordinates,
     /// Zero of the local coordinate system, within the work coordinate system.
@@ -142,7 +144,8 @@ pub enum Code {
 impl Code {
     /// Whether the simulation ignores the code although the control acts on it.
     pub fn is_left_out(self) -> bool {
-        matches!(self, Code::NotSimulated | Code::TakesAxisWords | Code::ReplacesPositions | Code::Roughing)
+        use Code::{MoreCoordinates, NotSimulated, ReplacesPositions, Roughing, TakesAxisWords};
+        matches!(self, NotSimulated | MoreCoordinates | TakesAxisWords | ReplacesPositions | Roughing)
     }
 }
 

@@ -512,6 +512,13 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
+        if row.code == Code::WorkCoordinates(1)
+            && self.names_ahead(b'P', |byte| byte.is_ascii_digit() || matches!(byte, b'#' | b'['))
+            && let Some(more) = self.tables.codes.more_coordinates()
+        {
+            let code = format!("{} ({})", self.control.code_name(more.id), more.text);
+            self.code_not_simulated(more, IgnoredFeature::Code(more.id), &code, start);
+        }
         let left_out = row.code.is_left_out() && !(row.code == Code::Roughing && self.contour_named());
         if left_out || matches!(row.code, Code::Skip | Code::Tapping | Code::CancelForAxes) {
             self.code_not_simulated(row, IgnoredFeature::Code(row.id), &format!("G{number} ({})", row.text), start);
@@ -522,10 +529,19 @@ impl<'a> Reader<'a> {
     /// Whether the rest of the block names the blocks of a contour, `P10 Q20`: the check before a run reports that they are skipped.
     #[cold]
     fn contour_named(&self) -> bool {
-        let rest = self.cursor.rest();
-        let named =
-            |letter: u8| rest.windows(2).any(|pair| pair[0].eq_ignore_ascii_case(&letter) && pair[1].is_ascii_digit());
-        named(b'P') && named(b'Q')
+        self.names_ahead(b'P', |byte| byte.is_ascii_digit()) && self.names_ahead(b'Q', |byte| byte.is_ascii_digit())
+    }
+
+    /// Whether the rest of the block has a word with this letter and one of these bytes behind it.
+    #[cold]
+    fn names_ahead(&self, letter: u8, value: impl Fn(u8) -> bool) -> bool {
+        let (mut comment, mut before) = (false, 0);
+        self.cursor.rest().iter().any(|&byte| {
+            comment = byte == b'(' || comment && byte != b')';
+            let named = before == letter && value(byte);
+            before = if comment { 0 } else { byte.to_ascii_uppercase() };
+            named && !comment
+        })
     }
 
     /// Reports a code that is not or not fully simulated, once per kind; `code` is its name in the message.

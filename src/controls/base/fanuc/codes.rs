@@ -119,7 +119,7 @@ pub const MILL: &[CodeDef] = extended![CodeDef: COMMON, &[
     g_dot(50, 1, CancelForAxes, Group::Other, "programmable mirror image cancel", MEMORY),
     g(51, TakesAxisWords, Group::Other, "scaling", MEMORY),
     g_dot(51, 1, TakesAxisWords, Group::Other, "programmable mirror image", MEMORY),
-    g_dot(54, 1, NotSimulated, Group::Coordinates, "additional work coordinate system", MEMORY),
+    g_dot(54, 1, MoreCoordinates, Group::Coordinates, "additional work coordinate system", MEMORY),
     g(60, NotSimulated, Group::OneShot, "single direction positioning", MEMORY),
     g(61, ExactStop, Group::PathMode, "exact stop mode", MEMORY),
     g(62, NotSimulated, Group::PathMode, "automatic corner override", MEMORY),

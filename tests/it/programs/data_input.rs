@@ -1,0 +1,43 @@
+//! Codes of the FANUC family that are read and not simulated: additional coordinates, input of data, calls of other makers.
+
+use std::rc::Rc;
+
+use macroline::controls::find;
+use macroline::project::check::review;
+use macroline::text::catalog::sentence;
+
+use super::{log_of, start_on};
+
+/// Findings of the check as `line:column id`, and the log of the run.
+fn checked(id: &str, blocks: &str) -> (Vec<String>, String) {
+    let control = find(id).unwrap();
+    let named = control.syntax.names.is_some();
+    let text = if named { format!("{blocks}\nM30\n") } else { format!("O1\n{blocks}\nM30\n%\n") };
+    let mut interp = start_on(control, &text, &[]);
+    let parsed = Rc::clone(interp.parsed());
+    let found = review(&parsed, None, &[]).into_iter().filter(|finding| finding.message_id() != "nc.no-percent");
+    let said = found.map(|finding| {
+        let place = finding.place.map_or("", |place| parsed.text(place));
+        let hints: Vec<String> = finding.hints.iter().map(sentence).collect();
+        format!("{place}: {} {}", sentence(&finding.message), hints.join(" ")).trim_end().to_owned()
+    });
+    (said.collect(), log_of(&text, &mut interp))
+}
+
+#[test]
+fn work_coordinates_with_p_are_additional_ones() {
+    let said =
+        "G54: G54.1 (additional work coordinate system) is read, but not simulated: the run here goes on without it.";
+    for block in ["G54 P3 X10.", "P3 G54 X10.", "G54 P#1 X10.", "G54(ZERO)P3 X10."] {
+        let (found, log) = checked("fanuc-0i-mf", &format!("G90 G00 X0.\n#1=3\n{block}"));
+        let expected: &[&str] = if block.starts_with('P') { &[] } else { &[said] };
+        assert_eq!(found, expected, "{block}");
+        assert!(log.contains("rapid X10\n"), "{block}: {log}");
+        assert!(!log.contains("does nothing"), "{block}: {log}");
+    }
+    let (found, _) = checked("fanuc-0i-mf", "G90 G54 G00 X10. (P3)");
+    assert!(found.is_empty(), "{found:?}");
+    // A lathe without such a code has no use for P.
+    let (found, _) = checked("fanuc-0i-tf", "G54 P3\nG00 X10.");
+    assert!(found.iter().any(|line| line.starts_with("P3: P does nothing")), "{found:?}");
+}
