@@ -16,12 +16,16 @@ use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code};
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
-use crate::nc::{Block, Word};
+use crate::nc::{Block, Word, are_data};
 use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 impl RunState {
     /// Executes a block of words.
     pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> BlockResult<()> {
+        if self.modal.unmoved.data && self.is_data(words) {
+            self.counts.nc += 1;
+            return Ok(());
+        }
         let surface = self.modal.spindle.surface.then(|| self.surface_zero(cx));
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
@@ -48,6 +52,13 @@ impl RunState {
             self.counts.nc += 1;
         }
         Ok(())
+    }
+
+    /// Whether the words of a block are data for the control, to which the first G or M code puts an end.
+    #[cold]
+    fn is_data(&mut self, words: &[Word]) -> bool {
+        self.modal.unmoved.data = are_data(words);
+        self.modal.unmoved.data
     }
 
     /// Calls a macro with the block's words as arguments, or ends a modal call; returns whether it called.
@@ -182,6 +193,9 @@ impl RunState {
         block: &Block,
         words: &[Word],
     ) -> BlockResult<Option<bool>> {
+        if self.modal.unmoved.data && self.is_data(words) {
+            return Ok(Some(false));
+        }
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         if codes.call.is_some() {

@@ -30,6 +30,8 @@ pub(super) struct BlockCodes {
     pub(super) unmoved: bool,
     /// Blocks from P to Q are the contour of a roughing cycle, not motions.
     pub(super) contour: bool,
+    /// Input of data (G10), by this block and perhaps by those behind it.
+    pub(super) data: bool,
     /// Every word is allowed, because a code that is not simulated, or its cancel, may use it.
     pub(super) any_word: bool,
     /// Exact stop in this block.
@@ -199,6 +201,7 @@ impl RunState {
             ExactStopOnce => codes.exact = true,
             ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
             MoreCoordinates => codes.any_word = true,
+            DataInput(_) => (codes.any_word, codes.unmoved, codes.data) = (true, true, true),
             NotSimulated | Cancel => {
                 codes.any_word = true;
                 codes.unmoved |= row.code == NotSimulated && row.group == Group::OneShot;

@@ -45,6 +45,8 @@ pub(super) struct Unmoved {
     pub(super) cycle: bool,
     /// Polar coordinates or the like: axis words are not axis positions.
     pub(super) replaced: bool,
+    /// Input of data: blocks without a G or M code are data, not commands.
+    pub(super) data: bool,
 }
 
 impl Unmoved {

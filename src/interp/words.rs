@@ -134,6 +134,9 @@ impl RunState {
         if self.modal.radii != Radii::No {
             self.double(cx, values);
         }
+        if codes.data {
+            self.modal.unmoved.data = cx.codes().opens_data(words);
+        }
         Ok(())
     }
 

@@ -123,6 +123,20 @@ impl Codes {
         self.control.codes.iter().find(|row| row.code == Code::MoreCoordinates)
     }
 
+    /// Whether the blocks behind one with these words are data (`G10 L50`), up to the next one with a code.
+    #[cold]
+    pub fn opens_data(&self, words: &[Word]) -> bool {
+        let lists = words.iter().find_map(|word| match self.row_of(word)?.code {
+            Code::DataInput(lists) => Some(lists),
+            _ => None,
+        });
+        let named = |list: &u16| {
+            let number = WordValue::Number(Dec::int(i64::from(*list)));
+            words.iter().any(|word| word.letter == Address::L && word.value == number)
+        };
+        lists.is_some_and(|lists| lists.iter().any(named))
+    }
+
     /// Program call of a code word with a constant number.
     #[inline]
     pub(crate) fn call_of(&self, word: &Word) -> Option<&CodeCall> {
@@ -147,6 +161,11 @@ pub(crate) fn code_of(word: &Word) -> Option<CodeId> {
         Address::Name => Some(CodeId::Named(u16::try_from(number.mantissa).ok()?)),
         _ => None,
     }
+}
+
+/// Whether the words of a block are data where data are expected: none is a code.
+pub fn are_data(words: &[Word]) -> bool {
+    words.iter().all(|word| !matches!(word.letter, Address::G | Address::M))
 }
 
 /// A constant as the number of a G code.

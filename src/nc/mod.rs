@@ -31,7 +31,7 @@ pub use ast::{
     Assignment, BadBlock, Block, Deck, Dimensioning, Expr, ExprId, Extent, Jump, JumpDirection, Op, Program, Stmt,
     TextId, Word, WordValue,
 };
-pub use codes::Codes;
+pub use codes::{Codes, are_data};
 pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_with};
 pub use files::{File, Files};

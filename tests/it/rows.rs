@@ -39,7 +39,7 @@ const OWN_CODES: &[(&str, &str, &[&str])] = &[
             "NotSimulated FeedUnit: G93",
             "NotSimulated Motion: G2.1 G3.1",
             "NotSimulated Coordinates: G54.1",
-            "NotSimulated OneShot: G5 G7 G12 G13 G34 G35 G36 G37.1 G38 G39 G45 G46 G47 G48",
+            "NotSimulated OneShot: G5 G7 G10 G12 G13 G34 G35 G36 G37.1 G38 G39 G45 G46 G47 G48",
             "NotSimulated Other: G41 G41.1 G42 G42.1",
             "ReplacesPositions Positions: G12.1",
             "TakesAxisWords Other: G7.1",
@@ -65,6 +65,7 @@ const OWN_CODES: &[(&str, &str, &[&str])] = &[
             "ReplacesPositions Positions: G16",
         ],
     ),
+    ("gsk-980tdc", "GSK 980T usage, unverified", &["NotSimulated OneShot: G10"]),
     ("sinumerik-802d", "usage of Siemens controls, unverified", &["Radii Diameter: G22", "Diameters Diameter: G23"]),
 ];
 

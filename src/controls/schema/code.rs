@@ -129,6 +129,8 @@ pub enum Code {
     Cancel,
     /// A code that the simulation ignores, reported once per kind.
     NotSimulated,
+    /// Not simulated. Input of data by its block; after one of these numbers in L also by the blocks behind it, up to the next G or M code.
+    DataInput(&'static [u16]),
     /// Not simulated. The axis words of its block are parameters of the code (a centre, factors, limits) and move nothing.
     TakesAxisWords,
     /// Not simulated. Until it is cancelled, axis words are not axis positions (polar coordinates) and move nothing.
@@ -144,8 +146,8 @@ pub enum Code {
 impl Code {
     /// Whether the simulation ignores the code although the control acts on it.
     pub fn is_left_out(self) -> bool {
-        use Code::{MoreCoordinates, NotSimulated, ReplacesPositions, Roughing, TakesAxisWords};
-        matches!(self, NotSimulated | MoreCoordinates | TakesAxisWords | ReplacesPositions | Roughing)
+        use Code::{DataInput, MoreCoordinates, NotSimulated, ReplacesPositions, Roughing, TakesAxisWords};
+        matches!(self, NotSimulated | MoreCoordinates | DataInput(_) | TakesAxisWords | ReplacesPositions | Roughing)
     }
 }
 

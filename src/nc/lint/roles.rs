@@ -43,6 +43,8 @@ pub(super) const AUXILIARY: u32 = 1 << 19;
 pub(super) const EACH_BLOCK: u32 = 1 << 20;
 /// `G96`.
 pub(super) const SURFACE: u32 = 1 << 21;
+/// `G10`.
+pub(super) const DATA: u32 = 1 << 22;
 
 /// The bits of every code.
 pub(super) struct Roles<'a> {
@@ -73,6 +75,7 @@ fn bits(row: &CodeDef) -> u32 {
         Code::Auxiliary | Code::GearStage(_) => AUXILIARY,
         Code::SurfaceSpeed if row.group == Group::FeedUnit => SURFACE | OTHER_FEED,
         Code::SurfaceSpeed => SURFACE,
+        Code::DataInput(_) => SPECIAL | DATA,
         Code::ReferenceReturn
         | Code::MachineCoordinates
         | Code::MachineRapid

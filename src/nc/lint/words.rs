@@ -1,12 +1,13 @@
 //! One pass over all words: warnings about single blocks, and facts for the other checks.
 
 use super::super::ast::{Block, Program, Stmt, TextId, Word, WordValue};
+use super::super::codes::are_data;
 use super::context::Lint;
 use super::facts::{Call, Facts, ProgramFacts};
 use super::feeds::Feeds;
 use super::messages;
 use super::points::Points;
-use super::roles::{CALL, DWELL, END, RETURN, Roles, SUB, SURFACE};
+use super::roles::{CALL, DATA, DWELL, END, RETURN, Roles, SUB, SURFACE};
 use super::short::Short;
 use crate::controls::address::LETTERS;
 use crate::controls::{Address, AddressSet, Alarm};
@@ -54,12 +55,14 @@ struct InProgram {
     short: Short,
     /// A block so far may jump, or does not parse.
     forks: bool,
+    /// Blocks without a code are data for the control.
+    data: bool,
 }
 
 impl Survey<'_> {
     fn program(&mut self, lint: &mut Lint, index: u32, program: &Program) {
         let short = Short::new(lint, self.increments[0]);
-        let mut here = InProgram { index, points: Points::new(self.increments), short, forks: false };
+        let mut here = InProgram { index, points: Points::new(self.increments), short, forks: false, data: false };
         self.feeds.program();
         let mut bends = false;
         for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
@@ -102,6 +105,9 @@ impl Survey<'_> {
     /// Records a block of words; returns whether it calls, returns or ends.
     fn words(&mut self, lint: &mut Lint, here: &mut InProgram, (at, block): (u32, &Block)) -> bool {
         let words = lint.deck.words_of(block);
+        if here.data && are_data(words) {
+            return false;
+        }
         let (mut bits, mut counts, mut feed) = (0, false, None);
         let (mut letters, mut again) = (AddressSet::EMPTY, false);
         for word in words {
@@ -115,6 +121,7 @@ impl Survey<'_> {
                 }
             }
         }
+        here.data = bits & DATA != 0 && lint.parsed.codes().opens_data(words);
         self.facts.surface |= bits & SURFACE != 0;
         if bits & (DWELL | CALL) == DWELL && letters.and(lint.control.syntax.dwell_addresses).is_empty() {
             lint.dwell_without_time(self.roles, (at, block), words);

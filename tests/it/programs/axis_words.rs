@@ -55,7 +55,7 @@ fn said(row: &CodeDef) -> Option<Does> {
     use Code::*;
     Some(match (row.code, row.group) {
         (NotSimulated, Group::OneShot | Group::Motion | Group::Cycle) => Does::NothingTold,
-        (TakesAxisWords | ReplacesPositions | CancelForAxes | Roughing, _) => Does::NothingTold,
+        (DataInput(_) | TakesAxisWords | ReplacesPositions | CancelForAxes | Roughing, _) => Does::NothingTold,
         (ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread | Tapping | Skip | Dwell | ReferenceReturn, _) => {
             return None;
         }

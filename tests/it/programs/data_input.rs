@@ -41,3 +41,20 @@ fn work_coordinates_with_p_are_additional_ones() {
     let (found, _) = checked("fanuc-0i-tf", "G54 P3\nG00 X10.");
     assert!(found.iter().any(|line| line.starts_with("P3: P does nothing")), "{found:?}");
 }
+
+#[test]
+fn lines_of_data_input_are_no_commands() {
+    let data =
+        "G90 G00 X0.\nG10 L3\nP1 L30\nT101 H1 D1\nT102 H2 D2\nG11\nG10 L50\nN1320 P1 R5000\nN1815 P2 X5.\nG11\nT7 X10.";
+    let (found, log) = checked("fanuc-0i-mf", data);
+    assert_eq!(
+        found,
+        ["G10: G10 (programmable data input) is read, but not simulated: the run here goes on without it."]
+    );
+    assert_eq!(log, "rapid X0\ntool T7\nrapid X10\nend\n");
+    // A missing G11 does not swallow the program, and other data end with their block.
+    let (_, log) = checked("fanuc-0i-mf", "G10 L3\nP1 L30\nT101 H1\nG00 X10.\nX20.");
+    assert_eq!(log, "rapid X10\nrapid X20\nend\n");
+    let (_, log) = checked("fanuc-0i-mf", "G90 G00 X0.\nG10 L2 P1 X5.\nX20.");
+    assert_eq!(log, "rapid X0\nrapid X20\nend\n");
+}

@@ -14,7 +14,8 @@ const COMMON: &[CodeDef] = &[
     g(3, ArcCcw, Group::Motion, "circular interpolation, counter-clockwise", LATHE_LIST),
     g(4, Dwell, Group::OneShot, "dwell", LATHE_LIST),
     g(9, ExactStopOnce, Group::OneShot, "exact stop", MEMORY),
-    g(10, NotSimulated, Group::OneShot, "programmable data input", LATHE_LIST),
+    // L3: tool life; L50, L52: parameters, pitch errors.
+    g(10, DataInput(&[3, 50, 52]), Group::OneShot, "programmable data input", MEMORY),
     g(11, Cancel, Group::OneShot, "programmable data input cancel", LATHE_LIST),
     g(17, PlaneXy, Group::Plane, "plane X-Y", LATHE_LIST),
     g(18, PlaneZx, Group::Plane, "plane Z-X", LATHE_LIST),
