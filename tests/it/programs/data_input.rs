@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use macroline::controls::find;
+use macroline::controls::{CodeId, find};
 use macroline::project::check::review;
 use macroline::text::catalog::sentence;
 
@@ -57,4 +57,11 @@ fn lines_of_data_input_are_no_commands() {
     assert_eq!(log, "rapid X10\nrapid X20\nend\n");
     let (_, log) = checked("fanuc-0i-mf", "G90 G00 X0.\nG10 L2 P1 X5.\nX20.");
     assert_eq!(log, "rapid X0\nrapid X20\nend\n");
+}
+
+#[test]
+fn compensation_of_a_mill_is_that_of_the_tool_radius() {
+    let text = |id: &str| find(id).unwrap().code(CodeId::g(41)).unwrap().text.english;
+    assert_eq!(text("fanuc-0i-mf"), "tool radius compensation, left");
+    assert_eq!(text("fanuc-0i-tf"), "tool nose radius compensation, left");
 }
