@@ -10,7 +10,8 @@ use crate::controls::Address;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
 use crate::msg;
-use crate::nc::{Block, Dimensioning, Word};
+use crate::nc::{Block, Dec, Dimensioning, Word, WordValue};
+use crate::text::{Diagnostic, Place};
 
 /// Bit flags for words that only some codes use: I/J/K, R, P/L, and letters of missing axes, of cycles and of offsets.
 const CENTRE: u8 = 1;
@@ -355,7 +356,11 @@ impl RunState {
                 if cx.control.raises(Alarm::IdleAddress) {
                     return Err(Trap::alarm(Alarm::IdleAddress, message).within(word.span(block)));
                 }
-                self.remark(cx, word.span(block), message);
+                let mut remark = Diagnostic::warning(message).at(Place { file: self.file, span: word.span(block) });
+                if word.letter == Address::P && local_call(cx, words) {
+                    remark = remark.hint(msg!("interp.hint-local-call"));
+                }
+                cx.world.remark(remark);
             }
         }
         Ok(())
@@ -377,4 +382,11 @@ impl RunState {
             }
         }
     }
+}
+
+/// Whether a block has M97, the call of a part of the same program on the controls of Haas, and the control has no such code.
+#[cold]
+fn local_call(cx: &BlockContext, words: &[Word]) -> bool {
+    let number = WordValue::Number(Dec::int(97));
+    words.iter().any(|word| word.letter == Address::M && word.value == number && cx.codes().row_of(word).is_none())
 }

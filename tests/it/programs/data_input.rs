@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use macroline::controls::{CodeId, find};
+use macroline::controls::{ALL, CodeId, Control, find};
 use macroline::project::check::review;
 use macroline::text::catalog::sentence;
 
@@ -57,6 +57,18 @@ fn lines_of_data_input_are_no_commands() {
     assert_eq!(log, "rapid X10\nrapid X20\nend\n");
     let (_, log) = checked("fanuc-0i-mf", "G90 G00 X0.\nG10 L2 P1 X5.\nX20.");
     assert_eq!(log, "rapid X0\nrapid X20\nend\n");
+}
+
+#[test]
+fn local_call_of_another_maker_has_its_hint() {
+    let lacks = |control: &&&Control| control.syntax.names.is_none() && control.code(CodeId::M(97)).is_none();
+    for control in ALL.iter().filter(lacks) {
+        let (found, _) = checked(control.id, "M97 P100");
+        let hint = "Here M98 P calls a program of its own.";
+        assert!(found.iter().any(|line| line.starts_with("P100: P does nothing") && line.ends_with(hint)), "{found:?}");
+        let (found, _) = checked(control.id, "M96 P100");
+        assert!(!found.iter().any(|line| line.contains(hint)), "{found:?}");
+    }
 }
 
 #[test]
