@@ -93,8 +93,14 @@ impl RunState {
     #[cold]
     fn bad_block(&self, cx: &BlockContext, bad: BadBlock) -> Trap {
         let place = Place { file: self.file, span: bad.finding };
-        let is_it = |finding: &&Diagnostic| finding.severity == Severity::Error && finding.place == Some(place);
-        let reported = cx.shared.parsed.diagnostics().iter().find(is_it);
+        let mut here = cx.shared.parsed.diagnostics().iter().filter(|finding| finding.place == Some(place));
+        // Where only the simulation stops, the reader's finding is a warning.
+        if matches!(bad.alarm, Alarm::Budget)
+            && let Some(finding) = here.clone().find(|finding| finding.severity == Severity::Warning)
+        {
+            return Trap::alarm(bad.alarm, finding.message.clone()).within(bad.finding);
+        }
+        let reported = here.find(|finding| finding.severity == Severity::Error);
         Trap::alarm(bad.alarm, msg!("interp.bad-block")).reported_as(reported)
     }
 }

@@ -77,3 +77,17 @@ fn compensation_of_a_mill_is_that_of_the_tool_radius() {
     assert_eq!(text("fanuc-0i-mf"), "tool radius compensation, left");
     assert_eq!(text("fanuc-0i-tf"), "tool nose radius compensation, left");
 }
+
+/// The simulation stops at these blocks; the control itself goes on.
+#[test]
+fn run_that_only_the_simulation_stops_says_why() {
+    for (id, block, said) in [
+        ("sinumerik-802d", "R10=$AA_IM[X]", "$AA_IM[X]"),
+        ("sinumerik-808d", "DEF REAL DIAM\nR1=DIAM", "DIAM"),
+        ("fanuc-0i-mf", "M98 <SUB>", "SUB"),
+    ] {
+        let (_, log) = checked(id, block);
+        let end = log.lines().find(|line| line.starts_with("= ")).unwrap_or("");
+        assert!(end.contains(said) && !log.contains("cannot be read"), "{block}: {log}");
+    }
+}
