@@ -308,7 +308,7 @@ fn of_name(control: &Control, text: &str) -> Option<Meaning> {
 }
 
 /// Statements, comparisons and operators, with the ids of their descriptions.
-const KEYWORDS: [(&str, &str); 24] = [
+const KEYWORDS: [(&str, &str); 25] = [
     ("IF", "meaning.if"),
     ("THEN", "meaning.then"),
     ("GOTO", "meaning.goto"),
@@ -333,6 +333,7 @@ const KEYWORDS: [(&str, &str); 24] = [
     ("POPEN", "meaning.external"),
     ("PCLOS", "meaning.external"),
     ("DPRNT", "meaning.external"),
+    ("BPRNT", "meaning.external"),
 ];
 
 /// A statement, a comparison, an operator or a function.

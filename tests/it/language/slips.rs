@@ -1,7 +1,7 @@
 //! Typing mistakes and damaged files: the finding of each, and its fix.
 
 use expect_test::{Expect, expect};
-use macroline::controls::find;
+use macroline::controls::{self, find};
 
 use super::{check_block, findings, read_on};
 
@@ -138,4 +138,13 @@ fn nul_characters_are_named() {
             Remove the NUL characters of this line: 1:1 "G0 X5 \0Z3"→"G0 X5 Z3"
     "#]],
     );
+}
+
+#[test]
+fn output_in_binary_is_read_and_not_simulated() {
+    for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
+        let parsed = read_on(control, "O1\nPOPEN\nBPRNT[C**X#100[3]]\nPCLOS\nM30\n%\n");
+        assert!(!parsed.has_errors(), "{}: {}", control.id, findings(&parsed));
+        assert!(findings(&parsed).contains("BPRNT"), "{}", control.id);
+    }
 }
