@@ -1,6 +1,7 @@
 //! [`Reader`]: the state of the parser.
 
 use core::cell::Cell;
+use std::collections::BTreeSet;
 
 use super::failure::{IgnoredFeature, LineFix, Misused, ParseFailure};
 use super::tables::Tables;
@@ -66,6 +67,8 @@ pub(super) struct ReaderFindings {
 pub(super) struct FileNotes {
     /// Small letter outside comments.
     pub(super) small: Option<u32>,
+    /// Letters l typed for the digit 1.
+    pub(super) ones: BTreeSet<u32>,
     /// `;` that ends a block.
     pub(super) semicolon: Option<u32>,
     /// Character in a comment that is missing on the control.

@@ -326,9 +326,8 @@ impl Reader<'_> {
         let mut number =
             core::str::from_utf8(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).unwrap_or("");
         if number.is_empty() && matches!(self.cursor.name(), "l" | "L" | "I") {
-            let letter = self.cursor.name();
             self.cursor.at += 1;
-            self.report_replaced(Alarm::DoNumber, from, self.cursor.at, msg!("nc.letter-for-one", letter), "1");
+            self.report_ones(Alarm::DoNumber, from);
             number = "1";
         }
         let label = match number.parse::<u16>() {

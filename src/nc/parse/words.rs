@@ -463,6 +463,11 @@ impl<'a> Reader<'a> {
                     return Ok(WordValue::Number(number));
                 }
             }
+            b'l' | b'I' => {
+                if let Some(number) = self.one_after_letter(start) {
+                    return Ok(WordValue::Number(number));
+                }
+            }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ => {}
         }
@@ -480,7 +485,7 @@ impl<'a> Reader<'a> {
     pub(super) fn unsigned_number(&mut self) -> Read<Dec> {
         let start = self.cursor.at;
         let Digits { value, length, full, after } = self.cursor.take_digits();
-        if matches!(after, b',' | b'O' | b'o') {
+        if matches!(after, b',' | b'O' | b'o' | b'l' | b'I') {
             self.odd_digit();
         }
         if length == usize::from(value.point) {

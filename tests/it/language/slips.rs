@@ -2,6 +2,7 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::{self, find};
+use macroline::nc::{Files, fix, parse};
 
 use super::{check_block, findings, read_on};
 
@@ -138,6 +139,64 @@ fn nul_characters_are_named() {
             Remove the NUL characters of this line: 1:1 "G0 X5 \0Z3"→"G0 X5 Z3"
     "#]],
     );
+}
+
+#[test]
+fn letters_in_place_of_ones_are_named() {
+    check_block(
+        "G00 X1l.",
+        expect![[r#"
+        1:7 error P33 This is the letter l, not the digit 1.
+            Write “1.”: 1:7 "l."→"1."
+    "#]],
+    );
+    check_block(
+        "G00 Yl5.",
+        expect![[r#"
+        1:6 error P33 This is the letter l, not the digit 1.
+            Write “15.”: 1:6 "l5."→"15."
+    "#]],
+    );
+    check_block(
+        "G00 XI0.",
+        expect![[r#"
+        1:6 error P33 This is the letter I, not the digit 1.
+            Write “10.”: 1:6 "I0."→"10."
+    "#]],
+    );
+    check_block(
+        "G00 X1I. Y2.",
+        expect![[r#"
+        1:7 error P33 This is the letter I, not the digit 1.
+            Write “1.”: 1:7 "I."→"1."
+    "#]],
+    );
+    check_block("G01 X1.I5.", expect![[""]]);
+    check_block(
+        "All parts",
+        expect![[r#"
+        1:1 error P33 “All parts” is a remark: the control takes remarks only in round brackets.
+            Make it a comment: 1:1 "All parts"→"(ALL PARTS)"
+    "#]],
+    );
+    check_block("G00 X1 I0.", expect![[""]]);
+    check_802d(
+        "G0 X1l.",
+        expect![[r#"
+        1:6 error 12080 This is the letter l, not the digit 1.
+            Write “1.”: 1:6 "l."→"1."
+    "#]],
+    );
+}
+
+/// As a capital L it would be an address.
+#[test]
+fn capitals_leave_the_letter_for_a_one() {
+    let control = find("fanuc-0i-mf").unwrap();
+    let files = Files::one("O1.nc", "%\nO1\ng00 x1l. yl5.\nM98 P2 l3\nM30\n%\n");
+    let parsed = parse(&files, control);
+    let capitals = parsed.diagnostics().iter().find(|finding| finding.message_id() == "nc.small-letters").unwrap();
+    assert_eq!(fix(&files, &capitals.fixes[0]).0[0].text, "%\nO1\nG00 X1l. Yl5.\nM98 P2 L3\nM30\n%\n");
 }
 
 #[test]

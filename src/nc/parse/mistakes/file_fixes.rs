@@ -40,7 +40,12 @@ impl Reader<'_> {
             let mut finding = Diagnostic::info(msg!("nc.small-letters", control = self.control.name)).at(place);
             if self.file.text.len() <= WHOLE {
                 let all = self.place(Span::new(0, self.file.text.len() as u32));
-                finding = finding.fix(msg!("nc.fix.capitals"), vec![(all, self.file.text.to_ascii_uppercase())]);
+                // A letter l in place of a 1 has a fix of its own; as a capital it would be an address.
+                let capital = |(at, c): (usize, char)| {
+                    if self.notes.ones.contains(&(at as u32)) { c } else { c.to_ascii_uppercase() }
+                };
+                let capitals = self.file.text.char_indices().map(capital).collect();
+                finding = finding.fix(msg!("nc.fix.capitals"), vec![(all, capitals)]);
             }
             self.findings.list.push(finding);
         }

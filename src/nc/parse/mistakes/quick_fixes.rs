@@ -158,9 +158,50 @@ impl Reader<'_> {
         Some(Cursor { line: &digits, base: 0, at: 0 }.take_digits().value)
     }
 
-    /// Reports a comma or a letter O in a number, at the cursor.
+    /// The number after an address that starts with the letter l or I in place of the digit 1; it is read as a number. `None` for other
+    /// text.
+    #[cold]
+    pub(in crate::nc::parse) fn one_after_letter(&mut self, start: usize) -> Option<Dec> {
+        let at = self.cursor.at;
+        let number = self.cursor.rest().iter().skip(1).take_while(|b| matches!(b, b'.' | b'0'..=b'9')).count();
+        if at != start + 1 || number == 0 {
+            return None;
+        }
+        self.cursor.at += 1 + number;
+        let digits = self.report_ones(Alarm::Format, at);
+        Some(Cursor { line: digits.as_bytes(), base: 0, at: 0 }.take_digits().value)
+    }
+
+    /// Reports letters l or I in place of digits 1, from a byte of the line up to the cursor; returns the text with digits.
+    #[cold]
+    pub(in crate::nc::parse) fn report_ones(&mut self, alarm: Alarm, from: usize) -> String {
+        let text = String::from_utf8_lossy(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).into_owned();
+        let small = text.bytes().zip(self.cursor.base + from as u32..).filter(|(byte, _)| *byte == b'l');
+        self.notes.ones.extend(small.map(|(_, at)| at));
+        let letter = text.trim_start_matches(|c: char| !c.is_ascii_alphabetic()).chars().take(1).collect::<String>();
+        let digits = text.replace(['l', 'L', 'I'], "1");
+        let mut finding =
+            self.finding(alarm, from, self.cursor.at, msg!("nc.letter-for-one", letter = letter.as_str()));
+        // I is also an address: in `XI5.` the value of X may be missing.
+        if alarm == Alarm::Format && letter == "I" {
+            finding.kind = DiagnosticKind::GuessedFix;
+        }
+        self.report_replacing(alarm, finding, from, self.cursor.at, &digits);
+        digits
+    }
+
+    /// Reports a comma or a letter O, l or I in a number, at the cursor.
     #[cold]
     pub(in crate::nc::parse) fn odd_digit(&mut self) {
+        // An address has a value: `1l.` is 11.
+        if matches!(self.cursor.peek(), b'l' | b'I') {
+            if self.cursor.byte(1) == b'.' && !self.cursor.byte(2).is_ascii_digit() {
+                let from = self.cursor.at;
+                self.cursor.at += 2;
+                self.report_ones(Alarm::Format, from);
+            }
+            return;
+        }
         self.zero_for_o();
         // In brackets a comma separates two numbers.
         let parts = self.names().is_some() || self.control.syntax.has(Function::Power);
