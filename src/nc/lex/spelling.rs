@@ -76,6 +76,21 @@ pub(in crate::nc) fn holds_word(rest: &[u8]) -> bool {
     pieces(rest).any(|piece| is_words(piece) && !plain(piece))
 }
 
+/// Whether a text holds a part of a macro statement outside round brackets: a variable and a square bracket, `DO1`, `END1` or `GOTO`.
+pub(in crate::nc) fn holds_macro(rest: &[u8]) -> bool {
+    let numbered = |piece: &[u8], word: &str| {
+        let (head, digits) = piece.split_at_checked(word.len()).unwrap_or_default();
+        head.eq_ignore_ascii_case(word.as_bytes()) && digits.first().is_some_and(u8::is_ascii_digit)
+    };
+    let keyword = |piece: &[u8]| {
+        numbered(piece, "DO")
+            || numbered(piece, "END")
+            || numbered(piece, "GOTO")
+            || piece.eq_ignore_ascii_case(b"GOTO")
+    };
+    rest.contains(&b'[') && rest.contains(&b'#') || pieces(rest).any(keyword)
+}
+
 /// Words of plain language that also read as a letter with a zero.
 const PLAIN_WORDS: [&str; 5] = ["DO", "NO", "SO", "TO", "TOO"];
 

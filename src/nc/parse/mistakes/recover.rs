@@ -6,7 +6,7 @@
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::lex::keywords::KEYWORDS;
-use crate::nc::lex::spelling::{arithmetic, holds_word, prose, states};
+use crate::nc::lex::spelling::{arithmetic, holds_macro, holds_word, prose, states};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
 use crate::text::escape::shortened;
@@ -104,7 +104,8 @@ impl Reader<'_> {
             let after = rest.get(word.len()..).unwrap_or_default().trim_ascii_start();
             rest.starts_with(word) && after.first() == Some(&b'[')
         });
-        (failure.at_word && !condition && (prose(rest) || other_script(rest))).then_some(failure.from)
+        let remark = prose(rest) && !holds_macro(rest) || other_script(rest);
+        (failure.at_word && !condition && remark).then_some(failure.from)
     }
 
     /// Reports an unbracketed comment from `from` on, with a fix that puts it in brackets; the kept part of the block ends at `cut`.
