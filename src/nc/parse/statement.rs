@@ -217,6 +217,11 @@ impl Reader<'_> {
         let Some(op) = self.comparison(alarm) else {
             return Err(match self.cursor.peek() {
                 byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison")),
+                _ if self.two_letters_ahead() && !self.keyword_ahead() => {
+                    let word = String::from_utf8_lossy(self.cursor.rest().get(..2).unwrap_or_default());
+                    let message = msg!("nc.unknown-comparison", word = word.to_ascii_uppercase());
+                    self.failure(alarm, at, at + 2, message)
+                }
                 _ => self.unexpected(),
             });
         };
@@ -240,6 +245,11 @@ impl Reader<'_> {
             self.close(open)?;
         }
         self.add_expr(Expr::Binary(op, left, right), start)
+    }
+
+    /// Whether a word of two letters follows.
+    fn two_letters_ahead(&self) -> bool {
+        self.cursor.run(|byte| byte.is_ascii_alphabetic()) == 2
     }
 
     /// Reads a condition with missing brackets.

@@ -210,6 +210,28 @@ fn capitals_leave_the_letter_for_a_one() {
 }
 
 #[test]
+fn mistyped_comparison_is_named() {
+    check_block(
+        "IF[#1 EG 1]GOTO10",
+        expect![[r#"
+        1:7 error P290 EG is no comparison. There are EQ, NE, GT, GE, LT and LE.
+    "#]],
+    );
+    check_block(
+        "WHILE[#1 LS 5]DO1\nEND1",
+        expect![[r#"
+        1:10 error P291 LS is no comparison. There are EQ, NE, GT, GE, LT and LE.
+    "#]],
+    );
+    check_block(
+        "WHILE[#1 DO1\nEND1",
+        expect![[r#"
+        1:10 error P33 “D” is not allowed here.
+    "#]],
+    );
+}
+
+#[test]
 fn output_in_binary_is_read_and_not_simulated() {
     for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
         let parsed = read_on(control, "O1\nPOPEN\nBPRNT[C**X#100[3]]\nPCLOS\nM30\n%\n");
