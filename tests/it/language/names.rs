@@ -242,14 +242,12 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G0 X-R1 Y[R2]",
         expect![[r#"
-        1:5 error 12080 “=” is missing between X and its value.
-            Insert “=”: 1:5 ""→"="
-        1:10 error 12080 On the SINUMERIK 802D square brackets hold an index; arithmetic groups with round brackets.
-            Write round brackets: 1:10 "["→"(" 1:13 "]"→")"
-        1:10 error 12080 “=” is missing between Y and its value.
-            Insert “=”: 1:10 ""→"="
-        = G0 X=-R1 Y=(R2)
-    "#]],
+            1:5 error 12080 “=” is missing between X and its value.
+                Insert “=”: 1:5 ""→"="
+            1:10 error 12080 On the SINUMERIK 802D a calculated value stands behind “=”, and round brackets group: Y=(R2).
+                Write “Y=(R2)”: 1:10 "["→"=(" 1:13 "]"→")"
+            = G0 X=-R1 Y=(R2)
+        "#]],
     );
     check(
         "G1 X10+5 F100",

@@ -232,6 +232,31 @@ fn mistyped_comparison_is_named() {
 }
 
 #[test]
+fn square_bracket_behind_an_address_has_one_fix() {
+    check_802d(
+        "X[R1]",
+        expect![[r#"
+        1:2 error 12080 On the SINUMERIK 802D a calculated value stands behind “=”, and round brackets group: X=(R1).
+            Write “X=(R1)”: 1:2 "["→"=(" 1:5 "]"→")"
+    "#]],
+    );
+    check_802d(
+        "G1 X[R1+2]*2 F100",
+        expect![[r#"
+        1:5 error 12080 On the SINUMERIK 802D a calculated value stands behind “=”, and round brackets group: X=(R1+2).
+            Write “X=(R1+2)”: 1:5 "["→"=(" 1:10 "]"→")"
+    "#]],
+    );
+    check_802d(
+        "X=[R1]",
+        expect![[r#"
+        1:3 error 12080 On the SINUMERIK 802D square brackets hold an index; arithmetic groups with round brackets.
+            Write round brackets: 1:3 "["→"(" 1:6 "]"→")"
+    "#]],
+    );
+}
+
+#[test]
 fn output_in_binary_is_read_and_not_simulated() {
     for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
         let parsed = read_on(control, "O1\nPOPEN\nBPRNT[C**X#100[3]]\nPCLOS\nM30\n%\n");

@@ -315,16 +315,35 @@ impl Reader<'_> {
     /// Reports a formula directly after its address, as on other controls; reads it as intended.
     #[cold]
     fn insert_equals(&mut self, letter: Address) -> Read<SymbolicValue> {
-        let from = self.cursor.at;
+        let (from, found) = (self.cursor.at, self.findings.list.len());
         let value = self.constant_or_formula()?;
-        let finding = self.finding(
-            Alarm::Format,
-            from,
-            self.cursor.at,
-            msg!("nc.no-equals-sign", address = self.control.address(letter)),
-        );
+        let address = self.control.address(letter);
+        if self.cursor.line.get(from) == Some(&b'[') && self.equals_before_square(&address, from, found) {
+            return Ok(SymbolicValue::plain(value));
+        }
+        let finding = self.finding(Alarm::Format, from, self.cursor.at, msg!("nc.no-equals-sign", address));
         self.report_replacing(Alarm::Format, finding, from, from, "=");
         Ok(SymbolicValue::plain(value))
+    }
+
+    /// Adds the missing `=` to the finding about the square bracket at `from`, which is among those behind the first `found`: neither fix is
+    /// right alone. Returns whether there is such a finding.
+    fn equals_before_square(&mut self, address: &str, from: usize, found: usize) -> bool {
+        let start = self.span(from, from).start;
+        let text = self.file.text;
+        let at_bracket = |finding: &&mut Diagnostic| finding.place.is_some_and(|place| place.span.start == start);
+        let Some(finding) = self.findings.list.iter_mut().skip(found).rev().find(at_bracket) else { return false };
+        let written = finding.place.map_or("", |place| place.span.of(text));
+        let inner = written.get(1..written.len().saturating_sub(1)).unwrap_or("");
+        let correct = format!("{address}=({inner})");
+        finding.message = msg!("nc.square-value", control = self.control.name, correct = correct.as_str());
+        if let Some(fix) = finding.fixes.first_mut() {
+            fix.title = msg!("nc.fix.write", text = correct);
+            if let Some((_, bracket)) = fix.edits.first_mut() {
+                bracket.insert(0, '=');
+            }
+        }
+        true
     }
 
     /// Whether a name is an address with a variable or number and a missing `=`: `XR1`, `LIMS3000`.
