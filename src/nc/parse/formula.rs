@@ -242,6 +242,7 @@ impl Reader<'_> {
             b'#' if self.names().is_some() => self.hash_variable(VariableAccess::Read),
             b'[' if self.names().is_some() => self.square_group(),
             b'$' if self.names().is_some() => Err(self.system_variable()),
+            b'_' if self.names().is_some() => Err(self.unknown_name(start, self.cursor.name())),
             b'#' => self.variable(VariableAccess::Read),
             b'0'..=b'9' | b'.' => {
                 let number = self.formula_number(start)?;

@@ -257,6 +257,28 @@ fn square_bracket_behind_an_address_has_one_fix() {
 }
 
 #[test]
+fn name_and_text_are_not_taken_for_characters() {
+    check_802d(
+        "T=\"FRAESER\"",
+        expect![[r#"
+        1:3 error 12080 T takes a number here, no text.
+    "#]],
+    );
+    check_802d(
+        "_CNAME=\"L01\"",
+        expect![[r#"
+        1:1 error 12550 _CNAME is no code, address or program that the SINUMERIK 802D would know here.
+    "#]],
+    );
+    check_802d(
+        "R1=_OFFS",
+        expect![[r#"
+        1:4 error 12550 _OFFS is no code, address or program that the SINUMERIK 802D would know here.
+    "#]],
+    );
+}
+
+#[test]
 fn output_in_binary_is_read_and_not_simulated() {
     for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
         let parsed = read_on(control, "O1\nPOPEN\nBPRNT[C**X#100[3]]\nPCLOS\nM30\n%\n");

@@ -274,6 +274,11 @@ impl Reader<'_> {
             let message = msg!("nc.no-formula", address = letter.to_string());
             return Err(self.failure(Alarm::Format, start, self.cursor.at, message));
         }
+        if self.next_byte() == b'"' {
+            let end = self.cursor.at + self.cursor.enclosed(b'"').0;
+            let message = msg!("nc.text-value", address = self.control.address(letter));
+            return Err(self.failure(Alarm::Format, self.cursor.at, end, message));
+        }
         let dimensioning = self.dimensioning();
         if dimensioning != Dimensioning::Plain {
             self.pass_blanks();
@@ -513,6 +518,7 @@ impl Reader<'_> {
                 Ok(())
             }
             b'$' => Err(self.system_variable()),
+            b'_' => Err(self.unknown_name(self.cursor.at, self.cursor.name())),
             b'#' => Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed")).at_word()),
             _ => Err(self.unexpected()),
         }
