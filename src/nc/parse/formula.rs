@@ -384,11 +384,11 @@ impl Reader<'_> {
         let start = self.cursor.at;
         let rest = self.cursor.line.get(start..).unwrap_or_default();
         let written = self.cursor.name();
-        if self.names().is_some() && written.starts_with(['R', 'r']) && zero_as_letter(written) {
-            return Err(self.letter_for_zero(start, written));
-        }
         if self.is_local_variable(written) {
             return Err(self.local_variable(start, written));
+        }
+        if self.names().is_some() && written.starts_with(['R', 'r']) && zero_as_letter(written) {
+            return Err(self.letter_for_zero(start, written));
         }
         let mut letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         if OTHER_NAMES.iter().any(|row| row.0.eq_ignore_ascii_case(written)) {

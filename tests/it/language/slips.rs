@@ -257,6 +257,45 @@ fn square_bracket_behind_an_address_has_one_fix() {
 }
 
 #[test]
+fn letter_o_in_a_name_of_the_file_is_no_zero() {
+    check_802d(
+        "XO=5",
+        expect![[r#"
+        1:1 error 12550 XO is no code, address or program that the SINUMERIK 802D would know here.
+    "#]],
+    );
+    check_802d(
+        "XO=5\nG0 Z=XO\nR1=XO",
+        expect![[r#"
+        1:1 error 12550 XO is no code, address or program that the SINUMERIK 802D would know here.
+        2:6 error 12080 “XO” is found where a value is expected.
+        3:4 error 12080 “XO” is found where a value is expected.
+    "#]],
+    );
+    check_802d(
+        "XO=5\nG0 XO",
+        expect![[r#"
+        1:1 error 12550 XO is no code, address or program that the SINUMERIK 802D would know here.
+        2:4 error 12550 XO is no code, address or program that the SINUMERIK 802D would know here.
+    "#]],
+    );
+    check_802d(
+        "RO=5",
+        expect![[r#"
+        1:2 error 12550 This is the letter O, not the digit 0.
+            Write “0”: 1:2 "O"→"0"
+    "#]],
+    );
+    check_802d(
+        "G0 XO YO",
+        expect![[r#"
+        1:5 error 12550 This is the letter O, not the digit 0.
+            Write “0”: 1:5 "O"→"0"
+    "#]],
+    );
+}
+
+#[test]
 fn name_and_text_are_not_taken_for_characters() {
     check_802d(
         "T=\"FRAESER\"",

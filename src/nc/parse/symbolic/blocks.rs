@@ -363,10 +363,12 @@ impl<'a> Reader<'a> {
         if self.is_local_variable(name) {
             return self.local_variable(start, name);
         }
-        if zero_as_letter(name) {
+        let after = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
+        // `XO=5` is no `X0=5`, which is not allowed either; `RO=5` is R0=5.
+        let assigned = after.first() == Some(&b'=') && !name.starts_with(['R', 'r']);
+        if zero_as_letter(name) && !assigned && !self.assigns_name(name) {
             return self.letter_for_zero(start, name);
         }
-        let after = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
         if name == "LF" && matches!(after.first(), None | Some(b';')) {
             let place = self.place(self.span(start, end));
             failure.finding.message = msg!("nc.printed-line-end");
@@ -390,6 +392,23 @@ impl<'a> Reader<'a> {
         let place = self.place(self.span(from, end));
         failure.finding = failure.finding.fix(msg!("nc.fix.write", text = digits.as_str()), vec![(place, digits)]);
         failure
+    }
+
+    /// Whether the file assigns a value to a name other than that of an R parameter.
+    fn assigns_name(&self, name: &str) -> bool {
+        // Searching a large file for each such name would take too long.
+        let is_small = self.file.text.len() < 1 << 16;
+        let assigned = |line: &str| {
+            let code = line.split(';').next().unwrap_or("");
+            let mut parts = code.split('=');
+            parts.next_back();
+            parts.any(|part| {
+                part.rsplit([' ', '\t'])
+                    .find(|word| !word.is_empty())
+                    .is_some_and(|word| word.eq_ignore_ascii_case(name))
+            })
+        };
+        is_small && !name.starts_with(['R', 'r']) && self.lists_findings() && self.file.text.lines().any(assigned)
     }
 
     /// Whether a jump in the file names a label.
