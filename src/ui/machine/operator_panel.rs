@@ -372,7 +372,7 @@ mod tests {
                 bench.press_button(t("page.zero-return")).await;
                 assert_eq!(bench.actions(), [Action::Reset, Action::ProgramZeroReturn]);
                 let told = bench.text("#changed");
-                assert!(told.contains(" · X ") && told.contains(" → 150, Z ") && told.ends_with(" → 100"), "{told}");
+                assert!(told.contains(" X 150 (without it ") && told.contains(", Z 100 (without it "), "{told}");
             }
         }
     }

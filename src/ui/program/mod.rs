@@ -352,9 +352,12 @@ mod tests {
         let bench = tab().await;
         assert_eq!(bench.text(".counts"), "");
         let found = |make: fn(crate::text::Message) -> Diagnostic| make(crate::msg!("page.not-a-value"));
-        let found = [Diagnostic::error, Diagnostic::warning, Diagnostic::warning].map(found);
-        bench.page.program.findings.set(found.into());
+        let stopped = found(Diagnostic::error);
+        let place = Place { file: FileId(0), span: Span::new(0, 1) };
+        let found = [Diagnostic::error, Diagnostic::warning, Diagnostic::warning].map(|make| found(make).at(place));
+        bench.page.program.findings.set(found.into_iter().chain([stopped]).collect());
         settled().await;
+        // The finding without a place is not one of the text.
         assert_eq!((bench.text(".counts .fail").as_str(), bench.text(".counts .warn").as_str()), ("✕ 1", "▲ 2"));
         assert!(!bench.has(".counts .info"));
     }

@@ -61,9 +61,9 @@ pub(crate) struct Page {
     /// The last valid project.
     pub project: RwSignal<Project, LocalStorage>,
     /// Id of its machine.
-    pub machine: Memo<&'static str>,
+    pub machine: RwSignal<&'static str>,
     /// Id of its control.
-    pub control: Memo<&'static str>,
+    pub control: RwSignal<&'static str>,
     /// Whether undo and redo have something to do.
     pub undoable: RwSignal<Undoable>,
     /// Results of the machine's formulas.
@@ -97,10 +97,11 @@ impl Page {
         let player = Player::new();
         player.take(run, &project, &written);
         let program = ProgramFiles::new(written);
+        let (machine, control) = (project.machine.id(), project.control.id);
         let project = RwSignal::new_local(project);
         let page = Page {
-            machine: Memo::new(move |_| project.with(|project| project.machine.id())),
-            control: Memo::new(move |_| project.with(|project| project.control.id)),
+            machine: RwSignal::new(machine),
+            control: RwSignal::new(control),
             undoable: RwSignal::new(Undoable::default()),
             results: Results {
                 errors: RwSignal::new_local(errors(&design)),
@@ -412,6 +413,8 @@ impl Page {
                 self.player.replan(&after, written);
             }
         });
+        put(self.machine, after.machine.id());
+        put(self.control, after.control.id);
         self.project.set(after);
         self.project.with_untracked(|after| self.field_changes.notify(before, after));
         self.undoable.set(self.history.with_value(History::undoable));
