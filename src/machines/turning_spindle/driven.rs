@@ -131,13 +131,20 @@ impl HasSlides for TurningSpindle {
     }
 }
 
+/// Highest speed (r/min) that the spindle may turn: at a fixed speed the operator's limit too, which the control does not hold there. Under
+/// constant surface speed the control holds it.
+fn highest_speed(lathe: &TurningSpindle) -> f64 {
+    let p = &lathe.p;
+    if lathe.surface() { p.chuck_limit } else { p.chuck_limit.min(p.upper_limit) }
+}
+
 /// Quantity checked during operation: the speed of the spindle.
 pub(super) const GAUGES: &[GaugeRow<TurningSpindle>] = &[GaugeRow {
     id: "speed",
     label: "turning.gauge.speed",
     unit: "r/min",
     decimals: 1,
-    limit: |lathe| Some(Limit::AtMost(lathe.p.chuck_limit)),
+    limit: |lathe| Some(Limit::AtMost(highest_speed(lathe))),
     field: None,
     value: |_, now| now.spindle.actual.abs(),
 }];

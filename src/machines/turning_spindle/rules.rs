@@ -14,6 +14,7 @@ use crate::controls::ParamRole;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::cutting::LEAST_DEPTH;
+use crate::drives::speed::surface_speed;
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
@@ -566,20 +567,37 @@ fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 
 /// The limits of the speed against each other, and against the knob at a fixed speed.
 fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let TurningSpindle { p, d, .. } = lathe;
-    if !lathe.surface() && d.fixed_speed > p.upper_limit {
-        found.push(
-            Diagnostic::warning(msg!(
-                "turning.override-passes-limit",
-                speed = (d.fixed_speed, 0),
-                limit = (p.upper_limit, 0)
-            ))
-            .about("override"),
-        );
-    }
+    let p = &lathe.p;
+    found.extend(passed_limit(lathe));
     let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
     if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {
         let message = msg!("turning.limits-crossed", lower = show(p.lower_limit, 0), upper = show(upper, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
+}
+
+/// The fixed speed at the position of the override knob where it is greatest, with that position in percent.
+fn fastest_fixed(lathe: &TurningSpindle) -> (f64, f64) {
+    let present = (lathe.p.override_percent, lathe.d.fixed_speed);
+    lathe
+        .at_highest_knob()
+        .map(|(percent, d)| (percent, d.fixed_speed))
+        .filter(|fast| fast.1 > present.1)
+        .unwrap_or(present)
+}
+
+/// A fixed speed that the override knob lifts over the operator's limit, with the cutting speed that stays below it.
+fn passed_limit(lathe: &TurningSpindle) -> Option<Diagnostic> {
+    let p = &lathe.p;
+    let (percent, speed) = fastest_fixed(lathe);
+    if lathe.surface() || speed <= p.upper_limit {
+        return None;
+    }
+    let message =
+        msg!("turning.override-passes-limit", percent = (percent, 0), speed = (speed, 0), limit = (p.upper_limit, 0));
+    let slower = surface_speed(p.upper_limit * 100.0 / percent, p.stock_diameter).floor();
+    let held = slower >= 1.0
+        && fastest_fixed(&lathe.with(Params { cutting_speed: slower, ..lathe.form.clone() })).1 <= p.upper_limit;
+    let found = Diagnostic::warning(message).about("cutting-speed");
+    Some(if held { found.mended_by(slower) } else { found })
 }

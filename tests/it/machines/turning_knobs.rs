@@ -4,7 +4,7 @@ use macroline::math;
 use macroline::project::Project;
 use macroline::project::size::{OperatingEvent, Sizing};
 use macroline::text::catalog::sentence;
-use macroline::view::{Readout, Verdict};
+use macroline::view::{Limit, Readout, Verdict};
 
 use super::turning::project;
 use crate::asked::{near_share, readout, sized, value};
@@ -138,5 +138,44 @@ fn envelope_of_the_polygon_has_the_feed_knob() {
         let (value, feed) = row(&knob, OperatingEvent::FeedKnob, id);
         assert_eq!(feed, Some(150.0), "{id}");
         near_share(value, row(&more, OperatingEvent::Run, id).0, 0.02);
+    }
+}
+
+/// 300 m/min at Ø 60 are S1591, 1909 r/min at 120 % of the knob. 1600 r/min / 1.2 are 251.3 m/min.
+#[test]
+fn knob_that_lifts_a_fixed_speed_over_its_limit_warns() {
+    let lathe = |entries: &[(&'static str, &'static str)]| {
+        let fixed = [
+            ("path", "turning"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "56"),
+            ("speed-mode", "fixed"),
+            ("cutting-speed", "300"),
+            ("upper-limit", "1600"),
+        ];
+        project("gsk-980tdc", &[&fixed[..], entries].concat())
+    };
+    let found = |project: &Project| {
+        let all = project.design().diagnostics;
+        all.into_iter().find(|found| found.message.id == "turning.override-passes-limit")
+    };
+    for percent in ["100", "120"] {
+        let passed = found(&lathe(&[("override", percent)])).unwrap();
+        let said = sentence(&passed.message);
+        assert!(said.contains("override at 120 %") && said.contains("1909 r/min"), "{said}");
+        assert_eq!((passed.field, passed.entry), (Some("cutting-speed"), Some(251.0)));
+    }
+    assert_eq!(found(&lathe(&[("cutting-speed", "251")])), None);
+    assert_eq!(found(&lathe(&[("speed-mode", "surface")])), None);
+}
+
+/// S796 stays below its limit at 120 % of the knob; S1600, held by the limit, does not.
+#[test]
+fn envelope_of_a_fixed_speed_has_the_operators_limit() {
+    for (speed, verdict) in [("200", Verdict::Ok), ("500", Verdict::Fail)] {
+        let entries = [("path", "turning"), ("speed-mode", "fixed"), ("cutting-speed", speed), ("upper-limit", "1600")];
+        let sizing = sized(&project("gsk-980tdc", &entries));
+        let run = sizing.envelope.iter().find(|row| row.event == OperatingEvent::Run && row.id == "speed").unwrap();
+        assert_eq!((run.limit, run.verdict), (Some(Limit::AtMost(1600.0)), verdict), "{run:?}");
     }
 }
