@@ -324,7 +324,8 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
 }
 
-/// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force.
+/// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force. Work that bends more than the
+/// cut along it is deep gives way before the tool: the force and with it the bending fall as the depth does, so that no smaller depth helps.
 fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
     let bending = bending::free(&lathe.p);
     let limit = AtMost(bending::LIMIT);
@@ -333,9 +334,14 @@ fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
             msg!("turning.bends-at-feed-knob", percent = (cut.at.feed, 0), bending = (bending, 2))
         });
     }
+    let (held, depth) = (bending::held(&lathe.p), lathe.p.depth);
+    if lathe.p.path != Path::Facing && bending > depth {
+        let told = msg!("turning.work-gives-way", bending = (bending, 2), depth = (depth, 3), held = (held, 3));
+        return fail(AtMost(depth), [told.into()]);
+    }
     let told = match lathe.p.path {
         Path::Facing => msg!("turning.face-bends", bending = (bending, 2)),
-        _ => msg!("turning.work-bends", bending = (bending, 2), held = (bending::held(&lathe.p), 3)),
+        _ => msg!("turning.work-bends", bending = (bending, 2), held = (held, 3)),
     };
     let greatest = lathe.at_highest_feed().map_or(bending, |(_, fed)| bending::free(&fed.p));
     warn(limit, [with_depth(lathe, bending::LIMIT / greatest, told)])

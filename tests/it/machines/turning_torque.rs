@@ -243,7 +243,7 @@ fn macroline_materials() -> Vec<(String, String)> {
 
 /// A slender bar without a tailstock: `F L³ / 3 E I`; a tailstock leaves a 34th part.
 #[test]
-fn slender_bar_warns_and_names_the_tailstock() {
+fn slender_bar_names_the_tailstock_and_fails_at_its_depth() {
     let bar = |length: &str| {
         let changes = [
             ("path", "turning"),
@@ -260,8 +260,13 @@ fn slender_bar_warns_and_names_the_tailstock() {
         readout(&project("gsk-980tdc", &[("path", "turning"), ("stock-diameter", "22"), ("material", "c45")]), "force")
             .value;
     near_share(slender.value, force * math::pow(300.0, 3.0) / (3.0 * 210e3 * moment), 1e-9);
-    assert_eq!(slender.verdict, Verdict::Warn);
+    // The bar gives way by more than the cut is deep.
+    assert!(slender.value > 2.0, "{}", slender.value);
+    assert_eq!((slender.verdict, slender.advice[0].message.id), (Verdict::Fail, "turning.work-gives-way"));
     let told = macroline::text::catalog::sentence(&slender.advice[0].message);
     assert!(told.contains(&format!("about {:.3} mm", slender.value / 34.0)), "{told}");
+    let less = bar("110");
+    assert!((0.1..1.0).contains(&less.value), "{}", less.value);
+    assert_eq!((less.verdict, less.advice[0].message.id), (Verdict::Warn, "turning.work-bends"));
     assert_eq!(bar("60").verdict, Verdict::Ok);
 }

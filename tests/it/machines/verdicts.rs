@@ -334,6 +334,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("lathe.friction-stalls-at-knob", "a deed: the knob below its end"),
     ("lathe.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),
+    ("turning.work-gives-way", "a deed: work clamped shorter, or a tailstock"),
     ("turning.limited", "a fact about the limit that the form asks for"),
     ("turning.overload", "a fact: the share of time is the operator's"),
     ("ribbon.range-roll-over-in-radius", "the words of X are a setting of the control, no field"),
