@@ -1,7 +1,7 @@
 //! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
 
 use super::derive::Derived;
-use super::params::{FIELDS, Output, Path};
+use super::params::{FIELDS, Output, Params, Path};
 use super::resolved::TurningSpindle;
 use super::run_up;
 use crate::drives::cutting;
@@ -84,9 +84,13 @@ pub(super) fn inverter_abilities(lathe: &TurningSpindle) -> Vec<Message> {
     both_signs.into_iter().chain(feedback).collect()
 }
 
-/// Starts of a slide in a pass: it goes to its place or cuts, and comes back; along a taper X goes to its place, cuts, and comes back.
-fn starts_of_a_pass(path: Path) -> f64 {
-    if path == Path::Taper { 3.0 } else { 2.0 }
+/// Starts of a slide in a pass: it goes to its place or cuts, and comes back; along a taper X goes to its place, cuts, and comes back, and
+/// turns round for the shoulder before where the cone falls.
+fn starts_of_a_pass(p: &Params) -> f64 {
+    if p.path != Path::Taper {
+        return 2.0;
+    }
+    if p.finished_diameter > p.large_diameter { 4.0 } else { 3.0 }
 }
 
 /// Motions of a pass.
@@ -102,11 +106,7 @@ fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
     let dwell = lathe.dwell_of_passes().map_or(0.0, |per_speed| per_speed * p.upper_limit);
     let seconds = d.cutting_time.min(fast) + d.passes * (back + dwell);
-    slides::starts_per_minute(
-        starts_of_a_pass(p.path) * d.passes,
-        seconds,
-        (MOTIONS * d.passes, p.slides.time_constant),
-    )
+    slides::starts_per_minute(starts_of_a_pass(p) * d.passes, seconds, (MOTIONS * d.passes, p.slides.time_constant))
 }
 
 impl HasSlides for TurningSpindle {

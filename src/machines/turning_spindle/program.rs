@@ -431,8 +431,10 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
             wait(b, lathe);
             b.n(CUTS[0]).words(cut(vec![z(real(0.0, 0)), f(v(FEED))]));
             b.n(CUTS[1]).words([cross(lathe, v(TAPER_END) + v(LEFT)), z(-v(LENGTH))]);
-            b.n(38).words(rapid(vec![cross(lathe, clear())]));
-            b.n(39).words([z(v(CLEARANCE))]);
+            // The edge leaves a wedge of this pass at the shoulder: the tool takes it at feed, out to where the pass before ended.
+            b.n(38).words([cross(lathe, v(TAPER_END) + v(LEFT) + v(DEPTH) * 2)]);
+            b.n(39).words(rapid(vec![cross(lathe, clear())]));
+            b.n(40).words([z(v(CLEARANCE))]);
         }
     }
 }

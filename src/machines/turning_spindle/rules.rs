@@ -18,7 +18,7 @@ use crate::drives::speed::surface_speed;
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
-use crate::machines::verdict::{Judgement, Rule, down, fail, greatest_share, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, greatest_share, ok, up, warn};
 use crate::machines::{scaling, turret};
 use crate::math;
 use crate::msg;
@@ -532,6 +532,7 @@ fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
                 .about(field),
         );
     }
+    found.extend(falling_cone(p));
     found.extend(turret::hits_work((p.start_x, p.start_z), p.stock_diameter, p.turret_room));
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;
@@ -541,6 +542,34 @@ fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
                 .mended_by(least.floor() + 2.0),
         );
     }
+}
+
+/// Point angles (°) of inserts: the slimmest and the stoutest that turn outlines, V and C of ISO 1832. Source: memory.
+const INSERTS: (f64, f64) = (35.0, 80.0);
+
+/// A cone that falls towards the chuck, against the flank that trails behind the tip of the insert: it clears `180° - κ - ε`, with the edge
+/// angle κ and the point angle ε of the insert. An error where no insert is slim enough, with the length at which one is.
+fn falling_cone(p: &Params) -> Option<Diagnostic> {
+    let depth = 0.5 * (p.finished_diameter - p.large_diameter);
+    if p.path != Path::Taper || depth <= 0.0 {
+        return None;
+    }
+    let (slim, stout) = INSERTS;
+    let fall = math::atan2_degrees(depth, p.length);
+    let clear = 180.0 - p.edge_angle;
+    let angle = (fall, 1);
+    let edge = (p.edge_angle, 1);
+    if fall > clear - slim {
+        let most = ((clear - slim).max(0.0), 1);
+        let message = msg!("turning.cone-falls-too-steep", angle, edge, slim = (slim, 0), most);
+        let found = Diagnostic::error(message).about("length");
+        let slope = math::tan_degrees(clear - slim).filter(|slope| *slope > 0.0);
+        let longer = slope.map(|slope| up(FIELDS, "length", depth / slope).value).filter(|length| *length <= p.reach());
+        return Some(longer.into_iter().fold(found, Diagnostic::mended_by));
+    }
+    let message =
+        msg!("turning.cone-needs-slim-insert", angle, edge, stout = (stout, 0), most = ((clear - fall).floor(), 0));
+    (fall > clear - stout).then(|| Diagnostic::warning(message).about("length"))
 }
 
 /// Values of the form against the words of the control: range, whole numbers, positions of the override knob.

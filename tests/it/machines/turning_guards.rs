@@ -10,7 +10,7 @@ use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 
 use super::ladder::{at_rest, ladder, put_out, reset, settle};
-use super::turning::project;
+use super::turning::{machine, project};
 
 /// Fields that errors of the design are about, with the errors' ids.
 fn errors(project: &Project) -> Vec<(&'static str, &'static str)> {
@@ -71,7 +71,7 @@ fn taper_by_variables_takes_one_depth_in_a_pass() {
         for (face, end) in [(40.0, 50.0), (50.0, 30.0), (55.0, 55.0)] {
             let (ended, log) = with_variables(&taper, &[(103, face), (104, end)]);
             assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
-            let cuts = log.iter().filter(|line| line.starts_with("linear X"));
+            let cuts = log.iter().filter(|line| line.starts_with("linear X") && line.contains(" Z"));
             let diameters: Vec<f64> = cuts.map(|line| line[8..].split(' ').next().unwrap().parse().unwrap()).collect();
             // The diameters at the end of the passes: each at most two depths of 2 mm below the one before, and the last one is the part's.
             let mut before = 60.0 + (end - face).max(0.0);
@@ -145,5 +145,50 @@ fn other_lines_of_the_encoder_are_told_or_warned_of() {
             .map(|exported| &exported.file)
             .any(|file| file.name == "parameters.csv" && file.text.contains("2048"));
         assert!(warned != told, "{}: warned {warned}, told {told}", controls::find(id).unwrap().name);
+    }
+}
+
+/// The flank of an insert clears 180° - κ - ε: at κ 95° one of 80° falls 5°, one of 35° falls 50°.
+#[test]
+fn falling_cone_asks_for_an_insert_that_clears_it() {
+    let cone = |entries: &[(&'static str, &'static str)]| {
+        let falls = [
+            ("path", "taper"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "58"),
+            ("large-diameter", "20"),
+            ("edge-angle", "95"),
+        ];
+        let design = project("gsk-980tdc", &[&falls[..], entries].concat()).design();
+        let mut found = design.diagnostics.into_iter().filter(|found| found.message.id.starts_with("turning.cone-"));
+        found.next().map(|found| (found.severity, found.entry, sentence(&found.message)))
+    };
+    // atan(19 / 5) = 75.3°; 19 / tan 50° = 15.943.
+    let (severity, entry, said) = cone(&[("length", "5")]).unwrap();
+    assert_eq!((severity, entry), (Severity::Error, Some(15.943)));
+    assert!(said.contains("75.3°") && said.contains("50°"), "{said}");
+    assert_eq!(cone(&[("length", "15.943")]).unwrap().0, Severity::Warning);
+    // atan(19 / 50) = 20.8°: 64.2° are left for the insert.
+    let (severity, _, said) = cone(&[("length", "50")]).unwrap();
+    assert_eq!(severity, Severity::Warning);
+    assert!(said.contains("20.8°") && said.contains("64° at most"), "{said}");
+    assert_eq!(cone(&[("length", "50"), ("large-diameter", "50")]), None);
+    assert_eq!(cone(&[("length", "50"), ("large-diameter", "60")]), None);
+    assert_eq!(cone(&[("length", "50"), ("edge-angle", "170")]).unwrap().1, None);
+}
+
+#[test]
+fn tool_leaves_the_shoulder_of_a_cone_at_feed() {
+    for control in machine().controls() {
+        let cone = [("path", "taper"), ("finished-diameter", "58"), ("large-diameter", "40"), ("stock-diameter", "60")];
+        let (ended, log) = with_variables(&project(control, &cone), &[]);
+        assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
+        let ends: Vec<_> =
+            (0..log.len()).filter(|&at| log[at].starts_with("linear") && log[at].contains("Z-")).collect();
+        assert!(ends.len() > 2, "{control} {log:#?}");
+        for at in ends {
+            let next = &log[at + 1..=at + 2];
+            assert!(next[0].starts_with("linear X") && next[1].starts_with("rapid X"), "{control} {next:?}");
+        }
     }
 }

@@ -220,6 +220,7 @@ fn starts_by_formula_bound_those_of_the_run() {
     let short = [("length", "3"), ("depth", "0.5"), ("feed", "0.6"), ("material", "aluminium")];
     let lathe = |example| quick("turning-spindle", Some(example), &short);
     let polygon = [("length", "3"), ("depth", "0.2"), ("feed", "2"), ("finish-feed", "2")];
+    let falls = [("finished-diameter", "50".to_owned()), ("large-diameter", "45".to_owned())];
     // Bounds of the starts of the run over those of the form. The form counts the passes alone, with the knob at its highest position, and as
     // many starts of Z as of X, which starts once more along a taper; the run
     // of a polygon is short, and the motions to its first pass and after its last one count in it besides.
@@ -227,6 +228,7 @@ fn starts_by_formula_bound_those_of_the_run() {
         (quick("turning-spindle", None, &[&short[..], &[("allowance", "10")]].concat()), (0.9, 1.0)),
         (lathe("shaft"), (0.5, 1.0)),
         (lathe("taper"), (0.55, 1.0)),
+        (lathe("taper").with_entries(&falls).unwrap(), (0.3, 1.0)),
         (quick("polygon-lathe", None, &polygon), (1.0, 1.1)),
         (quick("polygon-lathe", Some("threaded-shaft"), &[]), (1.0, 1.1)),
     ];
