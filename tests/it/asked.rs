@@ -64,3 +64,9 @@ pub(crate) fn first_at(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Sn
     }
     t
 }
+
+/// The exported report of a project, as Markdown.
+pub(crate) fn report_text(project: &Project) -> String {
+    let files = project.export().files.into_iter().map(|exported| exported.file);
+    files.into_iter().find(|file| file.name.ends_with(".md")).expect("a report").text
+}

@@ -6,7 +6,7 @@ use macroline::motion::{Action, Event, PlcOrders, PlcSignals, ProgramState, Snap
 use macroline::project::Project;
 
 use super::ribbon_controls::over_time;
-use crate::asked::stop_table;
+use crate::asked::{report_text, stop_table};
 
 /// Each of the two machines on each of its controls.
 fn projects() -> impl Iterator<Item = Project> {
@@ -41,16 +41,10 @@ fn tables_of_both_lathes_name_every_interruption() {
         wanted.extend((project.machine.id() == "polygon-lathe").then_some("Alarm: one drive of work or tool fails"));
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
-        let export = project.export();
-        let report = export
-            .files
-            .iter()
-            .map(|exported| &exported.file)
-            .find(|file| file.name.ends_with(".md"))
-            .expect("a report");
+        let report = report_text(&project);
         let fault = if project.prepared().plc().watches_inverter() { ", inverter fault" } else { "" };
         let title = format!("## Hold, alarm, reset, emergency stop{fault}\n");
-        assert!(report.text.contains(&title), "{}", project.control.id);
+        assert!(report.contains(&title), "{}", project.control.id);
     }
 }
 

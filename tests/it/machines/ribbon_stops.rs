@@ -11,7 +11,7 @@ use proptest::prelude::*;
 
 use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::{controls, values};
-use crate::asked::{readout, stop_table};
+use crate::asked::{readout, report_text, stop_table};
 
 /// A line without slip whose F every control takes: 167.6 mm/s, a head every 8 mm.
 const LINE: [(&str, &str); 4] =
@@ -422,14 +422,8 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
         assert_eq!(names, wanted, "{}", control.id);
         assert!(rows.iter().flatten().all(|cell| !cell.is_empty() && !cell.contains("ribbon.")), "{rows:?}");
         // The report has it, too.
-        let export = line(control.id, &[]).export();
-        let report = export
-            .files
-            .iter()
-            .map(|exported| &exported.file)
-            .find(|file| file.name.ends_with(".md"))
-            .expect("a report");
-        assert!(report.text.contains("## Hold, alarm, reset, emergency stop, inverter fault\n"), "{}", control.id);
+        let report = report_text(&line(control.id, &[]));
+        assert!(report.contains("## Hold, alarm, reset, emergency stop, inverter fault\n"), "{}", control.id);
     }
 }
 

@@ -7,25 +7,13 @@ use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Readout, Verdict};
 
 use super::turning::project;
+use super::turning_torque::CUT_OF_THE_FACTS;
 use crate::asked::{near_share, readout, sized, value};
 
-/// Ø 66 to Ø 60 at 200 m/min, 3 mm by 0.3 mm/rev of C45: 1760.9 N, 55.47 Nm beside 2 Nm of friction.
-const SHAFT: [(&str, &str); 11] = [
-    ("path", "turning"),
-    ("stock-diameter", "66"),
-    ("finished-diameter", "60"),
-    ("depth", "3"),
-    ("feed", "0.3"),
-    ("cutting-speed", "200"),
-    ("material", "c45"),
-    ("motor-base", "500"),
-    ("motor-overload", "100"),
-    ("motor-forced-cooling", "true"),
-    ("override", "100"),
-];
-
+/// The shaft of the facts on a motor without overload.
 fn shaft(control: &str, changes: &[(&'static str, &'static str)]) -> Project {
-    project(control, &[&SHAFT[..], changes].concat())
+    let motor = [("motor-overload", "100"), ("motor-forced-cooling", "true"), ("override", "100")];
+    project(control, &[&CUT_OF_THE_FACTS[..], &motor, changes].concat())
 }
 
 /// The warning of a result that holds at the form's positions of the knobs, in words.
