@@ -104,6 +104,11 @@ impl PlcSignals {
         self.m_strobe.is_some() || self.s_strobe.is_some() || self.t_strobe.is_some()
     }
 
+    /// The gear stage that waits to engage: the wanted one, until it is in and its voltage is over.
+    pub fn waiting_gear(&self, spindle: SpindleOrders) -> Option<u8> {
+        self.gear_wanted.filter(|wanted| *wanted != spindle.gear || spindle.shift_volts.is_some())
+    }
+
     /// Clears all codes that wait for FIN.
     pub(super) fn clear_strobes(&mut self) {
         (self.m_strobe, self.s_strobe, self.t_strobe, self.gear_wanted) = (None, None, None, None);
@@ -226,8 +231,7 @@ pub struct GearShift {
 impl GearShift {
     /// Shifts to the stage wanted since `since` (s); returns the time of the next change, `None` when the shift is finished.
     pub fn shift(&self, t: f64, since: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
-        let SpindleOrders { gear, shift_volts, .. } = orders.spindle;
-        let wanted = signals.gear_wanted.filter(|&wanted| wanted != gear || shift_volts.is_some())?;
+        let wanted = signals.waiting_gear(orders.spindle)?;
         let out = since + self.before;
         if let Some(patience) = self.patience.filter(|&patience| patience < self.meshing) {
             let late = out + patience;

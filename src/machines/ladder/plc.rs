@@ -209,9 +209,7 @@ impl LadderPlc {
             Bit::Signal(SignalRole::TStrobe) => signals.t_strobe.is_some(),
             Bit::Signal(SignalRole::TFunction) => signals.t_strobe.is_some() && self.tool != signals.t_strobe,
             Bit::Signal(SignalRole::MFunction(code)) => signals.m_strobe == Some(code) && self.code != Some(code),
-            Bit::Signal(SignalRole::GearChange) => signals
-                .gear_wanted
-                .is_some_and(|stage| stage != orders.spindle.gear || orders.spindle.shift_volts.is_some()),
+            Bit::Signal(SignalRole::GearChange) => signals.waiting_gear(orders.spindle).is_some(),
             Bit::Signal(SignalRole::GearAsked(at)) => {
                 signals.gear_wanted.is_some_and(|stage| u32::from(stage) >> at & 1 == 1)
             }

@@ -96,7 +96,7 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
         length = (free, 1),
         needed = (needed.value, 1)
     ));
-    let fed = lathe.at_highest_feed().map_or(lathe, |(_, fed)| fed);
+    let fed = lathe.with_most_feed();
     let is_short_enough = needed.value < free && fed.bending_of(needed.value) <= p.flatness;
     let advice = if is_short_enough {
         told.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])

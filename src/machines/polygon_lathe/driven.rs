@@ -100,7 +100,7 @@ impl HasSlides for PolygonLathe {
     }
 
     fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice {
-        let fed = self.at_highest_feed().map_or(self, |(_, fed)| fed);
+        let fed = self.with_most_feed();
         let most = share * fed.greatest_force();
         knobs::setting_feeds(advice, self.feeds_below(fed, most))
     }

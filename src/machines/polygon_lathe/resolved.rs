@@ -64,6 +64,11 @@ impl PolygonLathe {
         PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new(), lens_scales, at_highest_feed }
     }
 
+    /// The lathe as it cuts at most feed: with the feed override at its highest position, or as it is where no knob acts above 100 %.
+    pub(super) fn with_most_feed(&self) -> &PolygonLathe {
+        self.at_highest_feed().map_or(self, |(_, fed)| fed)
+    }
+
     /// The lathe as it cuts with the feed override at its highest position (%), and that position. The slide alone goes faster, so that the
     /// chips are thicker; where the override acts on work and tool too, they turn faster, and the chips of the flats stay as they are.
     pub(super) fn at_highest_feed(&self) -> Option<(f64, &PolygonLathe)> {

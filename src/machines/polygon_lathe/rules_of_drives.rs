@@ -83,7 +83,7 @@ fn heat(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Mess
     let kind = DemandKind::Effective;
     let ((asked, limit), (mean, continuous)) = (lathe.demand(axis, kind), lathe.demand(axis, DemandKind::Mean));
     if asked > limit && mean <= continuous {
-        let fed = lathe.at_highest_feed().map_or(lathe, |(_, fed)| fed);
+        let fed = lathe.with_most_feed();
         return warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, told(asked, limit))]);
     }
     cut(lathe, axis, kind, told)
