@@ -50,6 +50,8 @@ pub enum BillItem {
     ClampSwitch,
     /// Valve of the clamp of a spindle.
     ClampValve,
+    /// Switch of the pressure that a tailstock holds the work with.
+    TailstockSwitch,
     /// Driven tool with its motor and drive.
     DrivenTool,
     /// Turret with its controller.
@@ -91,6 +93,7 @@ impl BillItem {
             BillItem::GearValve => "size.item.gear-valve",
             BillItem::ClampSwitch => "size.item.clamp-switch",
             BillItem::ClampValve => "size.item.clamp-valve",
+            BillItem::TailstockSwitch => "size.item.tailstock-switch",
             BillItem::DrivenTool => "size.item.driven-tool",
             BillItem::Turret => "size.item.turret",
             BillItem::LoopSensor => "size.item.loop-sensor",
@@ -140,6 +143,7 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
         MachineContact::AtStandstill => BillItem::StandstillMonitor,
         MachineContact::InGear(_) => BillItem::GearSwitch,
         MachineContact::SpindleClamped => BillItem::ClampSwitch,
+        MachineContact::WorkHeld => BillItem::TailstockSwitch,
         MachineContact::LoopNotFull => BillItem::LoopSensor,
         MachineContact::WebNotTight => BillItem::TensionSwitch,
         MachineContact::ReelNotEmpty => BillItem::ReelSensor,

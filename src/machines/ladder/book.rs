@@ -514,6 +514,7 @@ fn input_meaning(input: MachineContact) -> &'static str {
         MachineContact::AtShiftSpeed => "plc.input.at-shift-speed",
         MachineContact::AtStandstill => "plc.input.at-standstill",
         MachineContact::SpindleClamped => "plc.input.spindle-clamped",
+        MachineContact::WorkHeld => "plc.input.work-held",
         MachineContact::InverterEnabled => "plc.input.inverter-enabled",
         MachineContact::LoopNotFull => "plc.input.loop-not-full",
         MachineContact::WebNotTight => "plc.input.web-not-tight",
@@ -542,6 +543,7 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::Message(MachineContact::LoopNotFull) => "plc.output.loop-full",
         MachineOutput::Message(MachineContact::WebNotTight) => "plc.output.web-tight",
         MachineOutput::Message(MachineContact::ReelNotEmpty) => "plc.output.reel-empty",
+        MachineOutput::Message(MachineContact::WorkHeld) => "plc.output.work-not-held",
         MachineOutput::Message(MachineContact::StopKey) => "plc.output.stopped",
         MachineOutput::Message(_) => "plc.output.not-ready",
     }

@@ -70,6 +70,8 @@ pub enum MachineContact {
     AtStandstill,
     /// The clamp holds the spindle.
     SpindleClamped,
+    /// The quill of the tailstock presses on the work.
+    WorkHeld,
     /// The inverter has its supply and its enable, and no fault.
     InverterEnabled,
     /// The loop is shorter than its longest limit.
@@ -91,7 +93,7 @@ pub enum ContactKind {
     Make,
     /// It opens with its event: a broken wire acts like the event.
     Break,
-    /// A relay of another device holds it closed in operation: a broken wire acts like the loss of that device.
+    /// Another device holds it closed in operation: a broken wire acts like the loss of that device.
     Held,
 }
 
@@ -99,9 +101,10 @@ impl MachineContact {
     /// The kind. Contacts that stop or hold the machine break or are held closed, those that start something or report a position make.
     pub fn kind(self) -> ContactKind {
         match self {
-            MachineContact::EmergencyDelayed | MachineContact::InverterReady | MachineContact::InverterEnabled => {
-                ContactKind::Held
-            }
+            MachineContact::EmergencyDelayed
+            | MachineContact::InverterReady
+            | MachineContact::InverterEnabled
+            | MachineContact::WorkHeld => ContactKind::Held,
             MachineContact::Emergency
             | MachineContact::StopKey
             | MachineContact::HoldKey

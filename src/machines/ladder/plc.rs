@@ -229,6 +229,8 @@ impl LadderPlc {
             Bit::Input(MachineContact::ReverseKey) => signals.spindle_key == Some(-1),
             Bit::Input(MachineContact::StopKey) => signals.spindle_key != Some(0),
             Bit::Input(MachineContact::HoldKey) => !signals.hold_key,
+            // The operator has clamped the work before he starts the program.
+            Bit::Input(MachineContact::WorkHeld) => true,
             _ => return None,
         })
     }

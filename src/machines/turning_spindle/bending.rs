@@ -29,6 +29,11 @@ pub(super) fn free(p: &Params) -> f64 {
     cantilever(p.cutting_force, p.material.elasticity(), p.steps())
 }
 
+/// Greatest deflection (mm) of the work as the form holds it.
+pub(super) fn of(p: &Params) -> f64 {
+    if p.tailstock { held(p) } else { free(p) }
+}
+
 /// Greatest deflection (mm) of the work with a tailstock, by its least diameter.
 pub(super) fn held(p: &Params) -> f64 {
     let [(cut, thin), (rest, _)] = p.steps();

@@ -3,7 +3,7 @@
 use super::derive::Derived;
 use super::driven;
 use super::params::{Params, Path, SpeedMode};
-use super::program::CUTS;
+use super::program::cut_block;
 use super::resolved::TurningSpindle;
 use crate::drives::cutting;
 use crate::drives::duty::{CutSpan, Motion};
@@ -98,8 +98,7 @@ fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec
     let Some((from, to)) = stretches.first().zip(stretches.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
         return Vec::new();
     };
-    let block = CUTS[usize::from(p.path == Path::Taper)];
-    let spans = run.executions(block, to);
+    let spans = run.executions(cut_block(p.path), to);
     let count = (ALL_PIECES / spans.len().max(1)).clamp(PIECES.0, PIECES.1);
     let mut cuts = Vec::new();
     for (begin, end) in spans {

@@ -48,7 +48,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
             reaction: &reaction,
             reports_speed,
             reports_standstill: false,
-            holds: &[],
+            holds: if lathe.p.tailstock { &[MachineContact::WorkHeld] } else { &[] },
             locked_by: if locks.is_some() { &[CLAMP, CLAMPED] } else { &[] },
             has_gears: stages > 1,
             positions: lathe.positions(),

@@ -169,7 +169,7 @@ impl Prepared for TurningSpindle {
     }
 
     fn passes(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
-        run.executions(program::CUTS[0], until).into_iter().map(|(begin, _)| begin).collect()
+        run.executions(program::PASS_BEGIN, until).into_iter().map(|(begin, _)| begin).collect()
     }
 
     fn driven_axes(&self) -> Vec<DrivenAxis> {

@@ -79,6 +79,7 @@ pub(crate) struct Params {
     pub length: f64,
     pub work_length: f64,
     pub grip: f64,
+    pub tailstock: bool,
     pub work_density: f64,
     pub large_diameter: f64,
     pub allowance: f64,
@@ -264,6 +265,8 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("mm").range(0.1..=20000.0).default(100.0).decimals(1).step(10.0),
     number("grip", member!(Params.grip)).group("turning.group.part").label("turning.grip").help("turning.grip.help")
         .unit("mm").range(0.0..=5000.0).default(15.0).decimals(1).step(1.0),
+    flag("tailstock", member!(Params.tailstock)).group("turning.group.part").label("turning.tailstock").help("turning.tailstock.help")
+        .when(Params::has_length),
     number("work-density", member!(Params.work_density)).group("turning.group.part").label("turning.work-density").help("turning.work-density.help").symbol("ρ")
         .unit("kg/m³").range(1.0..=25000.0).default(STEEL).decimals(0).step(50.0).fact(),
     number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")

@@ -23,8 +23,13 @@ pub(super) const RUN: u32 = 9201;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9202;
 
-/// Sequence numbers of the blocks that cut; the second on a taper.
-pub(super) const CUTS: [u32; 2] = [36, 37];
+/// Sequence number of the block with which the feed of a pass begins: the cut, on a taper the way to the face.
+pub(super) const PASS_BEGIN: u32 = 36;
+
+/// Sequence number of the block that cuts.
+pub(super) fn cut_block(path: Path) -> u32 {
+    if path == Path::Taper { PASS_BEGIN + 1 } else { PASS_BEGIN }
+}
 
 /// The operator's variables, all above zero.
 fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
@@ -132,14 +137,10 @@ fn clear() -> Formula {
 fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(RUN, "TURNING - RUN");
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
-    writing::guards(b, &entries(lathe));
-    if let Some((guard, _)) = core_guard(lathe) {
-        b.if_goto(guard, alarm_block(core_alarm(lathe)));
+    if lathe.p.tailstock {
+        b.comment("THE TAILSTOCK HOLDS THE WORK");
     }
-    b.if_goto(v(way(lathe)).gt(v(REACH)), alarm_block(length_alarm(lathe)));
-    if lathe.keyway().is_some() {
-        b.if_goto((v(KEYWAY_START) + v(KEYWAY_LENGTH)).gt(v(REACH)), alarm_block(keyway_alarm(lathe)));
-    }
+    guards(b, lathe);
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     call_tool(b, lathe);
     // Setting data of the control, in force beyond the program's end; each takes a block of its own.
@@ -225,6 +226,18 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
+    }
+}
+
+/// Alarms of values that the operator must not set.
+fn guards(b: &mut Builder, lathe: &TurningSpindle) {
+    writing::guards(b, &entries(lathe));
+    if let Some((guard, _)) = core_guard(lathe) {
+        b.if_goto(guard, alarm_block(core_alarm(lathe)));
+    }
+    b.if_goto(v(way(lathe)).gt(v(REACH)), alarm_block(length_alarm(lathe)));
+    if lathe.keyway().is_some() {
+        b.if_goto((v(KEYWAY_START) + v(KEYWAY_LENGTH)).gt(v(REACH)), alarm_block(keyway_alarm(lathe)));
     }
 }
 
@@ -410,29 +423,29 @@ fn wait(b: &mut Builder, lathe: &TurningSpindle) {
 fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
-    let away = || v(FINISHED) + v(LEFT) + v(DEPTH);
+    // The tool leaves the shoulder at feed, out to where the pass before ended: the edge may leave a wedge there.
+    let shoulder = |diameter: Formula| diameter + v(LEFT) + v(DEPTH) * 2;
     match lathe.p.path {
         Path::Facing => {
             b.n(35);
             wait(b, lathe);
             b.words(rapid(vec![z(v(LEFT))]));
-            b.n(CUTS[0]).words(cut(vec![cross(lathe, v(FINISHED)), f(v(FEED))]));
+            b.n(PASS_BEGIN).words(cut(vec![cross(lathe, v(FINISHED)), f(v(FEED))]));
             b.n(37).words(rapid(vec![z(v(LEFT) + v(DEPTH))]));
             b.n(38).words([cross(lathe, clear())]);
         }
         Path::Turning => {
             b.n(35).words(rapid(vec![cross(lathe, v(FINISHED) + v(LEFT))]));
-            b.n(CUTS[0]).words(cut(vec![z(-v(LENGTH)), f(v(FEED))]));
-            b.n(37).words(rapid(vec![cross(lathe, away())]));
-            b.n(38).words([z(v(CLEARANCE))]);
+            b.n(PASS_BEGIN).words(cut(vec![z(-v(LENGTH)), f(v(FEED))]));
+            b.n(37).words([cross(lathe, shoulder(v(FINISHED)))]);
+            b.n(38).words(rapid(vec![z(v(CLEARANCE))]));
         }
         Path::Taper => {
             b.n(35).words(rapid(vec![cross(lathe, v(FINISHED) + v(LEFT))]));
             wait(b, lathe);
-            b.n(CUTS[0]).words(cut(vec![z(real(0.0, 0)), f(v(FEED))]));
-            b.n(CUTS[1]).words([cross(lathe, v(TAPER_END) + v(LEFT)), z(-v(LENGTH))]);
-            // The edge leaves a wedge of this pass at the shoulder: the tool takes it at feed, out to where the pass before ended.
-            b.n(38).words([cross(lathe, v(TAPER_END) + v(LEFT) + v(DEPTH) * 2)]);
+            b.n(PASS_BEGIN).words(cut(vec![z(real(0.0, 0)), f(v(FEED))]));
+            b.n(cut_block(Path::Taper)).words([cross(lathe, v(TAPER_END) + v(LEFT)), z(-v(LENGTH))]);
+            b.n(38).words([cross(lathe, shoulder(v(TAPER_END)))]);
             b.n(39).words(rapid(vec![cross(lathe, clear())]));
             b.n(40).words([z(v(CLEARANCE))]);
         }

@@ -1,7 +1,7 @@
 //! Progress of the part: passes done, position of the tool in the present one, stock that is off.
 
 use super::params::Path;
-use super::program::CUTS;
+use super::program::{PASS_BEGIN, cut_block};
 use super::resolved::TurningSpindle;
 use crate::machines::machine::Samples;
 use crate::math;
@@ -19,9 +19,9 @@ pub(super) struct Progress {
 /// Progress of the part: starts of the cutting block, and position of the tool in it.
 pub(super) fn progress(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Progress {
     let p = &lathe.p;
-    let (begun, mut cutting) = run.passes(CUTS[0], now.t);
+    let (begun, mut cutting) = run.passes(PASS_BEGIN, now.t);
     if p.path == Path::Taper {
-        let (second, tapering) = run.passes(CUTS[1], now.t);
+        let (second, tapering) = run.passes(cut_block(p.path), now.t);
         // Between the two blocks of a pass.
         cutting |= tapering || second < begun;
     }

@@ -63,6 +63,8 @@ impl TurningSpindle {
         if !form.has_signed_output(control) {
             p.output = Output::Unipolar;
         }
+        // A face is turned to the centre of the work, where the tailstock's centre would be.
+        p.tailstock &= p.path != Path::Facing;
         // The nearest position of the knob, and S as a whole number where the control reads it so.
         p.override_percent = dialect.spindle().knob.nearest(p.override_percent);
         if control.syntax.integer_addresses.contains(Address::S) {

@@ -267,7 +267,7 @@ fn peak_demand(cut: &CutAtKnobs) -> (f64, f64) {
 }
 
 fn bending_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (bending::free(cut.p), bending::LIMIT)
+    (bending::of(cut.p), bending::LIMIT)
 }
 
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -327,24 +327,43 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 /// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force. Work that bends more than the
 /// cut along it is deep gives way before the tool: the force and with it the bending fall as the depth does, so that no smaller depth helps.
 fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
-    let bending = bending::free(&lathe.p);
-    let limit = AtMost(bending::LIMIT);
-    if bending <= bending::LIMIT {
+    let p = &lathe.p;
+    let value = bending::of(p);
+    if value <= bending::LIMIT {
         return at_knobs(lathe, bending::LIMIT, bending_demand, |cut, (bending, _)| {
-            msg!("turning.bends-at-feed-knob", percent = (cut.at.feed, 0), bending = (bending, 2))
+            let (percent, bending) = ((cut.at.feed, 0), (bending, 2));
+            if cut.p.tailstock {
+                msg!("turning.held-work-bends-at-feed-knob", percent, bending)
+            } else {
+                msg!("turning.bends-at-feed-knob", percent, bending)
+            }
         });
     }
-    let (held, depth) = (bending::held(&lathe.p), lathe.p.depth);
-    if lathe.p.path != Path::Facing && bending > depth {
-        let told = msg!("turning.work-gives-way", bending = (bending, 2), depth = (depth, 3), held = (held, 3));
-        return fail(AtMost(depth), [told.into()]);
+    let (bending, depth, held) = ((value, 2), (p.depth, 3), (bending::held(p), 3));
+    // A face has no place for the tailstock.
+    let takes_tailstock = !p.tailstock && p.path != Path::Facing;
+    if p.path != Path::Facing && value > p.depth {
+        let advice = match takes_tailstock {
+            true if bending::held(p) <= p.depth => fit_tailstock(msg!("turning.work-gives-way", bending, depth, held)),
+            _ => Advice::from(msg!("turning.held-work-gives-way", depth, held)),
+        };
+        return fail(AtMost(p.depth), [advice]);
     }
-    let told = match lathe.p.path {
-        Path::Facing => msg!("turning.face-bends", bending = (bending, 2)),
-        _ => msg!("turning.work-bends", bending = (bending, 2), held = (held, 3)),
-    };
-    let greatest = lathe.at_highest_feed().map_or(bending, |(_, fed)| bending::free(&fed.p));
-    warn(limit, [with_depth(lathe, bending::LIMIT / greatest, told)])
+    let greatest = lathe.at_highest_feed().map_or(value, |(_, fed)| bending::of(&fed.p));
+    let shallower = |message: Message| with_depth(lathe, bending::LIMIT / greatest, message);
+    match p.path {
+        Path::Facing => warn(AtMost(bending::LIMIT), [shallower(msg!("turning.face-bends", bending))]),
+        _ if takes_tailstock => {
+            let tailstock = fit_tailstock(msg!("turning.work-bends", bending, held));
+            warn(AtMost(bending::LIMIT), [tailstock, shallower(msg!("turning.less-depth"))])
+        }
+        _ => warn(AtMost(bending::LIMIT), [shallower(msg!("turning.held-work-bends", bending))]),
+    }
+}
+
+/// An advice to hold the end of the work by the tailstock.
+fn fit_tailstock(message: Message) -> Advice {
+    Advice::from(message).setting(msg!("advice.tailstock"), [("tailstock", "true".to_owned())])
 }
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.

@@ -56,6 +56,7 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     frame::draw_headstock(&mut d, p);
     layout.chuck.draw_body(&mut d);
     work::draw(&mut d, lathe, &layout);
+    frame::draw_centre(&mut d, &layout, layout.side(0.0, p.finished_diameter).1);
     layout.chuck.draw_near_jaws(&mut d);
     d.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
     turret::draw_axis(&mut d);

@@ -199,6 +199,7 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
         | BillItem::GearValve
         | BillItem::ClampSwitch
         | BillItem::ClampValve
+        | BillItem::TailstockSwitch
         | BillItem::LoopSensor
         | BillItem::TensionSwitch
         | BillItem::ReelSensor

@@ -1,11 +1,15 @@
 //! Torque of the turning spindle: the motor's curve in its gear stages, and the force of the cut by material.
 
+use macroline::controls::interface::SignalRole;
+use macroline::machines::devices::BillItem;
+use macroline::machines::ladder::scan::Image;
+use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::math;
 use macroline::project::Project;
 use macroline::view::Verdict;
 
 use super::turning::{machine, project};
-use crate::asked::{near, near_share, readout, value};
+use crate::asked::{near, near_share, readout, sized_without_envelope, value};
 
 /// Ø 300, 45 m/min, 1500 N in a stage of 3000 r/min: little power, and far too much torque.
 const STALLS: [(&str, &str); 10] = [
@@ -241,32 +245,67 @@ fn macroline_materials() -> Vec<(String, String)> {
     options.iter().map(|(id, label)| ((*id).to_owned(), (*label).to_owned())).collect()
 }
 
-/// A slender bar without a tailstock: `F L³ / 3 E I`; a tailstock leaves a 34th part.
+/// A slender bar of 300 mm by 20 mm, or of another length, in the chuck alone or held by the tailstock too.
+fn bar(length: &str, tailstock: &str) -> Project {
+    let changes = [
+        ("path", "turning"),
+        ("length", length),
+        ("work-length", length),
+        ("stock-diameter", "22"),
+        ("material", "c45"),
+        ("tailstock", tailstock),
+    ];
+    project("gsk-980tdc", &changes)
+}
+
+/// A slender bar without a tailstock bends by `F L³ / 3 E I`; with a tailstock, by a 34th part.
 #[test]
-fn slender_bar_names_the_tailstock_and_fails_at_its_depth() {
-    let bar = |length: &str| {
-        let changes = [
-            ("path", "turning"),
-            ("length", length),
-            ("work-length", length),
-            ("stock-diameter", "22"),
-            ("material", "c45"),
-        ];
-        readout(&project("gsk-980tdc", &changes), "bending")
-    };
-    let slender = bar("300");
+fn slender_bar_asks_for_the_tailstock_that_holds_it() {
+    let bends = |length: &str, tailstock: &str| readout(&bar(length, tailstock), "bending");
+    let slender = bends("300", "false");
     let moment = std::f64::consts::PI * math::pow(20.0, 4.0) / 64.0;
-    let force =
-        readout(&project("gsk-980tdc", &[("path", "turning"), ("stock-diameter", "22"), ("material", "c45")]), "force")
-            .value;
+    let force = readout(&bar("300", "false"), "force").value;
     near_share(slender.value, force * math::pow(300.0, 3.0) / (3.0 * 210e3 * moment), 1e-9);
     // The bar gives way by more than the cut is deep.
     assert!(slender.value > 2.0, "{}", slender.value);
     assert_eq!((slender.verdict, slender.advice[0].message.id), (Verdict::Fail, "turning.work-gives-way"));
-    let told = macroline::text::catalog::sentence(&slender.advice[0].message);
-    assert!(told.contains(&format!("about {:.3} mm", slender.value / 34.0)), "{told}");
-    let less = bar("110");
+    let held = bends("300", "true");
+    near_share(held.value, slender.value / 34.0, 1e-9);
+    assert_eq!(slender.advice[0].entries, [("tailstock", "true".to_owned())]);
+    assert_eq!(held.verdict, Verdict::Ok);
+    let less = bends("110", "false");
     assert!((0.1..1.0).contains(&less.value), "{}", less.value);
     assert_eq!((less.verdict, less.advice[0].message.id), (Verdict::Warn, "turning.work-bends"));
-    assert_eq!(bar("60").verdict, Verdict::Ok);
+    assert_eq!(bends("60", "false").verdict, Verdict::Ok);
+    // Too slender for a tailstock alone.
+    let thin = bends("1200", "true");
+    assert_eq!((thin.verdict, thin.advice[0].message.id), (Verdict::Fail, "turning.held-work-gives-way"));
+}
+
+/// The program names the tailstock; its pressure switch holds the program while the work is not held, and is in the bill.
+#[test]
+fn tailstock_is_in_program_ladder_and_bill() {
+    let (held, free) = (bar("300", "true"), bar("300", "false"));
+    let names_it = |project: &Project| {
+        project.written().files.0.iter().any(|file| file.text.contains("(THE TAILSTOCK HOLDS THE WORK)"))
+    };
+    assert!(names_it(&held));
+    assert!(!names_it(&free));
+    // A face is turned to the centre: no tailstock stands there.
+    assert!(!names_it(&held.with_entries(&[("path", "facing".to_owned())]).unwrap()));
+    let switches = |project: &Project| {
+        let bill = sized_without_envelope(project).bill;
+        bill.iter().filter(|row| row.item == BillItem::TailstockSwitch).count()
+    };
+    assert_eq!((switches(&held), switches(&free)), (1, 0));
+    let ladder = held.prepared().ladder().expect("a ladder");
+    let mut image = Image::default();
+    let others = [MachineContact::HoldKey, MachineContact::Emergency, MachineContact::InverterReady];
+    others.into_iter().for_each(|contact| image.set(Bit::Input(contact), true));
+    for closed in [false, true] {
+        image.set(Bit::Input(MachineContact::WorkHeld), closed);
+        (0..12).for_each(|_| ladder.scan(0.0, &mut image));
+        assert_eq!(image.is_on(Bit::Signal(SignalRole::HoldReleased)), closed);
+    }
+    assert!(image.is_on(Bit::Output(MachineOutput::Message(MachineContact::WorkHeld))));
 }

@@ -71,6 +71,21 @@ const RARE: &[Entered] = &[
         "gsk-980tdc",
         &[("reduction-ratio", "0.01"), ("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")],
     ),
+    // Friction that the motor overcomes at the fixed speed, and no more where the knob lifts it.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[
+            ("path", "turning"),
+            ("stock-diameter", "40"),
+            ("finished-diameter", "36"),
+            ("speed-mode", "fixed"),
+            ("cutting-speed", "250"),
+            ("motor-top", "3000"),
+            ("spindle-friction", "40"),
+            ("spindle-ramp", "60"),
+        ],
+    ),
     // A motor whose continuous torque falls with its speed.
     ("ribbon-line", "mitsubishi-e60", &[("friction-y", "9.2")]),
     // A dot roller far from its match, with a contact too short to smear.
@@ -334,7 +349,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("lathe.friction-stalls-at-knob", "a deed: the knob below its end"),
     ("lathe.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),
-    ("turning.work-gives-way", "a deed: work clamped shorter, or a tailstock"),
+    ("turning.held-work-gives-way", "a deed: work clamped shorter, or a steady rest"),
     ("turning.limited", "a fact about the limit that the form asks for"),
     ("turning.overload", "a fact: the share of time is the operator's"),
     ("ribbon.range-roll-over-in-radius", "the words of X are a setting of the control, no field"),

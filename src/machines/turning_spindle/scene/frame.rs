@@ -40,22 +40,44 @@ pub(super) fn draw_bed_front(d: &mut Drawing) {
     d.path(filled("M-400 #H1400M-400 #H1400M-400 #H1400", &[BED + 1.0, BED + 29.0, BED + 64.0]), Look::HAIR.faint(0.5));
 }
 
-/// The tailstock, which this program does not use.
+/// The tailstock: faint where it stands aside.
 pub(super) fn draw_tailstock(d: &mut Drawing, layout: &Layout) {
     if !layout.has_tailstock() {
         return;
     }
     let top = AXIS - 62.0;
-    d.path(
-        filled("M# #h38v44h-38l-22 -16v-12Z", &[TAIL.0 + 22.0, AXIS - 22.0]),
-        Look::fill(Paint::SteelBar).faint(0.45),
-    );
-    d.path(
-        filled("M# #h150V#H#V#q0 -14 14 -14Z", &[TAIL.1 + 14.0, top, BED - 9.0, TAIL.1, top + 14.0]),
-        Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0).faint(0.45),
-    );
-    d.path(filled("M# #h90", &[TAIL.1, AXIS + 44.0]), Look::HAIR.faint(0.2));
+    let look = |look: Look| if layout.holds_work { look } else { look.faint(0.45) };
+    // The quill stands out as far as its centre reaches.
+    let end = if layout.holds_work { layout.face + CENTRE.1 } else { TAIL.0 + 22.0 };
+    d.showing("tailstock", |d| {
+        d.path(filled("M# #H#v44H#l-22 -16v-12Z", &[end, AXIS - 22.0, TAIL.1, end]), look(Look::fill(Paint::SteelBar)));
+        d.path(
+            filled("M# #h150V#H#V#q0 -14 14 -14Z", &[TAIL.1 + 14.0, top, BED - 9.0, TAIL.1, top + 14.0]),
+            look(Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0)),
+        );
+        d.path(filled("M# #h90", &[TAIL.1, AXIS + 44.0]), Look::HAIR.faint(0.2));
+    });
 }
+
+/// The point of the tailstock's centre in the face of the work; `radius` is that of the finished face, in units of the drawing.
+pub(super) fn draw_centre(d: &mut Drawing, layout: &Layout, radius: f64) {
+    if !layout.holds_work {
+        return;
+    }
+    let (depth, length) = CENTRE;
+    // Thinner than the face, so that the tool passes beside it.
+    let half = (0.5 * radius).min(CENTRE_RADIUS);
+    d.showing("tailstock", |d| {
+        let places =
+            [layout.face - depth, AXIS, layout.face, AXIS - half, layout.face + length, half, half, layout.face];
+        d.path(filled("M# #L# #H#v#v#H#Z", &places), Look::FACE);
+    });
+}
+
+/// How far the point of the tailstock's centre reaches into the work, and from the face to the quill.
+const CENTRE: (f64, f64) = (10.0, 64.0);
+/// Greatest radius of the point.
+const CENTRE_RADIUS: f64 = 12.0;
 
 /// Headstock with door, name plate and gate.
 pub(super) fn draw_headstock(d: &mut Drawing, p: &Params) {

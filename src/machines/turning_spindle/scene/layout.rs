@@ -30,6 +30,8 @@ pub(in super::super) struct Layout {
     pub(in super::super) chuck: Chuck,
     /// Right end of the turret where the tool may be as low as the part.
     low_end: f64,
+    /// The tailstock holds the work.
+    pub(super) holds_work: bool,
 }
 
 impl Layout {
@@ -51,7 +53,7 @@ impl Layout {
         let below = |radius: f64| radius * scale < 90.0;
         let start = if below(0.5 * p.start_x) { p.start_z } else { 0.0 };
         let low_end = face + p.clearance.max(p.allowance).max(start) * scale + REACH.1;
-        Layout { scale, face, part_length, chuck, low_end }
+        Layout { scale, face, part_length, chuck, low_end, holds_work: p.tailstock }
     }
 
     /// Place along the axis and radius in the drawing: mm from the finished face, diameter in mm.
@@ -64,8 +66,8 @@ impl Layout {
         (self.face + z * self.scale, AXIS - radius * self.scale)
     }
 
-    /// Whether there is a tailstock: it is drawn only if the turret never reaches its place.
+    /// Whether a tailstock is drawn: one that holds the work, else only where the turret never reaches its place.
     pub(in super::super) fn has_tailstock(&self) -> bool {
-        self.low_end < TAIL.0
+        self.holds_work || self.low_end < TAIL.0
     }
 }
