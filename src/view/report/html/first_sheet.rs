@@ -2,9 +2,9 @@
 
 use super::writer::ReportHtml;
 use crate::msg;
-use crate::text::Provenance;
 use crate::text::catalog::sentence;
 use crate::text::number::{decimals_of_four, filled, four_digits, short};
+use crate::text::{Message, Provenance};
 use crate::view::report::Report;
 use crate::view::report::cells::{PART_COLUMNS, cells_of_part};
 use crate::view::report::conclusion::conclusion;
@@ -39,18 +39,20 @@ impl ReportHtml<'_> {
         self.text("figcaption", "dim", &sentence(&msg!("form.report.drawn-at", time = (report.run.drawn_at, 1))));
         self.raw("</figure>");
         self.title("form.report.verdicts");
-        let columns = [
+        let mut columns = vec![
             "form.report.result",
             "form.report.value",
             "form.report.unit",
             "form.report.against",
             "form.report.limit",
-            "form.report.remedy",
         ];
+        let rows = first_rows(report);
+        let has_remedies = rows.iter().any(|readout| remedy(readout).is_some());
+        columns.extend(has_remedies.then_some("form.report.remedy"));
         self.raw("<table class=\"verdicts\">");
         self.head(&columns, Some(""));
-        for readout in first_rows(report) {
-            self.verdict(readout);
+        for readout in rows {
+            self.verdict(readout, has_remedies);
         }
         self.raw("</table><footer><div>");
         self.parts();
@@ -73,7 +75,7 @@ impl ReportHtml<'_> {
         self.raw("</div>");
     }
 
-    fn verdict(&mut self, readout: &Readout) {
+    fn verdict(&mut self, readout: &Readout, has_remedies: bool) {
         let (class, sign) = match readout.verdict {
             Verdict::Fail => ("fail", "✕"),
             Verdict::Warn => ("warn", "△"),
@@ -100,9 +102,9 @@ impl ReportHtml<'_> {
             sentence(&limit.message(short(limit.value(), decimals)))
         });
         self.text("td", "", &limit);
-        let repair = readout.advice.iter().find_map(|advice| advice.button.as_ref());
-        let repair = repair.map_or(String::new(), sentence);
-        self.text("td", "", &repair);
+        if has_remedies {
+            self.text("td", "", &remedy(readout).map_or(String::new(), sentence));
+        }
         self.raw("</tr>");
     }
 
@@ -155,6 +157,11 @@ impl ReportHtml<'_> {
         }
         self.raw("</dl>");
     }
+}
+
+/// Text of the button of the first advice that has one.
+fn remedy(readout: &Readout) -> Option<&Message> {
+    readout.advice.iter().find_map(|advice| advice.button.as_ref())
 }
 
 /// The verdicts of the first sheet: the worst first, then the headline results, then others.

@@ -18,6 +18,7 @@ impl ReportHtml<'_> {
     /// Everything behind the first sheet of the summary.
     pub(super) fn summary(&mut self) {
         let report = self.report;
+        self.raw("<div class=\"summary\">");
         self.title("page.essentials");
         let shown = |input: &&Input| input.essential;
         let cells = |input| {
@@ -35,6 +36,7 @@ impl ReportHtml<'_> {
             self.first_columns(bill, OF_THE_BILL);
         }
         self.findings();
+        self.raw("</div>");
     }
 
     /// A sheet with its first columns, without sources.
