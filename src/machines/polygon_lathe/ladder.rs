@@ -71,6 +71,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             direction: Direction::Contacts,
         };
         book.spindle(&rules, &requirements);
+        follow_up(&mut book);
     } else {
         let button = delayed.then_some(MachineContact::Emergency);
         let closed = [MachineContact::HoldKey].into_iter().chain(button).map(|contact| on(Bit::Input(contact)));
@@ -101,6 +102,26 @@ fn spindle_override(book: &mut Book, lathe: &PolygonLathe) {
     book.copy(PlcNumber::Knob, register, vec![vec![off(OVERRIDE_FIXED)]], "turning.ladder.override");
     book.copy(PlcNumber::Constant(100), register, vec![vec![on(OVERRIDE_FIXED)]], "polygon.ladder.override-whole");
     book.override_valid();
+}
+
+/// Servo off of the work's axis, axis 4, and its follow-up at 0. Both signals are from memory.
+const SERVO_OFF: Bit = Bit::Device("G126.3");
+const FOLLOW_UP: Bit = Bit::Device("G7.5");
+
+/// While the main spindle turns the work, the servo motor on the same shaft is off and its position follows: its loop would work against the
+/// inverter.
+fn follow_up(book: &mut Book) {
+    let mut turns = [MachineOutput::Forward, MachineOutput::Reverse].map(|run| vec![on(Bit::Output(run))]).to_vec();
+    // Until it stands, unless the servo itself turns it.
+    turns.push(vec![off(Bit::Input(MachineContact::AtStandstill)), off(TAKEN)]);
+    let rows = [
+        (SERVO_OFF, turns, "polygon.ladder.servo-off"),
+        (FOLLOW_UP, vec![vec![off(SERVO_OFF)]], "polygon.ladder.follow-up"),
+    ];
+    for (device, branches, note) in rows {
+        book.coil(device, branches, note);
+        book.means(device, note, OURS);
+    }
 }
 
 /// Rungs that assign the axes to their channels, and the signals that are always on for the channels.

@@ -1,6 +1,7 @@
 //! The main spindle of the polygon lathe, sized where the program turns the bar before or after the polygons.
 
 use macroline::machines::devices::BillItem;
+use macroline::machines::ladder::scan::Image;
 use macroline::machines::ladder::{Bit, MachineContact};
 use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
@@ -293,6 +294,36 @@ fn main_spindle_waits_until_the_work_servo_stands() {
             assert!(both.is_none(), "both drives turn the work after a reset at {reset}");
         }
     }
+}
+
+/// Servo and inverter turn one shaft: SVF is on from the run command until standstill, and off while the servo turns the work itself.
+#[test]
+fn work_servo_is_off_while_the_main_spindle_turns() {
+    let ladder = shaft(&[]).prepared().ladder().unwrap();
+    let [off, follows] = ["G126.3", "G7.5"].map(Bit::Device);
+    let stands = Bit::Input(MachineContact::AtStandstill);
+    let mut image = Image::default();
+    [
+        MachineContact::HoldKey,
+        MachineContact::Emergency,
+        MachineContact::EmergencyDelayed,
+        MachineContact::InverterReady,
+    ]
+    .into_iter()
+    .for_each(|contact| image.set(Bit::Input(contact), true));
+    image.set(stands, true);
+    let mut is_off = |changes: &[(Bit, bool)]| {
+        changes.iter().for_each(|(bit, closed)| image.set(*bit, *closed));
+        (0..12).for_each(|_| ladder.scan(0.0, &mut image));
+        assert_eq!(image.is_on(off), !image.is_on(follows));
+        image.is_on(off)
+    };
+    assert!(!is_off(&[]), "at rest");
+    let key = Bit::Input(MachineContact::ForwardKey);
+    assert!(is_off(&[(Bit::Input(MachineContact::StopKey), true), (key, true)]), "by the key");
+    assert!(is_off(&[(key, false), (stands, false)]), "it turns");
+    assert!(is_off(&[(Bit::Input(MachineContact::StopKey), false)]), "it slows down");
+    assert!(!is_off(&[(stands, true)]), "it stands");
 }
 
 #[test]
