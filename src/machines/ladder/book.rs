@@ -543,6 +543,8 @@ fn output_meaning(output: MachineOutput) -> &'static str {
         MachineOutput::Message(MachineContact::LoopNotFull) => "plc.output.loop-full",
         MachineOutput::Message(MachineContact::WebNotTight) => "plc.output.web-tight",
         MachineOutput::Message(MachineContact::ReelNotEmpty) => "plc.output.reel-empty",
+        MachineOutput::Message(MachineContact::TurretInPosition) => "plc.output.turret-late",
+        MachineOutput::Message(MachineContact::SpindleClamped) => "plc.output.clamp-late",
         MachineOutput::Message(MachineContact::WorkHeld) => "plc.output.work-not-held",
         MachineOutput::Message(MachineContact::StopKey) => "plc.output.stopped",
         MachineOutput::Message(_) => "plc.output.not-ready",

@@ -47,6 +47,9 @@ const KEYS: [MachineContact; 2] = [MachineContact::ForwardKey, MachineContact::R
 /// On for one scan after the end of the program.
 const ENDED: Bit = Bit::Relay("ended");
 
+/// Time (s) that turret and clamp have for their answer before the operator is told: several times what either takes. Source: engineering choice.
+const PATIENCE: f64 = 10.0;
+
 /// Requirements of a machine for its spindle.
 #[derive(Clone, Copy)]
 pub struct SpindleRequirements<'a> {
@@ -364,7 +367,15 @@ impl Book<'_> {
         self.coil(start, vec![vec![on(asked), off(there)], vec![on(asked), on(start)]], "plc.rung.turret-start");
         let waits = [off(start), off(there)].map(|open| vec![on(asked), open]);
         self.coil(TOOL_WAITS, waits.to_vec(), "plc.rung.tool-waits");
+        self.late(TOOL_WAITS, "turret-late", MachineContact::TurretInPosition);
         TOOL_WAITS
+    }
+
+    /// A text for the operator once the program has waited [`PATIENCE`] for a contact: nothing else shows why it stands.
+    pub fn late(&mut self, waits: Bit, timer: &'static str, contact: MachineContact) {
+        self.timer(timer, PATIENCE, vec![vec![on(waits)]], "plc.rung.late");
+        let message = Bit::Output(MachineOutput::Message(contact));
+        self.coil(message, vec![vec![on(Bit::Timer(timer))]], "plc.rung.late-message");
     }
 
     /// One coil answers M, S and T: at once, or when none of these signals is on any more. Without FIN the next block waits.

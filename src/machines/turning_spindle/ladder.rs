@@ -82,6 +82,7 @@ fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
     book.coil(UNCLAMP, vec![vec![on(opens)], opening], "turning.ladder.unclamp");
     let differs = vec![vec![on(CLAMP), off(CLAMPED)], vec![on(UNCLAMP), on(CLAMPED)]];
     book.coil(CLAMPING, differs, "turning.ladder.clamping");
+    book.late(CLAMPING, "clamp-late", MachineContact::SpindleClamped);
 }
 
 /// A driven tool with codes of its own runs until its stop code, the program's end, reset or emergency stop.

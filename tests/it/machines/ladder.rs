@@ -543,6 +543,7 @@ fn tools(project: &Project) -> BTreeSet<String> {
 #[test]
 fn tool_changes_wait_for_the_turret() {
     let (start, there) = (Bit::Output(MachineOutput::TurretStart), Bit::Input(MachineContact::TurretInPosition));
+    let late = Bit::Output(MachineOutput::Message(MachineContact::TurretInPosition));
     let mut turrets = 0;
     for (name, project) in projects() {
         let ladder = ladder(&project);
@@ -558,22 +559,25 @@ fn tool_changes_wait_for_the_turret() {
         let mut image = at_rest(&ladder);
         image.set(Bit::Input(MachineContact::SpindleClamped), false);
         settle(&ladder, &mut image, 0.0);
+        let mut seconds = 0.0;
         let mut step = |strobe: bool, contact: bool| {
             image.set(asked, strobe);
             image.set(there, contact);
-            settle(&ladder, &mut image, 0.0);
+            seconds += 6.0;
+            settle(&ladder, &mut image, seconds);
             let waits = if fin {
                 !image.is_on(Bit::Signal(SignalRole::Finished))
             } else {
                 image.is_on(Bit::Signal(SignalRole::ReadInDisable))
             };
-            (image.is_on(start), waits)
+            (image.is_on(start), waits, image.is_on(late))
         };
         // The answer of the tool before is still on: it answers nothing.
-        assert_eq!(step(true, true), (false, true), "{name}");
-        assert_eq!(step(fin, false), (true, true), "{name}: the turret turns");
-        assert_eq!(step(fin, true), (fin, false), "{name}: the tool is in position");
-        let (started, _) = step(false, true);
+        assert_eq!(step(true, true), (false, true, false), "{name}");
+        assert_eq!(step(fin, false), (true, true, false), "{name}: the turret turns");
+        assert_eq!(step(fin, false), (true, true, true), "{name}: the operator is told why the program stands");
+        assert_eq!(step(fin, true), (fin, false, false), "{name}: the tool is in position");
+        let (started, ..) = step(false, true);
         assert!(!started, "{name}: the start signal falls with the strobe");
     }
     assert!(turrets > 2);
