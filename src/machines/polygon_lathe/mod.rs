@@ -38,8 +38,6 @@ mod readouts;
 
 mod results;
 
-mod rules_of_drives;
-
 mod rules;
 
 mod findings;

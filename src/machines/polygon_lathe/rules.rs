@@ -1,12 +1,13 @@
 //! The rules of the polygon lathe, as rows: result, limit, remedy.
 
+mod drives;
+
 use super::bending;
 use super::derive::choices_on_tip_circle;
 use super::geometry::own_shape;
 use super::main_spindle;
 use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
-use super::rules_of_drives as drives;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::scaling;

@@ -4,7 +4,7 @@ use super::derive::Derived;
 use super::mechanics::unwinder_load;
 use super::params::{FIELDS, PathMode};
 use super::resolved::RibbonLine;
-use super::rules_of_slack as slack;
+use super::rules::slack;
 use crate::drives::holding_brake::{BrakedStop, CLOSING_TIME};
 use crate::drives::{load, web};
 use crate::machines::verdict::{Judgement, fail, ok, up};

@@ -18,27 +18,13 @@ mod driven;
 
 mod calculated_once;
 
-mod rules_of_slack;
-
-mod rules_of_feeds;
-
 mod cams;
-
-mod rules_of_cams;
-
-mod rules_of_product;
-
-mod rules_of_coordinates;
 
 mod readouts;
 
 mod readouts_of_drives;
 
 mod phase;
-
-mod rules_of_dots;
-
-mod rules_of_drives;
 
 mod program;
 
@@ -67,8 +53,6 @@ mod pose;
 
 mod charts;
 mod coasting;
-
-mod rules_of_reel;
 
 mod sheets;
 
@@ -154,11 +138,11 @@ impl Machine for RibbonLine {
 impl Prepared for RibbonLine {
     fn results(&self) -> Design {
         let line = results(readouts::ROWS, self, RULES);
-        let drives = results(readouts_of_drives::ROWS, self, rules_of_drives::RULES);
-        let reel = results(rules_of_reel::ROWS, self, rules_of_reel::RULES);
+        let drives = results(readouts_of_drives::ROWS, self, rules::drives::RULES);
+        let reel = results(rules::reel::ROWS, self, rules::reel::RULES);
         let cam: &[_] = if cams::chosen(self).is_some() { cams::ROWS } else { &[] };
-        let cam = results(cam, self, rules_of_cams::RULES);
-        let dots = results(dot_error::ROWS, self, rules_of_dots::RULES);
+        let cam = results(cam, self, rules::cams::RULES);
+        let dots = results(dot_error::ROWS, self, rules::dots::RULES);
         let readouts = line.chain(drives).chain(reel).chain(dots).chain(cam).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }

@@ -4,15 +4,27 @@
 //! are kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
-use super::cams;
+pub(super) mod slack;
+
+pub(super) mod feeds;
+
+pub(super) mod drives;
+
+pub(super) mod cams;
+
+mod product;
+
+pub(super) mod coordinates;
+
+pub(super) mod dots;
+
+pub(super) mod reel;
+
+use super::cams::has_no_time;
 use super::coasting;
 use super::contacts::CONTACTS;
 use super::program;
 use super::resolved::RibbonLine;
-use super::rules_of_coordinates as coordinates;
-use super::rules_of_feeds as feeds;
-use super::rules_of_product as product;
-use super::rules_of_slack as slack;
 use super::tension_switch;
 use crate::machines::verdict::Rule;
 use crate::msg;
@@ -152,7 +164,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         found.push(Diagnostic::error(message).about("spindle-speed"));
     }
     found.extend(coordinates::long_blocks(line));
-    if cams::has_no_time(line) {
+    if has_no_time(line) {
         let message = msg!("ribbon.cam-no-time", length = (p.contact_length, 3), pitch = (p.pitch, 3));
         found.push(Diagnostic::warning(message).about("contact-length"));
     }

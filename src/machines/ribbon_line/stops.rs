@@ -4,7 +4,7 @@ use super::coasting;
 use super::contacts::{CONTACTS, left_at_reel_end, room_below_sensor};
 use super::phase;
 use super::resolved::RibbonLine;
-use super::rules_of_slack::worst_loop;
+use super::rules::slack::worst_loop;
 use super::variables::PHASE;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
 use crate::msg;

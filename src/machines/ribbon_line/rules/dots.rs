@@ -1,9 +1,9 @@
 //! The rule of the error budget of a dot: all parts together stay within its tolerance.
 
-use super::dot_error::{DotError, ErrorSource};
-use super::params::FIELDS;
-use super::resolved::RibbonLine;
-use super::rules_of_slack::equal_entries;
+use super::slack::equal_entries;
+use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource};
+use crate::machines::ribbon_line::params::FIELDS;
+use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
 use crate::machines::verdict::{FieldEntry, Judgement, Rule, down, ok, up, warn};
 use crate::msg;
@@ -12,7 +12,7 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 /// The rule.
-pub(super) const RULES: &[Rule<RibbonLine>] =
+pub(in super::super) const RULES: &[Rule<RibbonLine>] =
     &[Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred))];
 
 fn error(line: &RibbonLine) -> Option<Judgement> {

@@ -1,12 +1,12 @@
 //! Rules about speeds: clamps of the axes, the range of F, motors, the time of a block, the analog output.
 
-use super::calculated_once::calculated_once;
-use super::params::{FIELDS, PathMode, Variant};
-use super::resolved::RibbonLine;
-use super::rules_of_slack::{with_dancer, worst_knob};
+use super::slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
+use crate::machines::ribbon_line::calculated_once::calculated_once;
+use crate::machines::ribbon_line::params::{FIELDS, PathMode, Variant};
+use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
@@ -14,7 +14,7 @@ use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost};
 
 /// F in mm/min beyond the control's range: the finding, and the remedies.
-pub(super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
+pub(in super::super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
     let RibbonLine { p, d, .. } = line;
     let limits = &line.control.limits;
     let max = line.feed_max();
@@ -31,7 +31,7 @@ pub(super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
 }
 
 /// Driven feed of a commanded one, mm/min.
-pub(super) fn followed(line: &RibbonLine, feed: f64) -> f64 {
+pub(in super::super) fn followed(line: &RibbonLine, feed: f64) -> f64 {
     feed * line.following(&line.d)
 }
 
@@ -50,7 +50,7 @@ fn share_of_feeds(line: &RibbonLine) -> f64 {
 
 /// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
 /// the control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's highest position.
-pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
+pub(in super::super) fn knob_holds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, fast, .. } = line;
     if fast.actual_speed <= 0.0 {
         return 0.0;
@@ -63,7 +63,7 @@ pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
 }
 
 /// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
-pub(super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
+pub(in super::super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
     let RibbonLine { p, d, fast, .. } = line;
     let mut sets = Vec::new();
     if d.asked_speed > speed {
@@ -80,7 +80,7 @@ pub(super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advi
     Advice::from(advice).setting(button, sets)
 }
 
-pub(super) fn slower_advice(line: &RibbonLine) -> Advice {
+pub(in super::super) fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
         speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
         speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0))),
@@ -102,12 +102,12 @@ fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement
     if feed > limit { fail(AtMost(limit), [slower_advice(line)]) } else { ok(AtMost(limit)) }
 }
 
-pub(super) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(line.d.x_feed, line.p.clamp_x, line)
 }
 
 /// Judges the speed of the line by the axis that reaches its clamp first: beyond it the control slows both.
-pub(super) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     if d.line_speed == 0.0 {
         return ok(None);
@@ -116,11 +116,11 @@ pub(super) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(d.line_speed, clamped, line)
 }
 
-pub(super) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(line.d.y_feed, line.p.clamp_y, line)
 }
 
-pub(super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
     if line.in_step() {
         return None;
     }
@@ -144,7 +144,7 @@ pub(super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The control reads F per revolution in steps, which makes X run a little faster or slower than the unwinder, and up to a limit.
-pub(super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { d, .. } = line;
     let limits = &line.control.limits;
     if !line.in_step() {
@@ -165,7 +165,7 @@ pub(super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The greatest speed counts over the whole range of the knob, the rated one where the knob is.
-pub(super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
+pub(in super::super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
         let slower = line.d.actual_speed * rated.min(max) / speed;
@@ -178,11 +178,11 @@ pub(super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Opti
     }
 }
 
-pub(super) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
 }
 
-pub(super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
 }
 
@@ -192,7 +192,7 @@ fn slip(line: &RibbonLine, load: f64) -> [(f64, u8); 2] {
 }
 
 /// A motor that slips by its whole speed at the load of the form stands.
-pub(super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
     if line.d.speed_error > -1.0 {
         return None;
     }
@@ -201,7 +201,7 @@ pub(super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The same at rated torque, which the load of the form is below.
-pub(super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
     if line.d.speed_error_rated > -1.0 {
         return None;
     }
@@ -212,7 +212,7 @@ pub(super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
 /// Judges the time of a block against the time that the control needs for it, over the whole range of the knob: the limit of the present
 /// block is longer by the share that the knob may take from it. The driven block is compared, so the limit of the commanded one is also
 /// longer if the unwinder is fast.
-pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, fast, .. } = line;
     let (needed, turned) = (d.block_needed * 1000.0, d.block_needed_turned * 1000.0);
     if d.block_time.is_infinite() {
@@ -261,12 +261,12 @@ pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// Volts of the analog output; where the speed is beyond the clamp or the output, those that it would take, `10 n / n10`.
-pub(super) fn volts(line: &RibbonLine) -> f64 {
+pub(in super::super) fn volts(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, .. } = line;
     if d.asked_speed > d.top_speed { 10.0 * d.asked_speed / p.speed_at_10v } else { d.volts }
 }
 
-pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(d.top_volts);
     if d.asked_speed > d.top_speed {
@@ -293,7 +293,7 @@ pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
 /// Frequency (Hz) below which a motor on V/f loses torque and accuracy. Source: from memory.
 const LEAST_FREQUENCY: f64 = 5.0;
 
-pub(super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let (d, limit) = (&line.d, AtLeast(LEAST_FREQUENCY));
     if d.frequency < LEAST_FREQUENCY && d.actual_speed > 0.0 {
         warn(limit, [msg!("ribbon.low-frequency", frequency = (d.frequency, 2)).into()])

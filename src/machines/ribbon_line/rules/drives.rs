@@ -2,14 +2,14 @@
 //!
 //! Judged with the knob at its highest position: acceleration grows with the speed, because a ramp lasts its time constant at every speed.
 
-use super::mechanics::{GRIP, ServoAxis};
-use super::params::FIELDS;
-use super::resolved::RibbonLine;
-use super::rules_of_slack as slack;
-use super::unwinder_motor::SHORT_TIME;
+use super::slack;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::devices::forced_cooling_advice;
+use crate::machines::ribbon_line::mechanics::{GRIP, ServoAxis};
+use crate::machines::ribbon_line::params::FIELDS;
+use crate::machines::ribbon_line::resolved::RibbonLine;
+use crate::machines::ribbon_line::unwinder_motor::SHORT_TIME;
 use crate::machines::verdict::{FieldEntry, Judgement, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
@@ -17,7 +17,7 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 /// All rules about the drives.
-pub(super) const RULES: &[Rule<RibbonLine>] = &[
+pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-peak-torque", peak_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("y-peak-torque", peak_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("x-effective-torque", effective_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
@@ -36,7 +36,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
 const LOAD: f64 = 5.0;
 
 /// Limit with the knob at its highest position, scaled to its present position by the results there (`fast`) and here (`now`).
-pub(super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
+pub(in super::super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
     if fast > 0.0 { limit * now / fast } else { limit }
 }
 

@@ -2,11 +2,11 @@
 //!
 //! Judged with the knob at its highest position.
 
-use super::cams::{self, Cam};
-use super::resolved::RibbonLine;
-use super::rules_of_drives::here;
-use super::rules_of_feeds as feeds;
+use super::drives::here;
+use super::feeds;
 use crate::drives::cam::Law;
+use crate::machines::ribbon_line::cams::{self, Cam};
+use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -14,7 +14,7 @@ use crate::view::Limit::{AtLeast, AtMost};
 use crate::view::{Advice, Verdict};
 
 /// All rules about the cam.
-pub(super) const RULES: &[Rule<RibbonLine>] = &[
+pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("cam-peak-speed", not_written, Citation::new("sizing facts 3.5", Grade::Inferred)),
     Rule::new("cam-motor-speed", motor, Citation::new("data sheet of the motor", Grade::Inferred)),
     Rule::new("cam-peak-torque", peak, Citation::new("sizing facts 2.3", Grade::Inferred)),
@@ -30,7 +30,7 @@ const CRAWL: f64 = 1e-3;
 
 /// Advice to use a cam for rollers that do not match, with its demand on the print motor; none if no ribbon speed is slow enough, or only
 /// one below `CRAWL`.
-pub(super) fn advice(line: &RibbonLine) -> Option<Message> {
+pub(in super::super) fn advice(line: &RibbonLine) -> Option<Message> {
     let Some((_, fast)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
     let peak = (fast.start_torque(), 2);
     let speed = fast.speed_by_start().min(fast.speed_by_heat());

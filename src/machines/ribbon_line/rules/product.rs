@@ -1,9 +1,9 @@
 //! Rules about the product: surface speeds, smear, length, drift of the dots, steps of the axes.
 
-use super::params::{FIELDS, PiForm, Rest};
-use super::resolved::RibbonLine;
-use super::rules_of_cams;
+use super::cams;
 use crate::drives::web;
+use crate::machines::ribbon_line::params::{FIELDS, PiForm, Rest};
+use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
@@ -25,7 +25,7 @@ fn slip(line: &RibbonLine) -> Verdict {
 /// Difference of surface ratio and 1 beyond which roller and ribbon do not match, however short the contact is. Source: sizing facts 3.4.
 const MATCH_TOLERANCE: f64 = 0.025;
 
-pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let slips = slip(line);
     let verdict = if (d.surface_ratio - 1.0).abs() > MATCH_TOLERANCE { slips.max(Verdict::Warn) } else { slips };
@@ -74,17 +74,17 @@ pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
             .into_iter()
             .chain([Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
                 .setting(msg!("advice.set-pitch", pitch = pitch.text.as_str()), [pitch])])
-            .chain(rules_of_cams::advice(line).map(Advice::from))
+            .chain(cams::advice(line).map(Advice::from))
             .collect()
     };
     Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })
 }
 
-pub(super) fn smear(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn smear(line: &RibbonLine) -> Option<Judgement> {
     Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.p.smear_limit)), advice: Vec::new() })
 }
 
-pub(super) fn pi(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn pi(line: &RibbonLine) -> Option<Judgement> {
     match line.p.pi {
         PiForm::Exact => ok(None),
         PiForm::Short => {
@@ -98,7 +98,7 @@ pub(super) fn pi(line: &RibbonLine) -> Option<Judgement> {
 /// Error of the ribbon's speed (%) that counts as none.
 const THICKNESS: f64 = 0.05;
 
-pub(super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(THICKNESS);
     if d.thickness_error <= THICKNESS {
@@ -122,16 +122,16 @@ fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static st
     warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.text.as_str()), [set])])
 }
 
-pub(super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
     resolution(line, line.d.x_resolution, ("encoder-resolution-x", line.p.encoder_x))
 }
 
-pub(super) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
     resolution(line, line.d.y_resolution, ("encoder-resolution-y", line.p.encoder_y))
 }
 
 /// Judges a wanted length against the length that the program makes by the rule for its rest.
-pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn length(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.p;
     if !p.is_length(line.control) {
         return None;
@@ -157,7 +157,7 @@ pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
     }
 }
 
-pub(super) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
+pub(in super::super) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
     let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.d.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })

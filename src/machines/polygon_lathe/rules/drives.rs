@@ -1,11 +1,11 @@
 //! Rules about the drives of work and tool: torque and power of the cut, torque of the run-up, each with its remedy.
 
-use super::demand::DemandKind;
-use super::load::{END_FEEDS, FEEDS, PolygonAxis};
-use super::params::FIELDS;
-use super::resolved::PolygonLathe;
 use crate::drives::cutting;
 use crate::machines::knobs;
+use crate::machines::polygon_lathe::demand::DemandKind;
+use crate::machines::polygon_lathe::load::{END_FEEDS, FEEDS, PolygonAxis};
+use crate::machines::polygon_lathe::params::FIELDS;
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::verdict::{FieldEntry, Judgement, down, fail, maximum, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
@@ -26,7 +26,7 @@ fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: 
 impl PolygonLathe {
     /// Lower entries of the feeds whose cuts on this lathe at a position of the feed override have a force above the greatest one (N) that is
     /// allowed: of the flats, then of the turned ends.
-    pub(super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<FieldEntry> {
+    pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<FieldEntry> {
         let p = &self.p;
         let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
         let flats = flats.map(|(cuts, (field, feed))| (field, feed, at.force_at(cuts)));
@@ -89,37 +89,37 @@ fn heat(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Mess
     cut(lathe, axis, kind, told)
 }
 
-pub(super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
     cut(lathe, PolygonAxis::Tool, DemandKind::Peak, |asked, limit| {
         msg!("polygon.tool-stalls", torque = (asked, 1), limit = (limit, 1))
     })
 }
 
-pub(super) fn work_peak(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn work_peak(lathe: &PolygonLathe) -> Option<Judgement> {
     cut(lathe, PolygonAxis::Work, DemandKind::Peak, |asked, limit| {
         msg!("polygon.work-stalls", torque = (asked, 1), limit = (limit, 1))
     })
 }
 
-pub(super) fn tool_effective(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn tool_effective(lathe: &PolygonLathe) -> Option<Judgement> {
     heat(lathe, PolygonAxis::Tool, |asked, limit| {
         msg!("polygon.tool-overheats", torque = (asked, 2), limit = (limit, 2))
     })
 }
 
-pub(super) fn work_effective(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn work_effective(lathe: &PolygonLathe) -> Option<Judgement> {
     heat(lathe, PolygonAxis::Work, |asked, limit| {
         msg!("polygon.work-overheats", torque = (asked, 2), limit = (limit, 2))
     })
 }
 
-pub(super) fn tool_power(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn tool_power(lathe: &PolygonLathe) -> Option<Judgement> {
     cut(lathe, PolygonAxis::Tool, DemandKind::Power, |asked, limit| {
         msg!("polygon.tool-lacks-power", power = (asked, 3), limit = (limit, 3))
     })
 }
 
-pub(super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
     cut(lathe, PolygonAxis::Work, DemandKind::Power, |asked, limit| {
         msg!("polygon.work-lacks-power", power = (asked, 3), limit = (limit, 3))
     })
@@ -147,13 +147,13 @@ fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Me
     )
 }
 
-pub(super) fn tool_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn tool_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
     run_up(lathe, PolygonAxis::Tool, |asked, limit| {
         msg!("polygon.tool-ramp-short", torque = (asked, 1), limit = (limit, 1))
     })
 }
 
-pub(super) fn work_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
+pub(in super::super) fn work_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
     run_up(lathe, PolygonAxis::Work, |asked, limit| {
         msg!("polygon.work-ramp-short", torque = (asked, 1), limit = (limit, 1))
     })

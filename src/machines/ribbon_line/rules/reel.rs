@@ -1,12 +1,12 @@
 //! The results about the supply reel with their rules: ribbon on it, and the demand of start and stop on ribbon and brake while its diameter changes.
 
-use super::contacts::left_at_reel_end;
-use super::mechanics::{unwinder_load, unwinder_torque};
-use super::params::{FIELDS, Params};
-use super::reel::{ramp_acceleration, wound};
-use super::resolved::RibbonLine;
 use crate::drives::inertia::CM2;
 use crate::drives::reel;
+use crate::machines::ribbon_line::contacts::left_at_reel_end;
+use crate::machines::ribbon_line::mechanics::{unwinder_load, unwinder_torque};
+use crate::machines::ribbon_line::params::{FIELDS, Params};
+use crate::machines::ribbon_line::reel::{ramp_acceleration, wound};
+use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
 use crate::math::RPM;
 use crate::msg;
@@ -18,7 +18,7 @@ const FACTS: Citation = Citation::new("sizing facts 2.9", Grade::Inferred);
 
 /// Rows in the order they are shown.
 #[rustfmt::skip]
-pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
+pub(in super::super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "reel-length", label: "ribbon.readout.reel-length", unit: "m", decimals: 2,
         formula: "π · (D² - d²) / (4 · thickness)", cite: FACTS, value: |line| wound(&line.p).length(), ..ReadoutRow::BASE
@@ -68,7 +68,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
 ];
 
 /// All rules about the reel.
-pub(super) const RULES: &[Rule<RibbonLine>] = &[
+pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("reel-products", lasts, Citation::new("sizing facts 2.9, engineering choice", Grade::Inferred)),
     Rule::new("reel-pull", pull, Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred)),
     Rule::new("reel-brake-needed", holds, FACTS),
