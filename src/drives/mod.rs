@@ -22,6 +22,8 @@ pub mod analog;
 
 pub mod speed;
 
+pub mod rotation;
+
 pub mod orient;
 
 pub mod cutting;
@@ -51,4 +53,5 @@ pub mod scaling;
 pub use analog::Analog;
 pub use main_spindle::{MainSpindle, ShortTime};
 pub use orient::{Approach, Positioning};
+pub use rotation::Rotation;
 pub use speed::{Bound, SpeedLimits, Stage};

@@ -1,5 +1,7 @@
 //! Positioning a spindle: direction of travel to an angle, and the speed profile.
 
+use super::rotation::Rotation;
+
 /// Direction of approach to a spindle angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Approach {
@@ -14,25 +16,25 @@ pub enum Approach {
 }
 
 /// Degrees from the angle `from` to the target, positive in the direction of M3, less than a whole turn (except for
-/// [`Approach::Incremental`]). `sense` is the sign of the speed, 0 at standstill. Half a turn from standstill goes clockwise.
+/// [`Approach::Incremental`]). Half a turn from standstill goes clockwise.
 ///
 /// Source: `reference/sinumerik-802d.md` section 3.6.
-pub fn travel(from: f64, target: f64, approach: Approach, sense: i8) -> f64 {
+pub fn travel(from: f64, target: f64, approach: Approach, rotation: Rotation) -> f64 {
     if approach == Approach::Incremental {
         return target;
     }
     let clockwise = turn(target - from);
     let counter = if clockwise > 0.0 { clockwise - 360.0 } else { 0.0 };
     let way = match approach {
-        Approach::Clockwise => 1,
-        Approach::CounterClockwise => -1,
-        _ => sense,
+        Approach::Clockwise => Rotation::Clockwise,
+        Approach::CounterClockwise => Rotation::CounterClockwise,
+        _ => rotation,
     };
     match way {
-        1 => clockwise,
-        -1 => counter,
-        _ if clockwise <= 180.0 => clockwise,
-        _ => counter,
+        Rotation::Clockwise => clockwise,
+        Rotation::CounterClockwise => counter,
+        Rotation::Stopped if clockwise <= 180.0 => clockwise,
+        Rotation::Stopped => counter,
     }
 }
 
@@ -89,7 +91,7 @@ pub struct Positioning {
 
 /// Degrees of the first positioning after power-on: in one direction past the zero mark, and on to the target.
 pub fn first_travel(from: f64, target: f64, clockwise: bool) -> f64 {
-    let sense = if clockwise { 1.0 } else { -1.0 };
-    let mark = turn(-sense * from);
-    sense * (if mark > 0.0 { mark } else { 360.0 } + turn(sense * target))
+    let sign = if clockwise { 1.0 } else { -1.0 };
+    let mark = turn(-sign * from);
+    sign * (if mark > 0.0 { mark } else { 360.0 } + turn(sign * target))
 }

@@ -14,6 +14,7 @@ use super::step::End;
 use super::words::BlockWords;
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code};
+use crate::drives::Rotation;
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
 use crate::nc::{Block, Word, are_data};
@@ -115,9 +116,9 @@ impl RunState {
             self.limit_speed(SpeedLimit::Surface, rpm);
         }
         self.speed(cx, codes, values, surface)?;
-        let stops_last = codes.spindle == Some(0) && cx.shared.rules.spindle.stop_last;
-        if let Some(sign) = codes.spindle.filter(|_| !stops_last) {
-            self.queue.push(Canon::SpindleDirection { sign });
+        let stops_last = codes.rotation == Some(Rotation::Stopped) && cx.shared.rules.spindle.stop_last;
+        if let Some(rotation) = codes.rotation.filter(|_| !stops_last) {
+            self.queue.push(Canon::SpindleDirection { rotation });
         }
         for &code in codes.auxiliary.iter().take(codes.auxiliaries) {
             self.queue.push(Canon::Auxiliary { code });
@@ -134,7 +135,7 @@ impl RunState {
         }
         let moved = self.motion(cx, codes, values)?;
         if stops_last {
-            self.queue.push(Canon::SpindleDirection { sign: 0 });
+            self.queue.push(Canon::SpindleDirection { rotation: Rotation::Stopped });
         }
         Ok(moved)
     }

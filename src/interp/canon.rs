@@ -6,8 +6,8 @@
 use core::fmt;
 
 use crate::controls::AxisDef;
-use crate::drives::Approach;
 use crate::drives::speed::SpeedLimit;
+use crate::drives::{Approach, Rotation};
 use crate::text::number::Plain;
 
 /// Maximum axes of a control.
@@ -122,18 +122,17 @@ pub enum Canon {
         /// Direction of rotation.
         approach: Approach,
     },
-    /// Spindle turns clockwise (1), counter-clockwise (-1) or stops (0): M03, M04, M05.
+    /// Spindle turns or stops: M03, M04, M05.
     SpindleDirection {
-        /// 1, -1 or 0.
-        sign: i8,
+        /// Commanded rotation.
+        rotation: Rotation,
     },
-    /// A second spindle, such as a driven tool, turns clockwise (1), counter-clockwise (-1) or stops (0). Nothing else of that spindle is
-    /// simulated.
+    /// A second spindle, such as a driven tool, turns or stops. Nothing else of that spindle is simulated.
     OtherSpindle {
         /// Number of the spindle.
         spindle: u8,
-        /// 1, -1 or 0.
-        sign: i8,
+        /// Commanded rotation.
+        rotation: Rotation,
     },
     /// An M code for the PLC; the program waits for FIN.
     Auxiliary {
@@ -218,6 +217,15 @@ fn decimal(value: f64) -> Plain {
     Plain(value, 6)
 }
 
+/// A rotation in the canonical log.
+fn rotation_word(rotation: Rotation) -> &'static str {
+    match rotation {
+        Rotation::Stopped => "stop",
+        Rotation::Clockwise => "cw",
+        Rotation::CounterClockwise => "ccw",
+    }
+}
+
 impl Feed {
     fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
         f.write_str(" F")?;
@@ -250,7 +258,9 @@ impl Canon {
     pub fn moves(&self) -> bool {
         match self {
             Canon::Orient { .. } => true,
-            Canon::SpindleDirection { sign } | Canon::OtherSpindle { sign, .. } => *sign != 0,
+            Canon::SpindleDirection { rotation } | Canon::OtherSpindle { rotation, .. } => {
+                *rotation != Rotation::Stopped
+            }
             _ => self.is_cut().is_some(),
         }
     }
@@ -337,11 +347,12 @@ impl Line<'_> {
                     Approach::Incremental => " incremental",
                 })
             }
-            Canon::SpindleDirection { sign: 1 } => f.write_str("spindle-cw"),
-            Canon::SpindleDirection { sign: -1 } => f.write_str("spindle-ccw"),
-            Canon::SpindleDirection { .. } => f.write_str("spindle-stop"),
-            Canon::OtherSpindle { spindle, sign } => {
-                write!(f, "other-spindle {spindle} {}", ["ccw", "stop", "cw"][(sign.signum() + 1) as usize])
+            Canon::SpindleDirection { rotation } => {
+                f.write_str("spindle-")?;
+                f.write_str(rotation_word(*rotation))
+            }
+            Canon::OtherSpindle { spindle, rotation } => {
+                write!(f, "other-spindle {spindle} {}", rotation_word(*rotation))
             }
             Canon::Auxiliary { code } => write!(f, "auxiliary M{code}"),
             Canon::Tool { code } => write!(f, "tool T{code}"),

@@ -8,7 +8,7 @@ use super::state::RunState;
 use crate::controls::Address;
 use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
-use crate::drives::Approach;
+use crate::drives::{Approach, Rotation};
 use crate::msg;
 use crate::nc::{Block, Word, WordValue};
 
@@ -38,7 +38,8 @@ pub(super) struct BlockCodes {
     pub(super) exact: bool,
     /// Exact stop mode or cutting mode is commanded.
     pub(super) path: bool,
-    pub(super) spindle: Option<i8>,
+    /// M03, M04, M05.
+    pub(super) rotation: Option<Rotation>,
     pub(super) gear: Option<u8>,
     /// Spindle orientation: angle in degrees and approach.
     pub(super) orient: Option<(f64, Approach)>,
@@ -116,20 +117,18 @@ impl RunState {
     #[cold]
     fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<bool> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
-        let sign = match cx.codes().row(CodeId::M(number as u32)).map(|row| row.code) {
-            Some(Code::SpindleCw) => 1,
-            Some(Code::SpindleCcw) => -1,
-            Some(Code::SpindleStop) => 0,
-            Some(Code::SpindleOrient | Code::GearStage(_)) => {
-                let spindle = u32::from(self.spindle_of(word));
-                self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));
-                return Ok(true);
-            }
-            _ => return Ok(word.index.is_some()),
-        };
-        self.modal.spindle.other.1 = sign != 0;
-        self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), sign });
-        Ok(true)
+        let code = cx.codes().row(CodeId::M(number as u32)).map(|row| row.code);
+        if let Some(rotation) = code.and_then(Code::rotation) {
+            self.modal.spindle.other.1 = rotation != Rotation::Stopped;
+            self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), rotation });
+            return Ok(true);
+        }
+        if matches!(code, Some(Code::SpindleOrient | Code::GearStage(_))) {
+            let spindle = u32::from(self.spindle_of(word));
+            self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));
+            return Ok(true);
+        }
+        Ok(word.index.is_some())
     }
 
     /// Whether the block has enough further M codes for this one not to act.
@@ -239,9 +238,7 @@ impl RunState {
             Some(Code::OptionalStop) => codes.stops |= OPTIONAL_STOP,
             Some(Code::End | Code::EndRewind) => codes.stops |= END,
             Some(code @ (Code::SubCall | Code::SubEnd)) => codes.flow = Some(code),
-            Some(Code::SpindleCw) => codes.spindle = Some(1),
-            Some(Code::SpindleCcw) => codes.spindle = Some(-1),
-            Some(Code::SpindleStop) => codes.spindle = Some(0),
+            Some(code @ (Code::SpindleCw | Code::SpindleCcw | Code::SpindleStop)) => codes.rotation = code.rotation(),
             Some(Code::GearStage(stage)) => codes.gear = Some(stage),
             Some(Code::SpindleOrient) if cx.shared.rules.spindle.orients => {
                 codes.orient = Some((0.0, Approach::Direct))

@@ -7,6 +7,7 @@ use super::error::{BlockResult, Trap};
 use super::state::{ArcGeometry, LastMotion, RunState};
 use super::words::BlockWords;
 use crate::controls::{Address, Alarm, Code, Point};
+use crate::drives::Rotation;
 use crate::msg;
 use crate::nc::Dimensioning;
 
@@ -171,7 +172,7 @@ impl RunState {
         let lead = self.lead(cx, values, to)?;
         if self.modal.spindle.master <= 1 {
             // A spindle held at an angle is released: the tap turns with it.
-            self.queue.push(Canon::SpindleDirection { sign: 0 });
+            self.queue.push(Canon::SpindleDirection { rotation: Rotation::Stopped });
         }
         Ok(Canon::Linear { to, feed: Feed::PerMinute(lead * rpm), exact: true })
     }

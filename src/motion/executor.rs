@@ -6,6 +6,7 @@ use super::path::Segment;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use super::state::{Over, Queued};
+use crate::drives::Rotation;
 use crate::interp::Canon;
 use crate::interp::canon::{AXES, Target};
 use crate::math;
@@ -140,7 +141,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.follow(t);
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
-            Canon::OtherSpindle { sign, .. } => self.s.spindle.driven = sign != 0,
+            Canon::OtherSpindle { rotation, .. } => self.s.spindle.driven = rotation != Rotation::Stopped,
             // No motion: a position or message is recorded, or the command has acted when it was read.
             Canon::Preset { .. } => self.s.path.reference = Some(self.s.path.position),
             Canon::PathMode { .. } => {}
@@ -193,7 +194,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.out.timeline.clear_message(t);
                 self.s.exec = Exec::Finished;
                 if self.plant.spindle.rules.end_stops {
-                    (self.s.spindle.speed, self.s.spindle.direction) = (0.0, 0);
+                    (self.s.spindle.speed, self.s.spindle.rotation) = (0.0, Rotation::Stopped);
                     self.follow(t);
                 }
             }

@@ -7,6 +7,7 @@ use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use crate::controls::Address;
 use crate::controls::spindle::REACHED;
+use crate::drives::Rotation;
 use crate::interp::Feed;
 use crate::msg;
 use crate::text::{Diagnostic, DiagnosticKind};
@@ -43,7 +44,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn feeds_without_rotation(&self, motion: &ActiveMove) -> bool {
         let turning = &self.s.spindle;
         let per_minute = matches!(motion.pace, Pace::Feed(Feed::PerMinute(_)));
-        let turns = turning.direction != 0 && !(per_minute && self.s.plc.signals.spindle_command == 0.0)
+        let turns = turning.rotation != Rotation::Stopped && !(per_minute && self.s.plc.signals.spindle_command == 0.0)
             || turning.orienting.is_some()
             || self.s.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let along = |letter: Address| {
@@ -87,7 +88,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let plant = &self.plant.spindle;
         let Some(ramp) = self.out.timeline.ramps.last().filter(|_| plant.drives_cut) else { return };
         let part = plant.rules.reached.unwrap_or(REACHED);
-        let turns = self.s.spindle.direction != 0 && self.s.spindle.orienting.is_none() && ramp.target != 0.0;
+        let turns =
+            self.s.spindle.rotation != Rotation::Stopped && self.s.spindle.orienting.is_none() && ramp.target != 0.0;
         let left = ramp.within(part) - t;
         if !turns || left <= 0.0 {
             self.s.spindle.commanded = false;
@@ -204,6 +206,6 @@ impl<P: RunningProgram> Sim<'_, P> {
         let plant = &self.plant.spindle;
         let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else { return self.s.now };
         let looked = if ramp.command.span > 0.0 { ramp.t } else { ramp.t + plant.reached_delay };
-        if self.s.spindle.direction == 0 { self.s.now } else { ramp.within(part).max(looked) }
+        if self.s.spindle.rotation == Rotation::Stopped { self.s.now } else { ramp.within(part).max(looked) }
     }
 }

@@ -2,14 +2,13 @@
 
 use super::snapshot::Mode;
 use super::timeline::Timeline;
-use crate::controls::Code;
-use crate::drives::Bound;
+use crate::drives::{Bound, Rotation};
 
 /// Event at a milestone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Milestone {
-    /// The spindle is switched: [`Code::SpindleCw`], [`Code::SpindleCcw`] or [`Code::SpindleStop`], also by reset or program end.
-    Spindle(Code),
+    /// The spindle is switched, also by reset or program end.
+    Spindle(Rotation),
     /// The control changes from running to this mode.
     Mode(Mode),
 }
@@ -18,21 +17,16 @@ impl Timeline {
     /// Milestones of the planned run with their times (s), in order.
     pub fn milestones(&self) -> Vec<(f64, Milestone)> {
         let mut found = Vec::new();
-        let mut before = 0;
+        let mut before = Rotation::Stopped;
         for ramp in self.ramps.until(f64::INFINITY) {
-            let sign = ramp.command.sign.signum();
+            let rotation = ramp.command.rotation;
             // A spindle that turns while gears mesh is not switched by a code.
-            if ramp.command.bound == Bound::Shift && before == 0 {
+            if ramp.command.bound == Bound::Shift && before == Rotation::Stopped {
                 continue;
             }
-            if sign != before {
-                let code = match sign {
-                    0 => Code::SpindleStop,
-                    1 => Code::SpindleCw,
-                    _ => Code::SpindleCcw,
-                };
-                found.push((ramp.t, Milestone::Spindle(code)));
-                before = sign;
+            if rotation != before {
+                found.push((ramp.t, Milestone::Spindle(rotation)));
+                before = rotation;
             }
         }
         let mut before = Mode::Running;

@@ -2,10 +2,11 @@
 
 use super::exec::Exec;
 use super::panel::Action;
-use super::plc::{ProgramState, WordPart, percent, sense};
+use super::plc::{ProgramState, WordPart, percent};
 use super::program::RunningProgram;
 use super::sim::Sim;
 use super::timeline::VariableChange;
+use crate::drives::Rotation;
 use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
@@ -116,16 +117,16 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.out.report(Diagnostic::warning(msg!("motion.manual-speed-refused", speed = rpm)));
             return;
         }
-        let wanted = sense(rpm);
+        let wanted = Rotation::of(rpm);
         self.s.plc.signals.spindle_key = Some(wanted);
         self.scan(t);
-        if self.s.plc.orders.turns.is_some_and(|turns| turns != wanted) {
+        if self.s.plc.orders.run_contacts.is_some_and(|rotation| rotation != wanted) {
             self.out.report(Diagnostic::warning(msg!("motion.spindle-key-refused", speed = rpm)));
             return;
         }
         let turning = &mut self.s.spindle;
-        if (self.s.exec.runs() || matches!(self.s.exec, Exec::Stopped)) && turning.direction != 0 {
-            let programmed = f64::from(turning.direction) * turning.speed;
+        if (self.s.exec.runs() || matches!(self.s.exec, Exec::Stopped)) && turning.rotation != Rotation::Stopped {
+            let programmed = turning.rotation.sign() * turning.speed;
             self.out.report(Diagnostic::warning(msg!(
                 "motion.manual-speed-taken",
                 speed = rpm,
@@ -133,7 +134,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             )));
         }
         (turning.surface, turning.orienting) = (None, None);
-        (turning.speed, turning.direction) = (rpm.abs(), wanted);
+        (turning.speed, turning.rotation) = (rpm.abs(), wanted);
         self.scan(t);
     }
 
@@ -192,7 +193,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let rules = &self.plant.spindle.rules;
         if emergency || !rules.turns_through_reset {
-            self.s.spindle.direction = 0;
+            self.s.spindle.rotation = Rotation::Stopped;
         }
         if emergency && rules.emergency_clears {
             self.s.spindle.speed = 0.0;

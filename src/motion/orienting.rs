@@ -1,10 +1,10 @@
 //! Spindle positioning: travel to an angle, and holding there.
 
-use super::plc::sense;
 use super::program::RunningProgram;
 use super::sim::Sim;
 use super::spindle::{InverterRamp, SpeedCommand, SpindleMode};
 use super::spindle_control::{Orienting, TravelPart};
+use crate::drives::Rotation;
 use crate::drives::orient::{Approach, Travel, first_travel, travel, turn};
 use crate::msg;
 use crate::text::Diagnostic;
@@ -22,7 +22,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             let diagnostic = Diagnostic::error(msg!("motion.no-positioning")).alarm(self.plant.no_positioning);
             return self.stop_with(diagnostic);
         }
-        self.s.spindle.direction = 0;
+        self.s.spindle.rotation = Rotation::Stopped;
         self.s.spindle.surface = None;
         self.s.spindle.locked = false;
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
@@ -37,44 +37,42 @@ impl<P: RunningProgram> Sim<'_, P> {
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
         let (rpm, turns) = (last.actual(plant, t), last.turns(plant, t));
         let from = turn(turns * 360.0);
-        let direction = sense(rpm);
+        let present = Rotation::of(rpm);
         let degrees = if self.s.spindle.synced || approach == Approach::Incremental {
-            travel(from, target, approach, direction)
+            travel(from, target, approach, present)
         } else {
             let clockwise = match approach {
                 Approach::Clockwise => true,
                 Approach::CounterClockwise => false,
-                _ if direction != 0 => direction > 0,
+                _ if present != Rotation::Stopped => present == Rotation::Clockwise,
                 _ => positioning.clockwise,
             };
             first_travel(from, target, clockwise)
         };
-        let way = match approach {
-            // An absolute angle equal to the present one lies ahead, too.
-            _ if degrees == 0.0 => direction,
-            _ => sense(degrees),
-        };
+        // An absolute angle equal to the present one lies ahead, too.
+        let rotation = if degrees == 0.0 { present } else { Rotation::of(degrees) };
         let goal = turns + degrees / 360.0;
         let (faster, slower) = (plant.acceleration(last.command.stage), positioning.acceleration);
-        if direction != 0 && way != direction {
+        if present != Rotation::Stopped && rotation != present {
             let back = match approach {
                 Approach::Incremental => TravelPart::TurnsBack(goal * 360.0, approach),
                 _ => TravelPart::TurnsBack(target, approach),
             };
-            self.s.spindle.orienting = Some(Orienting { goal, way: direction, travel: Travel::default(), part: back });
+            self.s.spindle.orienting =
+                Some(Orienting { goal, rotation: present, travel: Travel::default(), part: back });
             return self.part(t, rpm, 0.0, faster, rpm.abs() / faster);
         }
         let first = if rpm.abs() > positioning.speed { faster } else { slower };
         let travel = Travel::new(degrees.abs() / 360.0, rpm.abs(), positioning.speed, first, slower);
-        let goal = goal + travel.more * f64::from(way);
-        self.s.spindle.orienting = Some(Orienting { goal, way, travel, part: TravelPart::ToPeak });
-        self.part(t, rpm, travel.peak * f64::from(way), first, travel.to_peak);
+        let goal = goal + travel.more * rotation.sign();
+        self.s.spindle.orienting = Some(Orienting { goal, rotation, travel, part: TravelPart::ToPeak });
+        self.part(t, rpm, travel.peak * rotation.sign(), first, travel.to_peak);
     }
 
     /// Ends a part of the travel to an angle and starts the next.
     pub(super) fn travel_on(&mut self, t: f64) {
         let Some(orienting) = &mut self.s.spindle.orienting else { return };
-        let (peak, travel) = (orienting.travel.peak * f64::from(orienting.way), orienting.travel);
+        let (peak, travel) = (orienting.travel.peak * orienting.rotation.sign(), orienting.travel);
         let slower = self.plant.spindle.positioning.map_or(f64::INFINITY, |positioning| positioning.acceleration);
         match orienting.part {
             TravelPart::TurnsBack(target, approach) => {
@@ -97,7 +95,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let goal = orienting.goal;
                 self.s.spindle.synced = true;
                 let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
-                let command = SpeedCommand { sign: 0, stage: last.command.stage, ..SpeedCommand::default() };
+                let command = SpeedCommand { stage: last.command.stage, ..SpeedCommand::default() };
                 self.s.plc.signals.spindle_command = 0.0;
                 let control = SpindleMode::Held;
                 self.put(InverterRamp { t, start: 0.0, target: 0.0, rate: 0.0, turns: goal, command, control, ..last });
@@ -110,10 +108,16 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn part(&mut self, t: f64, start: f64, target: f64, rate: f64, seconds: f64) {
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
         let turns = last.turns(&self.plant.spindle, t);
-        let sign = sense(start + target);
+        let rotation = Rotation::of(start + target);
         let stage = last.command.stage;
-        let command =
-            SpeedCommand { from: start.abs(), to: target.abs(), span: seconds, sign, stage, ..SpeedCommand::default() };
+        let command = SpeedCommand {
+            from: start.abs(),
+            to: target.abs(),
+            span: seconds,
+            rotation,
+            stage,
+            ..SpeedCommand::default()
+        };
         self.s.plc.signals.spindle_command = target;
         self.put(InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Position, ..last });
         if t + seconds > t {

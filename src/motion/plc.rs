@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::plant::PMC_AXES;
 use super::timeline::Timeline;
+use crate::drives::Rotation;
 use crate::drives::speed::Steps;
 use crate::text::Message;
 
@@ -72,8 +73,8 @@ pub struct PlcSignals {
     pub emergency: bool,
     /// The spindle inverter reports a fault: its output is off.
     pub inverter_fault: bool,
-    /// Spindle key pressed by the operator: 1, -1, or 0 for stop; set for one scan.
-    pub spindle_key: Option<i8>,
+    /// Spindle key pressed by the operator; set for one scan.
+    pub spindle_key: Option<Rotation>,
     /// Key "feed hold" pressed by the operator; set for one scan.
     pub hold_key: bool,
     /// The override knobs.
@@ -133,10 +134,10 @@ pub struct SpindleOrders {
 pub struct PlcOrders {
     /// On the speed of the spindle.
     pub spindle: SpindleOrders,
-    /// Direction of the spindle by the run contacts of the PLC: 1, -1, or 0 for none; `None` for a PLC without such contacts.
-    pub turns: Option<i8>,
-    /// Direction in which the PLC turns a spindle without M03 and M04 while gears mesh: 1, or 0.
-    pub shift_turns: i8,
+    /// Rotation by the run contacts of the PLC; `None` for a PLC without such contacts.
+    pub run_contacts: Option<Rotation>,
+    /// Rotation that the PLC gives a spindle without M03 and M04 while gears mesh.
+    pub shift_rotation: Rotation,
     /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it releases them.
     pub axes_held: bool,
     /// The PLC holds the program (FANUC: `*SP` at 0): feed hold until cycle start, which is refused as long as it lasts.
@@ -160,8 +161,8 @@ impl Default for PlcOrders {
     fn default() -> PlcOrders {
         PlcOrders {
             spindle: SpindleOrders { held: false, gear: 1, shift_volts: None, percent: 100.0 },
-            turns: None,
-            shift_turns: 0,
+            run_contacts: None,
+            shift_rotation: Rotation::Stopped,
             axes_held: false,
             program_held: false,
             feed_override_off: false,
@@ -277,8 +278,8 @@ pub struct BenchPlc {
     /// M03 and M04 need M05 between them.
     pub stop_between: bool,
     strobes: Strobes,
-    /// Output: M03 (1), M04 (-1) or neither (0).
-    turns: i8,
+    /// Output: rotation commanded last, before the codes that wait.
+    rotation: Rotation,
 }
 
 impl BenchPlc {
@@ -291,7 +292,7 @@ impl BenchPlc {
             knob: None,
             stop_between: false,
             strobes: Strobes::default(),
-            turns: 0,
+            rotation: Rotation::Stopped,
         }
     }
 }
@@ -305,10 +306,14 @@ impl Plc for BenchPlc {
         }
         let Some(since) = self.strobes.since(t, signals, orders) else {
             orders.spindle.shift_volts = None;
-            self.turns = sense(signals.spindle_command);
+            self.rotation = Rotation::of(signals.spindle_command);
             return None;
         };
-        if self.stop_between && matches!((signals.m_strobe, self.turns), (Some(3), -1) | (Some(4), 1)) {
+        let reverses = matches!(
+            (signals.m_strobe, self.rotation),
+            (Some(3), Rotation::CounterClockwise) | (Some(4), Rotation::Clockwise)
+        );
+        if self.stop_between && reverses {
             orders.alarm = Some(PlcAlarm::SpindleReversal);
             return None;
         }
@@ -326,9 +331,4 @@ impl Plc for BenchPlc {
 /// Limits an override to 0 to 1000 %; NaN becomes 0.
 pub(super) fn percent(value: f64) -> f64 {
     if value > 0.0 { value.min(1000.0) } else { 0.0 }
-}
-
-/// Sign of a speed or angle: 1, -1, or 0 below 1e-9.
-pub(super) fn sense(value: f64) -> i8 {
-    i8::from(value > 1e-9) - i8::from(value < -1e-9)
 }

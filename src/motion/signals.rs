@@ -97,7 +97,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (shown, message) = match alarm {
             PlcAlarm::SpindleReversal => {
                 // The earlier code stays active.
-                self.s.spindle.direction = -self.s.spindle.direction;
+                self.s.spindle.rotation = self.s.spindle.rotation.reversed();
                 (self.plant.reversal, msg!("motion.spindle-reversal"))
             }
             PlcAlarm::InverterFault => {

@@ -3,8 +3,8 @@
 use super::plant::SpindlePlant;
 use super::snapshot::SpindleState;
 use super::time_series::Timed;
-use crate::drives::Bound;
 use crate::drives::orient::turn;
+use crate::drives::{Bound, Rotation};
 use crate::math;
 
 /// Commanded speed of the spindle. Equal commands give the same ramp.
@@ -14,8 +14,7 @@ pub(super) struct SpeedCommand {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) span: f64,
-    /// Direction, 0 for standstill.
-    pub(super) sign: i8,
+    pub(super) rotation: Rotation,
     /// Gear stage, from 1.
     pub(super) stage: u8,
     /// Limit that acts on the speed.
@@ -174,8 +173,8 @@ impl InverterRamp {
     /// State of the spindle at `t` (s); `place` gives the position of an axis.
     pub(super) fn state(&self, plant: &SpindlePlant, t: f64, place: impl Fn(usize) -> f64) -> SpindleState {
         let (analog, speed) = (plant.analog(self.command.stage), self.commanded(t));
-        let command = speed * f64::from(self.command.sign);
-        let out = if plant.rules.volts_stay && self.command.sign == 0 { speed } else { command };
+        let command = speed * self.command.rotation.sign();
+        let out = if plant.rules.volts_stay && self.command.rotation == Rotation::Stopped { speed } else { command };
         let (actual, turns) = (self.actual(plant, t), self.turns(plant, t));
         let diameter = self.diameter_axis.map(|(axis, zero)| 2.0 * (place(usize::from(axis)) - zero).abs());
         SpindleState {

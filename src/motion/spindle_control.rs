@@ -1,5 +1,6 @@
 //! Commands of the control to the spindle: speed, direction, limits, constant surface speed, orientation.
 
+use crate::drives::Rotation;
 use crate::drives::orient::{Approach, Travel};
 use crate::drives::speed::SpeedLimit;
 
@@ -25,8 +26,8 @@ pub(super) struct Surface {
 pub(super) struct Orienting {
     /// Target in turns since the start of the run, possibly after turning back.
     pub(super) goal: f64,
-    /// Direction of rotation: 1 or -1.
-    pub(super) way: i8,
+    /// Direction of the travel.
+    pub(super) rotation: Rotation,
     pub(super) travel: Travel,
     pub(super) part: TravelPart,
 }
@@ -54,7 +55,8 @@ impl Orienting {
 pub(super) struct SpindleControl {
     /// Speed in r/min before override and limits.
     pub(super) speed: f64,
-    pub(super) direction: i8,
+    /// By M03, M04 or M05.
+    pub(super) rotation: Rotation,
     pub(super) surface: Option<Surface>,
     /// Setting data: lowest and highest speed in r/min.
     pub(super) set: (f64, f64),
@@ -85,7 +87,7 @@ impl SpindleControl {
     pub(super) fn new(diameter_axis: Option<u8>) -> SpindleControl {
         SpindleControl {
             speed: 0.0,
-            direction: 0,
+            rotation: Rotation::Stopped,
             surface: None,
             set: (0.0, f64::INFINITY),
             surface_high: f64::INFINITY,

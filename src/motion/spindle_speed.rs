@@ -4,7 +4,7 @@ use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use super::spindle::{InverterRamp, SpeedCommand, SpindleMode};
-use crate::drives::{Bound, SpeedLimits};
+use crate::drives::{Bound, Rotation, SpeedLimits};
 use crate::msg;
 
 /// Cap (r/min) on speeds, above any real spindle.
@@ -53,16 +53,16 @@ impl<P: RunningProgram> Sim<'_, P> {
         let span = if from == to { 0.0 } else { span };
         let without_current = self.plant.is_without_current(t, &self.s.plc.signals);
         let stands = without_current || self.s.plc.orders.spindle.held;
-        let sign = match (self.s.spindle.direction, self.s.plc.orders.spindle.shift_volts) {
-            _ if stands => 0,
-            (0, Some(_)) => self.s.plc.orders.shift_turns,
-            (direction, _) => direction,
+        let rotation = match (self.s.spindle.rotation, self.s.plc.orders.spindle.shift_volts) {
+            _ if stands => Rotation::Stopped,
+            (Rotation::Stopped, Some(_)) => self.s.plc.orders.shift_rotation,
+            (programmed, _) => programmed,
         };
         let last = self.out.timeline.ramps.last();
         // A drive with its current restored does not brake before its next speed command.
-        let coasted = last.is_some_and(|last| last.command.coasts) && sign == 0;
+        let coasted = last.is_some_and(|last| last.command.coasts) && rotation == Rotation::Stopped;
         let command =
-            SpeedCommand { from, to, span, sign, stage: self.gear(), bound, coasts: without_current || coasted };
+            SpeedCommand { from, to, span, rotation, stage: self.gear(), bound, coasts: without_current || coasted };
         let is_followed = |last: &InverterRamp| {
             let same = if span > 0.0 { last.t == t && command.agrees(&last.command) } else { command == last.command };
             same && last.control == SpindleMode::Speed
@@ -70,7 +70,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if last.is_some_and(is_followed) {
             return false;
         }
-        let limited = self.s.spindle.surface.is_none() && command.sign != 0;
+        let limited = self.s.spindle.surface.is_none() && command.rotation != Rotation::Stopped;
         if limited && bound.is_upper() {
             let wanted = now * self.override_share();
             let stage = command.stage;
@@ -134,7 +134,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let plant = &self.plant.spindle;
         let last = self.out.timeline.ramps.last();
         let (mut start, turns) = last.map_or((0.0, 0.0), |ramp| (ramp.speed(t), ramp.turns(plant, t)));
-        let sign = f64::from(command.sign);
+        let sign = command.rotation.sign();
         let (from, target) = (sign * command.from, sign * command.to);
         let mut rate =
             if command.coasts { plant.coasting_rate(command.stage) } else { plant.acceleration(command.stage) };

@@ -3,6 +3,7 @@
 use super::exec::Exec;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
+use crate::drives::Rotation;
 use crate::drives::speed::stage_for;
 use crate::interp::Canon;
 use crate::msg;
@@ -63,15 +64,15 @@ impl<P: RunningProgram> Sim<'_, P> {
                     self.s.plc.signals.gear_wanted = Some(stage);
                 }
             }
-            Canon::SpindleDirection { sign } => {
+            Canon::SpindleDirection { rotation } => {
                 self.s.spindle.orienting = None;
-                self.s.spindle.direction = sign.signum();
+                self.s.spindle.rotation = rotation;
                 self.s.spindle.locked = false;
                 self.s.spindle.commanded = true;
-                self.s.plc.signals.m_strobe = Some(match sign.signum() {
-                    1 => 3,
-                    -1 => 4,
-                    _ => 5,
+                self.s.plc.signals.m_strobe = Some(match rotation {
+                    Rotation::Clockwise => 3,
+                    Rotation::CounterClockwise => 4,
+                    Rotation::Stopped => 5,
                 });
             }
             Canon::Auxiliary { code } => {

@@ -22,8 +22,8 @@ mod turning;
 mod zero_return;
 
 use macroline::controls::{self, Address, Control, Dialect, Switches};
-use macroline::drives::Analog;
 use macroline::drives::cutting::Cut;
+use macroline::drives::{Analog, Rotation};
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
 use macroline::math;
@@ -100,8 +100,20 @@ fn one(canon: Canon) -> Line {
     Line::Nc(vec![canon])
 }
 
-fn turn(rpm: f64, sign: i8) -> Line {
-    Line::Nc(vec![Canon::SpindleSpeed { rpm }, Canon::SpindleDirection { sign }])
+fn turn(rpm: f64, rotation: Rotation) -> Line {
+    Line::Nc(vec![Canon::SpindleSpeed { rpm }, Canon::SpindleDirection { rotation }])
+}
+
+fn m3(rpm: f64) -> Line {
+    turn(rpm, Rotation::Clockwise)
+}
+
+fn m4(rpm: f64) -> Line {
+    turn(rpm, Rotation::CounterClockwise)
+}
+
+fn m5(rpm: f64) -> Line {
+    turn(rpm, Rotation::Stopped)
 }
 
 fn at(t: f64, action: Action) -> Event {

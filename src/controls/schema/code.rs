@@ -3,6 +3,7 @@
 use super::table::{Key, digits, divided, range_ends, single};
 use core::fmt;
 
+use crate::drives::Rotation;
 use crate::text::{Citation, Phrase};
 
 /// Meaning of a code. The interpreter acts on the meaning and never on the code's number.
@@ -144,6 +145,25 @@ pub enum Code {
 }
 
 impl Code {
+    /// The code of a rotation: M03, M04 or M05.
+    pub fn of_rotation(rotation: Rotation) -> Code {
+        match rotation {
+            Rotation::Stopped => Code::SpindleStop,
+            Rotation::Clockwise => Code::SpindleCw,
+            Rotation::CounterClockwise => Code::SpindleCcw,
+        }
+    }
+
+    /// Rotation commanded by M03, M04 and M05.
+    pub fn rotation(self) -> Option<Rotation> {
+        match self {
+            Code::SpindleStop => Some(Rotation::Stopped),
+            Code::SpindleCw => Some(Rotation::Clockwise),
+            Code::SpindleCcw => Some(Rotation::CounterClockwise),
+            _ => None,
+        }
+    }
+
     /// Whether the simulation ignores the code although the control acts on it.
     pub fn is_left_out(self) -> bool {
         use Code::{DataInput, MoreCoordinates, NotSimulated, ReplacesPositions, Roughing, TakesAxisWords};

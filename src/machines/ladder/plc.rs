@@ -8,6 +8,7 @@ use super::scan::Image;
 use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, SpindleRules};
+use crate::drives::Rotation;
 use crate::drives::speed::{self, Steps};
 use crate::motion::{Plc, PlcAlarm, PlcOrders, PlcSignals, ProgramState, Strobes};
 
@@ -225,9 +226,9 @@ impl LadderPlc {
             }
             Bit::Input(MachineContact::AtStandstill) => signals.spindle_actual.abs() <= STANDSTILL,
             Bit::Signal(SignalRole::SpindlePositions) => signals.positions,
-            Bit::Input(MachineContact::ForwardKey) => signals.spindle_key == Some(1),
-            Bit::Input(MachineContact::ReverseKey) => signals.spindle_key == Some(-1),
-            Bit::Input(MachineContact::StopKey) => signals.spindle_key != Some(0),
+            Bit::Input(MachineContact::ForwardKey) => signals.spindle_key == Some(Rotation::Clockwise),
+            Bit::Input(MachineContact::ReverseKey) => signals.spindle_key == Some(Rotation::CounterClockwise),
+            Bit::Input(MachineContact::StopKey) => signals.spindle_key != Some(Rotation::Stopped),
             Bit::Input(MachineContact::HoldKey) => !signals.hold_key,
             // The operator has clamped the work before he starts the program.
             Bit::Input(MachineContact::WorkHeld) => true,
@@ -293,12 +294,15 @@ impl LadderPlc {
         let runs = RUNS.into_iter().filter_map(output).reduce(|a, b| a || b);
         let spindle = [signal(SignalRole::SpindleEnable), signal(SignalRole::SpindleHold).map(|held| !held), runs];
         orders.spindle.held = spindle.into_iter().flatten().any(|on| !on);
-        orders.shift_turns = i8::from(image.is_on(SLOWED) && runs == Some(true));
+        let turns_to_mesh = image.is_on(SLOWED) && runs == Some(true);
+        orders.shift_rotation = if turns_to_mesh { Rotation::Clockwise } else { Rotation::Stopped };
         let directions = TURNS.iter().all(|turns| ladder.drives(*turns));
-        orders.turns = directions.then(|| {
-            let [forward, reverse] = TURNS.map(|turns| i8::from(image.is_on(turns) && !image.is_on(STOPPED)));
-            forward - reverse
-        });
+        orders.run_contacts =
+            directions.then(|| match TURNS.map(|turns| image.is_on(turns) && !image.is_on(STOPPED)) {
+                [true, false] => Rotation::Clockwise,
+                [false, true] => Rotation::CounterClockwise,
+                _ => Rotation::Stopped,
+            });
         let axes = [signal(SignalRole::AxesEnable), signal(SignalRole::AxesStop).map(|held| !held)];
         orders.axes_held = axes.into_iter().flatten().any(|on| !on);
         orders.program_held =

@@ -83,8 +83,8 @@ impl Axes {
             AxesState::Rest if asked(GO_TO_ANGLE) => {
                 let travels: [f64; PMC_AXES] =
                     core::array::from_fn(|k| travel(signals.pmc_turns[k], image.number(ANGLE[k]) / 360_000.0));
-                orders.pmc_speed =
-                    travels.map(|travel| self.index_speed * f64::from(i8::from(travel > 0.0) - i8::from(travel < 0.0)));
+                let sign = |travel: f64| if travel.abs() > 0.0 { travel.signum() } else { 0.0 };
+                orders.pmc_speed = travels.map(|travel| self.index_speed * sign(travel));
                 self.state = AxesState::Indexing(travels.map(|travel| t + travel.abs() * 60.0 / self.index_speed));
             }
             _ => {}

@@ -4,7 +4,7 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::action_marks::ActionMarks;
-use crate::controls::Control;
+use crate::controls::{Code, Control};
 use crate::motion::{Milestone, Mode};
 use crate::msg;
 use crate::text::columns;
@@ -35,7 +35,8 @@ fn milestones(moment: &RunMoment, control: &Control) -> Vec<Named> {
     let timeline = moment.run.timeline();
     let named = |(t, milestone): (f64, Milestone)| {
         let (words, weight) = match milestone {
-            Milestone::Spindle(code) => {
+            Milestone::Spindle(rotation) => {
+                let code = Code::of_rotation(rotation);
                 let row = control.codes.iter().find(|row| row.code == code)?;
                 (control.code_name(row.id), 2)
             }

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 use macroline::controls::{Code, CodeId, Control, VarKind};
+use macroline::drives::Rotation;
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Counts, End, Feed, Interp, Step, Target, World};
 use macroline::motion::RunningProgram;
@@ -214,10 +215,10 @@ impl Writer {
             Canon::SpeedLimit { rpm, .. } => format!("{} S{rpm}", self.g(Code::SetCoordinates)),
             Canon::Gear { stage } => self.m(Code::GearStage(*stage)),
             Canon::Orient { .. } => String::new(),
-            Canon::SpindleDirection { sign: 1 } => self.m(Code::SpindleCw),
-            Canon::SpindleDirection { sign: -1 } => self.m(Code::SpindleCcw),
-            Canon::SpindleDirection { .. } => self.m(Code::SpindleStop),
-            Canon::OtherSpindle { spindle, sign } => format!("M{spindle}={}", [4, 5, 3][(sign + 1) as usize]),
+            Canon::SpindleDirection { rotation } => self.m(Code::of_rotation(*rotation)),
+            Canon::OtherSpindle { spindle, rotation: Rotation::Clockwise } => format!("M{spindle}=3"),
+            Canon::OtherSpindle { spindle, rotation: Rotation::CounterClockwise } => format!("M{spindle}=4"),
+            Canon::OtherSpindle { spindle, rotation: Rotation::Stopped } => format!("M{spindle}=5"),
             Canon::Auxiliary { code } => format!("M{code}"),
             Canon::Tool { code } => format!("T{code}"),
             Canon::Output { variable, value } => format!("#{variable}={value}"),

@@ -1,6 +1,7 @@
 //! Turning spindle and polygon lathe react to hold, single block, alarm, reset and emergency stop as in their tables.
 
 use macroline::controls::Code;
+use macroline::drives::Rotation;
 use macroline::machines;
 use macroline::motion::{Action, Event, PlcOrders, PlcSignals, ProgramState, Snapshot};
 use macroline::project::Project;
@@ -65,8 +66,8 @@ fn keyway_has_rows_of_its_own_in_the_table_of_stops() {
     assert_eq!(spindles(&rows(&[("release-code", "0")]))[1..3], [opens, "Stays locked at its angle"]);
 }
 
-/// The direction that the PLC gives the spindle at M3 behind its lock code and an interruption: none while the clamp is closed.
-fn direction_after(project: &Project, interruption: PlcSignals) -> Option<i8> {
+/// The rotation that the PLC gives the spindle at M3 behind its lock code and an interruption: none while the clamp is closed.
+fn rotation_after(project: &Project, interruption: PlcSignals) -> Option<Rotation> {
     let mut plc = project.prepared().plc();
     let mut orders = PlcOrders::default();
     let running = PlcSignals { program: ProgramState::Running, ..PlcSignals::default() };
@@ -75,7 +76,7 @@ fn direction_after(project: &Project, interruption: PlcSignals) -> Option<i8> {
     for (second, signals) in scans.iter().enumerate() {
         plc.scan(second as f64, signals, &mut orders);
     }
-    orders.turns
+    orders.run_contacts
 }
 
 #[test]
@@ -88,8 +89,9 @@ fn clamp_of_the_keyway_follows_the_table_of_stops() {
             for (name, emergency) in [("Reset", false), ("Emergency stop", true)] {
                 let row = rows.iter().find(|cells| cells[0] == format!("{name} in the keyway")).unwrap();
                 let stops = PlcSignals { program: ProgramState::Idle, reset: true, emergency, ..PlcSignals::default() };
-                let direction = if row[1].starts_with("Stays locked") { 0 } else { 1 };
-                assert_eq!(direction_after(&project, stops), Some(direction), "{control}, M{release}: {name}");
+                let locked = row[1].starts_with("Stays locked");
+                let rotation = if locked { Rotation::Stopped } else { Rotation::Clockwise };
+                assert_eq!(rotation_after(&project, stops), Some(rotation), "{control}, M{release}: {name}");
             }
         }
     }

@@ -32,6 +32,10 @@ fn approach() -> impl Strategy<Value = Approach> {
     prop::sample::select(vec![Direct, Clockwise, CounterClockwise, Incremental])
 }
 
+fn rotation() -> impl Strategy<Value = Rotation> {
+    prop::sample::select(vec![Rotation::Stopped, Rotation::Clockwise, Rotation::CounterClockwise])
+}
+
 fn canon() -> impl Strategy<Value = Canon> {
     let arc = (goal(), any::<(u8, u8)>(), number(), number(), any::<bool>(), feed(), any::<bool>());
     prop_oneof![
@@ -43,7 +47,7 @@ fn canon() -> impl Strategy<Value = Canon> {
         number().prop_map(|seconds| Canon::Dwell { seconds }),
         number().prop_map(|turns| Canon::DwellTurns { turns }),
         number().prop_map(|rpm| Canon::SpindleSpeed { rpm }),
-        any::<i8>().prop_map(|sign| Canon::SpindleDirection { sign }),
+        rotation().prop_map(|rotation| Canon::SpindleDirection { rotation }),
         any::<u32>().prop_map(|code| Canon::Auxiliary { code }),
         (goal(), number()).prop_map(|(to, lead)| Canon::Thread { to, lead }),
         (number(), any::<u8>(), any::<i64>()).prop_map(|(speed, axis, zero)| Canon::SurfaceSpeed {

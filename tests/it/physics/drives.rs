@@ -90,24 +90,24 @@ fn speed_limits_match_the_table_and_name_the_binding_one() {
 #[test]
 fn positioning_travel_matches_the_table() {
     use Approach::{Clockwise, CounterClockwise, Direct, Incremental};
-    // sinumerik-802d.md section 3.6: angle, target, sense of rotation, approach, way.
+    // sinumerik-802d.md section 3.6: angle, target, sign of the rotation, approach, way.
     let table = [
-        (10.0, 90.0, 1, Direct, 80.0),
-        (10.0, 90.0, -1, Direct, -280.0),
-        (350.0, 20.0, 0, Direct, 30.0),
-        (20.0, 350.0, 0, Direct, -30.0),
-        (20.0, 350.0, 1, Direct, 330.0),
-        (20.0, 350.0, -1, Direct, -30.0),
-        (0.0, 180.0, 0, Direct, 180.0),
-        (100.0, 50.0, 0, Clockwise, 310.0),
-        (100.0, 50.0, 0, CounterClockwise, -50.0),
-        (100.0, 50.0, 0, Direct, -50.0),
-        (100.0, -450.0, 1, Incremental, -450.0),
-        (50.0, 50.0, 0, Clockwise, 0.0),
-        (50.0, 50.0, 0, CounterClockwise, 0.0),
+        (10.0, 90.0, 1.0, Direct, 80.0),
+        (10.0, 90.0, -1.0, Direct, -280.0),
+        (350.0, 20.0, 0.0, Direct, 30.0),
+        (20.0, 350.0, 0.0, Direct, -30.0),
+        (20.0, 350.0, 1.0, Direct, 330.0),
+        (20.0, 350.0, -1.0, Direct, -30.0),
+        (0.0, 180.0, 0.0, Direct, 180.0),
+        (100.0, 50.0, 0.0, Clockwise, 310.0),
+        (100.0, 50.0, 0.0, CounterClockwise, -50.0),
+        (100.0, 50.0, 0.0, Direct, -50.0),
+        (100.0, -450.0, 1.0, Incremental, -450.0),
+        (50.0, 50.0, 0.0, Clockwise, 0.0),
+        (50.0, 50.0, 0.0, CounterClockwise, 0.0),
     ];
-    for (from, to, sense, approach, way) in table {
-        assert_eq!(travel(from, to, approach, sense), way, "{from} {to} {sense} {approach:?}");
+    for (from, to, sign, approach, way) in table {
+        assert_eq!(travel(from, to, approach, Rotation::of(sign)), way, "{from} {to} {sign} {approach:?}");
     }
     // Not synchronised: over the zero mark first.
     assert_eq!(first_travel(0.0, 90.0, true), 450.0);

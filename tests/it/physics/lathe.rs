@@ -97,7 +97,7 @@ fn thread_is_lead_times_turns_at_any_override() {
         at(1.9, Action::SpindleOverride(110.0)),
         at(10.0, Action::Start),
     ];
-    let planner = on_lathe(events, vec![turn(1200.0, -1), one(thread), linear(0.0, 0.0, 6000.0)]);
+    let planner = on_lathe(events, vec![m4(1200.0), one(thread), linear(0.0, 0.0, 6000.0)]);
     let (begin, timeline) = (begins(&planner, 1), planner.timeline());
     let end = first(&planner, begin, |now| now.axes[1].position >= 90.0 - 1e-9);
     let turns = |t: f64| (timeline.at(t).spindle.turns - timeline.at(begin).spindle.turns).abs();
@@ -136,7 +136,7 @@ fn feed_per_revolution_above_clamp_is_a_finding() {
     plant.axes[1].clamp = 100.0;
     let feed = Feed::PerRevolution(0.2);
     let travel = one(Canon::Linear { to: target(0.0, 5.0), feed, exact: false });
-    let planner = run_on(&plant, vec![], vec![turn(1200.0, 1), one(Canon::Dwell { seconds: 2.0 }), travel]);
+    let planner = run_on(&plant, vec![], vec![m3(1200.0), one(Canon::Dwell { seconds: 2.0 }), travel]);
     let clamped = planner.diagnostics().iter().find(|found| found.message.id == "motion.axis-clamp");
     assert_eq!(clamped.map(|found| found.place), Some(Some(place(2))));
 }
@@ -149,7 +149,7 @@ pub(super) fn surface(speed: f64, zero: f64) -> Line {
 fn surface_speed_is_constant_within_one_step() {
     // Work zero lies at X10; from a diameter of 100 down to 30 and back up a taper.
     let lines = vec![
-        turn(100.0, 1),
+        m3(100.0),
         surface(120.0, 10.0),
         rapid(110.0, 0.0),
         one(Canon::Dwell { seconds: 2.0 }),
@@ -176,7 +176,7 @@ fn surface_speed_is_constant_within_one_step() {
 #[test]
 fn surface_speed_300_gives_the_manuals_values() {
     for (diameter, rpm) in [(100.0, 955.0), (80.0, 1194.0)] {
-        let lines = vec![turn(100.0, 1), rapid(diameter, 0.0), surface(300.0, 0.0), one(Canon::Dwell { seconds: 2.0 })];
+        let lines = vec![m3(100.0), rapid(diameter, 0.0), surface(300.0, 0.0), one(Canon::Dwell { seconds: 2.0 })];
         let planner = on_lathe(vec![], lines);
         let command = planner.timeline().at(ended_at(&planner)).spindle.command;
         assert_eq!(command.round(), rpm);
@@ -185,7 +185,7 @@ fn surface_speed_300_gives_the_manuals_values() {
 
 #[test]
 fn rapid_starts_with_the_spindle_speed_of_its_end() {
-    let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0)];
+    let lines = vec![m3(100.0), rapid(100.0, 0.0), surface(120.0, 0.0)];
     let rest = [one(Canon::Dwell { seconds: 1.0 }), rapid(50.0, 0.0), one(Canon::End)];
     let planner = on_lathe(vec![], lines.into_iter().chain(rest).collect());
     let begin = begins(&planner, 4);
@@ -197,7 +197,7 @@ fn rapid_starts_with_the_spindle_speed_of_its_end() {
 #[test]
 fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
     let lines = |limit: Option<f64>| {
-        let mut lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0), linear(0.0, 0.0, 3000.0)];
+        let mut lines = vec![m3(100.0), rapid(100.0, 0.0), surface(120.0, 0.0), linear(0.0, 0.0, 3000.0)];
         lines.extend([one(Canon::ConstantSpeed), linear(100.0, 0.0, 3000.0), one(Canon::End)]);
         if let Some(rpm) = limit {
             lines.insert(0, one(Canon::SpeedLimit { limit: SpeedLimit::Surface, rpm }));
@@ -224,7 +224,7 @@ fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
 fn constant_diameter_commands_the_spindle_once() {
     let feed = Feed::PerRevolution(0.1);
     let along = one(Canon::Linear { to: target(100.0, 50.0), feed, exact: false });
-    let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), along];
+    let lines = vec![m3(100.0), rapid(100.0, 0.0), surface(120.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), along];
     let planner = on_lathe(vec![], lines);
     let begin = begins(&planner, 4);
     let rpm = 120e3 / (math::PI * 100.0);
@@ -235,7 +235,7 @@ fn constant_diameter_commands_the_spindle_once() {
 fn chip_thickness_is_constant_under_surface_speed() {
     let feed = Feed::PerRevolution(0.1);
     let face = one(Canon::Linear { to: target(20.0, 0.0), feed, exact: false });
-    let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(60.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), face];
+    let lines = vec![m3(100.0), rapid(100.0, 0.0), surface(60.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), face];
     let planner = on_lathe(vec![], lines);
     let (begin, end, timeline) = (begins(&planner, 4), ended_at(&planner), planner.timeline());
     close(0.1 * (timeline.at(end).spindle.turns - timeline.at(begin).spindle.turns), 40.0, 1e-6);

@@ -1,6 +1,6 @@
 //! Milestones of a run, the first contact with the work, and the passes over it.
 
-use macroline::controls::Code;
+use macroline::drives::Rotation;
 use macroline::machines;
 use macroline::motion::{Action, Budget, Event, Milestone, Mode, Panel, Retention};
 use macroline::project::Project;
@@ -30,10 +30,8 @@ fn milestones_agree_with_the_snapshots_around_them() {
             let (before, after) = (timeline.at(t - 1e-6), timeline.at(t + 1e-6));
             match milestone {
                 Milestone::Mode(mode) => assert!(after.mode == *mode && before.mode != *mode, "{t} {milestone:?}"),
-                Milestone::Spindle(code) => {
-                    let sign = |speed: f64| if speed == 0.0 { 0 } else { speed.signum() as i32 };
-                    let expected = [(Code::SpindleCw, 1), (Code::SpindleCcw, -1), (Code::SpindleStop, 0)];
-                    assert!(expected.contains(&(*code, sign(after.spindle.command))), "{t} {milestone:?}");
+                Milestone::Spindle(rotation) => {
+                    assert_eq!(*rotation, Rotation::of(after.spindle.command), "{t}");
                 }
             }
         }
@@ -47,7 +45,7 @@ fn ribbon_line_starts_waits_prints_and_stops_in_this_order() {
     let run = whole(&project);
     let end = run.timeline().end();
     let at = |wanted: Milestone| run.timeline().milestones().into_iter().find(|row| row.1 == wanted).unwrap().0;
-    let start = at(Milestone::Spindle(Code::SpindleCw));
+    let start = at(Milestone::Spindle(Rotation::Clockwise));
     let (dot, name) = project.prepared().first_contact(&run, end).unwrap();
     assert_eq!(name, "ribbon.first-dot");
     let times = [start, at(Milestone::Mode(Mode::Dwell)), dot, at(Milestone::Mode(Mode::Ended)), end];
@@ -63,10 +61,10 @@ fn gears_that_mesh_before_the_start_are_no_start() {
     let run = whole(&project);
     let (contact, _) = project.prepared().first_contact(&run, run.timeline().end()).unwrap();
     let of_spindle = run.timeline().milestones().into_iter().filter_map(|row| match row {
-        (t, Milestone::Spindle(code)) if t < contact => Some((t, code)),
+        (t, Milestone::Spindle(rotation)) if t < contact => Some((t, rotation)),
         _ => None,
     });
-    let [(start, Code::SpindleCw)] = of_spindle.collect::<Vec<_>>()[..] else { panic!("one start before the cut") };
+    let [(start, Rotation::Clockwise)] = of_spindle.collect::<Vec<_>>()[..] else { panic!("one start before the cut") };
     // The spindle has turned before, while its gears meshed.
     let turned = (1..100).map(|step| run.timeline().at(start * f64::from(step) / 100.0).spindle.actual);
     assert!(turned.fold(0.0, f64::max) > 1.0);

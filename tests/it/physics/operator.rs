@@ -5,7 +5,7 @@ use super::*;
 #[test]
 fn unanswered_stop_ends_the_run_with_spindle_unchanged() {
     let lines =
-        vec![turn(1200.0, 1), linear(10.0, 0.0, 6000.0), one(Canon::Stop), linear(20.0, 0.0, 6000.0), one(Canon::End)];
+        vec![m3(1200.0), linear(10.0, 0.0, 6000.0), one(Canon::Stop), linear(20.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![], lines);
     let (t, end) = finish(&mut planner);
     assert_eq!(end, RunEnd::Stop);
@@ -46,7 +46,7 @@ fn single_block_stops_after_nc_blocks_only() {
 
 #[test]
 fn reset_stops_everything_and_start_begins_at_the_head() {
-    let lines = vec![turn(1200.0, 1), linear(100.0, 0.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 0.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![at(0.557_1, Action::Reset)], lines);
     let (t, end) = finish(&mut planner);
     assert_eq!((t, end), (0.557_1, RunEnd::Stop));
@@ -66,7 +66,7 @@ fn reset_stops_everything_and_start_begins_at_the_head() {
 
 #[test]
 fn emergency_stop_needs_reset_before_start() {
-    let lines = vec![turn(1200.0, 1), linear(100.0, 0.0, 6000.0), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![at(0.5, Action::EmergencyStop), at(2.0, Action::Start)], lines);
     let (t, end) = finish(&mut planner);
     assert!(matches!(end, RunEnd::Alarm(_)), "{end:?}");

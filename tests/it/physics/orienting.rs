@@ -56,11 +56,12 @@ fn positioning_from_standstill_matches_the_table() {
 
 #[test]
 fn positioning_while_turning_keeps_direction_and_turns() {
-    for (rpm, sign) in [(600.0, 1), (600.0, -1), (30.0, 1), (100.0, -1)] {
+    for rpm in [600.0, -600.0, 30.0, -100.0_f64] {
+        let (rotation, rpm) = (Rotation::of(rpm), rpm.abs());
         let mut lines = at_angle(0.0);
-        lines.extend([turn(rpm, sign), dwell(3.21), orient(90.0, Approach::Direct), dwell(0.1)]);
+        lines.extend([turn(rpm, rotation), dwell(3.21), orient(90.0, Approach::Direct), dwell(0.1)]);
         let planner = run_on(&orientable(), vec![], lines);
-        let turns = turned(&planner, 4, 5) * f64::from(sign);
+        let turns = turned(&planner, 4, 5) * rotation.sign();
         // Turns of the deceleration: by the inverter to 100 r/min (a ramp of 2 s over 1480 r/min), in position control to 0.
         let inverter = 1480.0 / 2.0;
         let rate = if rpm > 100.0 { inverter } else { 200.0 };
@@ -72,7 +73,7 @@ fn positioning_while_turning_keeps_direction_and_turns() {
         let (from, to) = (begins(&planner, 4), begins(&planner, 5));
         for i in 0..1000 {
             let t = from + (to - from) * f64::from(i) / 1000.0;
-            assert!(planner.timeline().at(t).spindle.actual * f64::from(sign) >= 0.0);
+            assert!(planner.timeline().at(t).spindle.actual * rotation.sign() >= 0.0);
         }
     }
 }
@@ -80,10 +81,14 @@ fn positioning_while_turning_keeps_direction_and_turns() {
 #[test]
 fn positioning_against_rotation_stops_first() {
     use Approach::{Clockwise, CounterClockwise, Incremental};
-    let cases = [(1, CounterClockwise, 40.0, 40.0), (-1, Clockwise, 40.0, 40.0), (1, Incremental, -30.0, f64::NAN)];
-    for (sign, approach, angle, wanted) in cases {
+    let cases = [
+        (Rotation::Clockwise, CounterClockwise, 40.0, 40.0),
+        (Rotation::CounterClockwise, Clockwise, 40.0, 40.0),
+        (Rotation::Clockwise, Incremental, -30.0, f64::NAN),
+    ];
+    for (rotation, approach, angle, wanted) in cases {
         let mut lines = at_angle(0.0);
-        lines.extend([turn(300.0, sign), dwell(2.0), orient(angle, approach), dwell(0.1)]);
+        lines.extend([turn(300.0, rotation), dwell(2.0), orient(angle, approach), dwell(0.1)]);
         let planner = run_on(&orientable(), vec![], lines);
         let end = planner.timeline().at(planner.timeline().end()).spindle;
         assert!(end.held);
@@ -92,7 +97,7 @@ fn positioning_against_rotation_stops_first() {
         } else {
             assert!((end.angle - wanted).abs() < 1e-9, "{end:?}");
             let last = planner.timeline().at(planner.timeline().end() - 0.2).spindle.actual;
-            assert!(last * f64::from(sign) < 0.0);
+            assert!(last * rotation.sign() < 0.0);
         }
     }
 }
@@ -106,7 +111,7 @@ fn first_positioning_seeks_the_zero_mark() {
         close(turned(&planner, 0, 1) * 360.0, way, 1e-9);
     }
     // A spindle that has turned knows its zero mark.
-    let lines = vec![turn(60.0, 1), dwell(3.0), turn(60.0, 0), dwell(1.0), orient(0.0, Approach::Direct), dwell(0.1)];
+    let lines = vec![m3(60.0), dwell(3.0), m5(60.0), dwell(1.0), orient(0.0, Approach::Direct), dwell(0.1)];
     let planner = run_on(&orientable(), vec![], lines);
     assert!(turned(&planner, 4, 5).abs() <= 0.5);
 }
@@ -132,16 +137,16 @@ fn block_ends_when_axes_and_spindle_arrive() {
 
 #[test]
 fn angle_is_held_until_m3_m4_or_m5() {
-    let mut lines = vec![turn(300.0, 1), dwell(1.0), orient(45.0, Approach::Direct), dwell(1.0)];
+    let mut lines = vec![m3(300.0), dwell(1.0), orient(45.0, Approach::Direct), dwell(1.0)];
     lines.extend([one(Canon::SpindleSpeed { rpm: 240.0 }), dwell(1.0)]);
-    lines.extend([one(Canon::SpindleDirection { sign: 1 }), dwell(2.0)]);
+    lines.extend([one(Canon::SpindleDirection { rotation: Rotation::Clockwise }), dwell(2.0)]);
     let planner = run_on(&orientable(), vec![], lines);
     let moment = |line| planner.timeline().at(begins(&planner, line) + 0.5).spindle;
     assert!(moment(3).held && moment(5).held && (moment(5).angle - 45.0).abs() < 1e-9);
     let last = planner.timeline().at(planner.timeline().end()).spindle;
     assert_eq!((last.held, last.actual), (false, 240.0));
     // Reset leaves it held, emergency stop does not; on its way both stop it.
-    let lines = || vec![turn(300.0, 1), dwell(1.0), orient(45.0, Approach::Direct), dwell(9.0)];
+    let lines = || vec![m3(300.0), dwell(1.0), orient(45.0, Approach::Direct), dwell(9.0)];
     let there = begins(&planner, 3);
     for (t, action, held) in [
         (there + 1.0, Action::Reset, true),

@@ -252,7 +252,7 @@ fn planner_for_ever() -> Planner<Script> {
 fn feed_per_revolution_follows_the_spindle() {
     let feed = Feed::PerRevolution(0.25);
     let travel = Canon::Linear { to: target(60.0, 0.0), feed, exact: false };
-    let planner = run(vec![turn(1200.0, 1), one(travel)]);
+    let planner = run(vec![m3(1200.0), one(travel)]);
     // The path is the turns times the feed, through the ramp and after it.
     let begin = first(&planner, 0.0, |now| now.block == Some(place(1)));
     let turns = |t: f64| planner.timeline().at(t).spindle.turns;

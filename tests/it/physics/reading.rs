@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn dwell_and_m_codes_wait_for_standstill() {
-    let lines = vec![linear(10.0, 0.0, 6000.0), one(Canon::Dwell { seconds: 0.3 }), turn(1000.0, 1), one(Canon::End)];
+    let lines = vec![linear(10.0, 0.0, 6000.0), one(Canon::Dwell { seconds: 0.3 }), m3(1000.0), one(Canon::End)];
     let planner = run(lines);
     let begin = plant().block_time;
     let dwell = first(&planner, 0.0, |now| now.mode == Mode::Dwell);

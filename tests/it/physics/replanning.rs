@@ -29,7 +29,7 @@ fn busy() -> Vec<Line> {
     let feed = Feed::PerRevolution(4.0);
     let aside = Canon::Linear { to: target(0.0, 5.0), feed: Feed::PerMinute(1200.0), exact: false };
     vec![
-        turn(1200.0, 1),
+        m3(1200.0),
         Line::Input(100, 1033),
         Line::Add(100, 3000.0),
         Line::Step([8_000, 60_000], 100),
@@ -40,7 +40,7 @@ fn busy() -> Vec<Line> {
         Line::Position(103),
         one(Canon::Gear { stage: 2 }),
         Line::Nc(vec![Canon::Orient { angle: 70.0, approach: Approach::Direct }, aside]),
-        turn(900.0, -1),
+        m4(900.0),
         one(Canon::SpeedLimit { limit: SpeedLimit::Surface, rpm: 1100.0 }),
         one(Canon::SurfaceSpeed { speed: 60.0, axis: 0, zero: -9_000 }),
         linear(30.0, 6.0, 4000.0),

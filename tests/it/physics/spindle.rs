@@ -6,12 +6,8 @@ use super::*;
 
 #[test]
 fn spindle_ramps_linearly_and_counts_turns_exactly() {
-    let planner = run(vec![
-        turn(1200.0, 1),
-        one(Canon::Dwell { seconds: 4.0 }),
-        turn(600.0, -1),
-        one(Canon::Dwell { seconds: 4.0 }),
-    ]);
+    let planner =
+        run(vec![m3(1200.0), one(Canon::Dwell { seconds: 4.0 }), m4(600.0), one(Canon::Dwell { seconds: 4.0 })]);
     let timeline = planner.timeline();
     let begin = plant().block_time;
     let ramp = 2.0 * 1200.0 / 1480.0;
@@ -43,7 +39,7 @@ fn volts_match_the_fact_sheet() {
         (124.0, 10.0),
     ];
     for (percent, volts) in table {
-        let lines = vec![turn(1200.0, 1), one(Canon::Dwell { seconds: 3.0 })];
+        let lines = vec![m3(1200.0), one(Canon::Dwell { seconds: 3.0 })];
         let planner = run_on(&plant(), vec![at(0.0, Action::SpindleOverride(percent))], lines);
         let now = planner.timeline().at(3.0).spindle;
         assert!((now.volts_command - volts).abs() < 0.0005, "{percent} %: {}", now.volts_command);
@@ -57,7 +53,7 @@ fn volts_match_the_fact_sheet() {
 
 #[test]
 fn spindle_override_acts_at_once_and_reports_saturation() {
-    let lines = vec![turn(1200.0, 1), one(Canon::Dwell { seconds: 6.0 })];
+    let lines = vec![m3(1200.0), one(Canon::Dwell { seconds: 6.0 })];
     let planner = run_on(&plant(), vec![at(3.0, Action::SpindleOverride(150.0))], lines);
     assert_eq!(planner.timeline().at(2.999).spindle.command, 1200.0);
     assert_eq!(planner.timeline().at(3.0).spindle.command, 1480.0);
@@ -70,7 +66,11 @@ fn slip_reduces_speed_without_jumps() {
         let mut plant = plant();
         plant.spindle.slip = slip;
         plant.spindle.gain = 1500.0 / 1480.0;
-        let lines = vec![turn(1200.0, 1), one(Canon::Dwell { seconds: 4.0 }), one(Canon::SpindleDirection { sign: 0 })];
+        let lines = vec![
+            m3(1200.0),
+            one(Canon::Dwell { seconds: 4.0 }),
+            one(Canon::SpindleDirection { rotation: Rotation::Stopped }),
+        ];
         let planner = run_on(&plant, vec![], lines);
         let now = planner.timeline().at(3.0).spindle;
         close(now.actual, 1200.0 * 1500.0 / 1480.0 - slip * 1480.0, 1e-12);
@@ -102,7 +102,7 @@ impl Plc for AtSpeed {
 
 #[test]
 fn plc_waits_for_the_spindle() {
-    let lines = vec![turn(1200.0, 1), linear(10.0, 0.0, 6000.0)];
+    let lines = vec![m3(1200.0), linear(10.0, 0.0, 6000.0)];
     let mut planner = planner_with(Box::new(AtSpeed), &plant(), vec![], lines);
     finish(&mut planner);
     let moves = first(&planner, 0.0, |now| now.axes[0].feed > 0.0);

@@ -18,7 +18,7 @@ fn settles_at_the_end(planner: &Planner<Script>) {
 }
 
 fn cutting(events: Vec<Event>) -> Planner<Script> {
-    let lines = vec![turn(1200.0, 1), linear(100.0, 30.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
     run_on(&plant(), events, lines)
 }
 
@@ -56,7 +56,7 @@ fn emergency_stop_goes_on_until_the_spindle_has_coasted() {
 #[test]
 fn reset_and_stop_go_on_to_standstill() {
     settles_at_the_end(&cutting(vec![at(0.8, Action::Reset)]));
-    let lines = vec![turn(1200.0, 1), linear(100.0, 0.0, 6000.0), one(Canon::Stop), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 0.0, 6000.0), one(Canon::Stop), one(Canon::End)];
     settles_at_the_end(&run_on(&plant(), Vec::new(), lines));
     settles_at_the_end(&run(vec![linear(10.0, 0.0, 6000.0), one(Canon::Stop)]));
 }
@@ -85,7 +85,7 @@ impl Plc for Alarming {
 
 #[test]
 fn plc_alarm_mid_cut_stops_where_the_axes_are() {
-    let lines = vec![turn(1200.0, 1), linear(100.0, 30.0, 6000.0), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), one(Canon::End)];
     let plc = Alarming(BenchPlc::new(0.05, None));
     let mut planner = planner_with(Box::new(plc), &plant(), Vec::new(), lines);
     let (t, end) = finish(&mut planner);
@@ -120,7 +120,7 @@ impl Plc for WithKey {
 #[test]
 fn hold_key_at_the_plc_acts_through_it_alone() {
     for (holds, wanted) in [(true, RunEnd::Stop), (false, RunEnd::ProgramEnd)] {
-        let lines = vec![turn(1200.0, 1), linear(100.0, 30.0, 6000.0), one(Canon::End)];
+        let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), one(Canon::End)];
         let plc = WithKey(BenchPlc::new(0.05, None), holds);
         let mut planner = planner_with(Box::new(plc), &plant(), vec![at(0.8, Action::Hold)], lines);
         assert_eq!(finish(&mut planner).1, wanted);
@@ -151,7 +151,7 @@ fn an_event_before_standstill_changes_nothing_before_it() {
 #[test]
 fn planning_in_slices_ends_at_the_same_standstill() {
     let whole = cutting(vec![at(0.8, Action::EmergencyStop)]);
-    let lines = vec![turn(1200.0, 1), linear(100.0, 30.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
     let mut sliced = planner(&plant(), vec![at(0.8, Action::EmergencyStop)], lines);
     let mut until = 0.0;
     while sliced.advance(until, 3).ended.is_none() {
@@ -163,7 +163,7 @@ fn planning_in_slices_ends_at_the_same_standstill() {
 
 #[test]
 fn time_budget_also_limits_the_time_to_standstill() {
-    let lines = vec![turn(1200.0, 1), linear(100.0, 30.0, 6000.0), one(Canon::End)];
+    let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), one(Canon::End)];
     let mut planner = Planner::new(Setup {
         program: Script::new(lines),
         control: control(),

@@ -37,7 +37,7 @@ fn spindle(planner: &Planner<Script>, t: f64) -> macroline::motion::SpindleState
 fn facing_time_matches_the_fact_sheet() {
     // sinumerik-802d.md section 7: 682.093 r/min at X84, 2500 from X22.918, 10.019832 s.
     let lines = vec![
-        turn(800.0, 1),
+        m3(800.0),
         limit(SpeedLimit::Surface, 2500.0),
         rapid(84.0, 0.0),
         surface(180.0, 0.0),
@@ -78,7 +78,7 @@ fn any_straight_cut_matches_closed_forms() {
         let mut plant = quick(0.0);
         plant.spindle.surface_low = limits.0;
         let lines = vec![
-            turn(800.0, 1),
+            m3(800.0),
             limit(SpeedLimit::Surface, limits.1),
             rapid(from, 0.0),
             surface(speed, 0.0),
@@ -98,7 +98,7 @@ fn any_straight_cut_matches_closed_forms() {
 fn surface_speed_holds_despite_servo_lag() {
     // With acceleration the axis lags the path; the spindle follows the commanded position.
     let lines = vec![
-        turn(800.0, 1),
+        m3(800.0),
         rapid(90.0, 0.0),
         surface(180.0, 0.0),
         dwell(1.0),
@@ -123,7 +123,7 @@ fn rapid_before_a_cut_sets_the_spindle_speed() {
     for at_once in [false, true] {
         plant.spindle.rules.surface_at_once = at_once;
         let lines = vec![
-            turn(800.0, 1),
+            m3(800.0),
             rapid(92.0, 5.0),
             limit(SpeedLimit::Surface, 2500.0),
             surface(180.0, 0.0),
@@ -134,7 +134,7 @@ fn rapid_before_a_cut_sets_the_spindle_speed() {
             rapid(120.0, 150.0),
             one(Canon::ConstantSpeed),
             dwell(0.1),
-            turn(300.0, 1),
+            m3(300.0),
             dwell(0.1),
         ];
         let planner = run_on(&plant, vec![], lines);
@@ -157,8 +157,7 @@ fn late_read_cut_sets_the_speed_during_the_rapid() {
     let mut plant = quick(0.0);
     plant.spindle.rules.rapid = RapidSpeed::BeforeCut;
     plant.macro_time = 0.05;
-    let lines =
-        vec![turn(800.0, 1), surface(180.0, 0.0), rapid(84.0, 0.0), Line::Add(1, 1.0), linear(20.0, 0.0, 300.0)];
+    let lines = vec![m3(800.0), surface(180.0, 0.0), rapid(84.0, 0.0), Line::Add(1, 1.0), linear(20.0, 0.0, 300.0)];
     let planner = run_on(&plant, vec![], lines);
     let begin = begins(&planner, 2);
     assert_ne!(spindle(&planner, begin + 0.001).command, spindle(&planner, begin + 0.06).command);
@@ -167,7 +166,7 @@ fn late_read_cut_sets_the_speed_during_the_rapid() {
 
 #[test]
 fn volts_of_s_exist_without_m03_and_survive_reset() {
-    let lines = || vec![turn(1000.0, 0), dwell(1.0), turn(1000.0, 1), dwell(3.0), turn(0.0, 1), dwell(1.0)];
+    let lines = || vec![m5(1000.0), dwell(1.0), m3(1000.0), dwell(3.0), m3(0.0), dwell(1.0)];
     for (stay, event) in [(true, Action::Reset), (true, Action::EmergencyStop), (false, Action::Reset)] {
         let mut plant = plant();
         plant.spindle.rules.volts_stay = stay;
@@ -194,11 +193,11 @@ fn spindle_survives_reset_but_not_emergency_stop() {
     let mut plant = plant();
     plant.spindle.rules.turns_through_reset = true;
     for (event, rpm) in [(Action::Reset, 1000.0), (Action::EmergencyStop, 0.0)] {
-        let planner = run_on(&plant, vec![at(3.0, event)], vec![turn(1000.0, 1), dwell(9.0)]);
+        let planner = run_on(&plant, vec![at(3.0, event)], vec![m3(1000.0), dwell(9.0)]);
         assert_eq!(spindle(&planner, 9.0).actual, rpm);
     }
     plant.spindle.rules.end_stops = true;
-    let planner = run_on(&plant, vec![], vec![turn(1000.0, 1), dwell(3.0), one(Canon::End)]);
+    let planner = run_on(&plant, vec![], vec![m3(1000.0), dwell(3.0), one(Canon::End)]);
     assert_eq!(spindle(&planner, ended_at(&planner) + 5.0).actual, 0.0);
 }
 
@@ -207,7 +206,7 @@ fn signed_output_carries_the_direction() {
     let mut plant = plant();
     plant.spindle.analog = Analog { rated_volts: 8.0, bipolar: true, ..Analog::unipolar(3000.0, 10.0) };
     plant.spindle = plant.spindle.with_stages([Stage::new(3000.0)]);
-    let planner = run_on(&plant, vec![], vec![turn(1200.0, 1), dwell(3.0), turn(1200.0, -1), dwell(5.0)]);
+    let planner = run_on(&plant, vec![], vec![m3(1200.0), dwell(3.0), m4(1200.0), dwell(5.0)]);
     close(spindle(&planner, 3.0).volts_command, 3.2, 1e-12);
     close(spindle(&planner, 8.0).volts_command, -3.2, 1e-12);
     close(spindle(&planner, 8.0).actual, -1200.0, 1e-12);
@@ -216,14 +215,14 @@ fn signed_output_carries_the_direction() {
 #[test]
 fn setting_data_limits_speed_and_survives_reset() {
     let lines = vec![
-        turn(1200.0, 1),
+        m3(1200.0),
         dwell(1.0),
         limit(SpeedLimit::Upper, 900.0),
         dwell(1.0),
-        turn(20.0, 1),
+        m3(20.0),
         limit(SpeedLimit::Lower, 50.0),
         dwell(1.0),
-        turn(1200.0, 1),
+        m3(1200.0),
         dwell(1.0),
     ];
     let events = vec![
@@ -251,14 +250,14 @@ fn surface_speed_limit_binds_g97_by_the_control() {
     for (stays, wanted) in [(false, 1200.0), (true, 700.0)] {
         let mut plant = plant();
         plant.spindle.rules.surface_limit_stays = stays;
-        let planner = run_on(&plant, vec![], vec![limit(SpeedLimit::Surface, 700.0), turn(1200.0, 1), dwell(1.0)]);
+        let planner = run_on(&plant, vec![], vec![limit(SpeedLimit::Surface, 700.0), m3(1200.0), dwell(1.0)]);
         assert_eq!(spindle(&planner, 1.0).command, wanted);
     }
 }
 
 #[test]
 fn g97_keeps_the_speed_reached_under_g96() {
-    let lines = vec![turn(100.0, 1), rapid(60.0, 0.0), surface(100.0, 0.0), one(Canon::ConstantSpeed), dwell(1.0)];
+    let lines = vec![m3(100.0), rapid(60.0, 0.0), surface(100.0, 0.0), one(Canon::ConstantSpeed), dwell(1.0)];
     let planner = run_on(&quick(0.0), vec![at(0.0, Action::SpindleOverride(70.0))], lines);
     close(spindle(&planner, ended_at(&planner)).command, 0.7 * surface_rpm(100.0, 60.0), 1e-12);
 }
@@ -270,7 +269,7 @@ fn knob_is_ignored_in_threads_by_the_control() {
         let mut plant = quick(0.0);
         plant.spindle.rules.thread_override = reaches;
         let events = vec![at(0.0, Action::SpindleOverride(50.0))];
-        let planner = run_on(&plant, events, vec![turn(600.0, 1), thread(), dwell(1.0)]);
+        let planner = run_on(&plant, events, vec![m3(600.0), thread(), dwell(1.0)]);
         close(spindle(&planner, begins(&planner, 1) + 0.5).command, rpm, 1e-12);
         close(spindle(&planner, ended_at(&planner)).command, 300.0, 1e-12);
     }
@@ -286,7 +285,7 @@ fn gear_shift_follows_the_ladder_sequence() {
     let mut plc = BenchPlc::new(0.05, None);
     plc.shift = GearShift { volts: 0.2, before: 1.0, meshing: 0.3, after: 2.0, patience: None };
     let gear = |stage| one(Canon::Gear { stage });
-    let lines = vec![turn(600.0, 1), dwell(4.0), gear(3), dwell(4.0), gear(3), gear(2), gear(9)];
+    let lines = vec![m3(600.0), dwell(4.0), gear(3), dwell(4.0), gear(3), gear(2), gear(9)];
     let mut planner = planner_with(Box::new(plc), &plant, vec![], lines);
     finish(&mut planner);
     let begin = begins(&planner, 2);
@@ -334,12 +333,12 @@ fn automatic_gear_follows_s() {
 fn output_saturates_in_its_gear_and_gear_limits_g96() {
     let mut plant = quick(0.0);
     plant.spindle = plant.spindle.with_stages([Stage::new(1000.0)]);
-    let planner = run_on(&plant, vec![], vec![turn(1500.0, 1), dwell(1.0)]);
+    let planner = run_on(&plant, vec![], vec![m3(1500.0), dwell(1.0)]);
     let now = spindle(&planner, 1.0);
     assert_eq!((now.command, now.actual, now.volts, now.bound), (1000.0, 1000.0, 10.0, Bound::Output));
     let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
     assert_eq!(said, ["motion.output-full"]);
-    let planner = run_on(&plant, vec![], vec![turn(100.0, 1), rapid(10.0, 0.0), surface(100.0, 0.0), dwell(1.0)]);
+    let planner = run_on(&plant, vec![], vec![m3(100.0), rapid(10.0, 0.0), surface(100.0, 0.0), dwell(1.0)]);
     let now = spindle(&planner, ended_at(&planner));
     assert_eq!((now.command, now.actual, now.bound), (1000.0, 1000.0, Bound::Gear));
 }
@@ -350,7 +349,7 @@ fn cut_waits_for_speed_reached_by_the_control() {
         let mut plant = plant();
         plant.spindle.rules.reached = Some(part);
         plant.spindle.reached_delay = delay;
-        let lines = vec![turn(1200.0, 1), rapid(0.0, 5.0), linear(10.0, 5.0, 600.0), linear(20.0, 5.0, 600.0)];
+        let lines = vec![m3(1200.0), rapid(0.0, 5.0), linear(10.0, 5.0, 600.0), linear(20.0, 5.0, 600.0)];
         let planner = run_on(&plant, vec![], lines);
         let spun = 2.0 * 1200.0 * (1.0 - part) / 1480.0;
         let moves = first(&planner, begins(&planner, 2), |now| now.axes[0].feed > 0.0);
@@ -361,7 +360,7 @@ fn cut_waits_for_speed_reached_by_the_control() {
     // A knob that makes it slower is waited for no longer than that.
     let mut plant = plant();
     plant.spindle.rules.reached = Some(0.1);
-    let lines = vec![turn(1200.0, 1), linear(10.0, 5.0, 600.0)];
+    let lines = vec![m3(1200.0), linear(10.0, 5.0, 600.0)];
     let planner = run_on(&plant, vec![at(0.5, Action::SpindleOverride(20.0))], lines);
     close(first(&planner, 0.0, |now| now.axes[0].feed > 0.0), 0.5, 0.5);
 }
@@ -369,8 +368,8 @@ fn cut_waits_for_speed_reached_by_the_control() {
 #[test]
 fn dwell_counts_spindle_turns() {
     let turns = |turns| one(Canon::DwellTurns { turns });
-    for sign in [1, -1] {
-        let planner = run(vec![turn(600.0, sign), turns(7.5), turns(20.0), turns(0.0), one(Canon::End)]);
+    for begin in [m3, m4] {
+        let planner = run(vec![begin(600.0), turns(7.5), turns(20.0), turns(0.0), one(Canon::End)]);
         // From standstill it takes the ramp along.
         for (from, to, counted) in [(1, 2, 7.5), (2, 4, 20.0)] {
             let turned = |line| spindle(&planner, begins(&planner, line)).turns.abs();
@@ -393,9 +392,9 @@ fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
     // The ramp down ends at a moment that rounding would leave beside it: the speed is 0 there, not nearly.
     for ms in 1..40 {
         let lines = vec![
-            turn(500.0, 1),
+            m3(500.0),
             one(Canon::Dwell { seconds: f64::from(ms) * 0.001 }),
-            one(Canon::SpindleDirection { sign: 0 }),
+            one(Canon::SpindleDirection { rotation: Rotation::Stopped }),
             per_turn(20.0, 0.0, 0.1),
         ];
         let planner = run(lines);
@@ -409,7 +408,7 @@ fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
 fn feed_per_revolution_without_encoder_never_moves() {
     let mut plant = plant();
     (plant.spindle.encoder, plant.spindle.drives_cut) = (false, false);
-    let mut planner = planner(&plant, vec![], vec![turn(1200.0, 1), per_turn(10.0, 0.0, 0.2)]);
+    let mut planner = planner(&plant, vec![], vec![m3(1200.0), per_turn(10.0, 0.0, 0.2)]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
     assert_eq!(planner.diagnostics()[0].message.id, "motion.no-encoder");
 }
@@ -419,7 +418,7 @@ fn work_zero_off_centre_is_a_finding() {
     let said = |centre, zeros: &[f64]| {
         let mut plant = quick(0.0);
         plant.spindle.centre = centre;
-        let mut lines = vec![turn(100.0, 1), rapid(50.0, 0.0)];
+        let mut lines = vec![m3(100.0), rapid(50.0, 0.0)];
         lines.extend(zeros.iter().map(|&zero| surface(100.0, zero)));
         run_on(&plant, vec![], lines).diagnostics().iter().map(|found| found.message.id).collect::<Vec<_>>()
     };
@@ -434,7 +433,7 @@ fn bench_knob_snaps_to_its_steps() {
     let mut plc = BenchPlc::new(0.05, Some(1033));
     plc.knob = Some(Steps { low: 50.0, high: 120.0, step: 10.0 });
     let events = vec![at(1.0, Action::SpindleOverride(47.0)), at(2.0, Action::SpindleOverride(300.0))];
-    let mut planner = planner_with(Box::new(plc), &plant(), events, vec![turn(1000.0, 1), dwell(5.0)]);
+    let mut planner = planner_with(Box::new(plc), &plant(), events, vec![m3(1000.0), dwell(5.0)]);
     finish(&mut planner);
     assert_eq!([1.5, 2.5].map(|t| spindle(&planner, t).command), [500.0, 1200.0]);
     assert_eq!(planner.variable_at(1033, 1.5), Some(50.0));
