@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use super::exec::Exec;
 use super::plant::AxisPlant;
 use super::program::RunningProgram;
-use super::records::REMARKS;
 use super::sim::Sim;
 use super::state::{Over, Queued, SimState};
 use super::timeline::{Timeline, VariableChange};
@@ -131,12 +130,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.out.timeline.changes.push(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
         }
         for remark in eyes.remarks {
-            // One remark per block, also in a loop with changing values.
-            let told = |d: &Diagnostic| d.place == remark.place && d.message.is_same_sentence(&remark.message);
-            let said = &mut self.out.diagnostics;
-            if said.len() < REMARKS && !said.iter().any(told) {
-                said.push(remark);
-            }
+            self.out.report_in_block(remark);
         }
         let after = s.program.blocks();
         let (nc, macros) = (after.nc - before.nc.min(after.nc), after.macros - before.macros.min(after.macros));

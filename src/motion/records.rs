@@ -7,7 +7,7 @@ use crate::interp::Canon;
 use crate::text::{Diagnostic, Place, Severity};
 
 /// Maximum findings of a run; beyond it only errors are added.
-pub(super) const REMARKS: usize = 1000;
+const REMARKS: usize = 1000;
 
 /// Records of a run; cut to [`RecordLengths`] when planning returns to a checkpoint.
 #[derive(Debug, Clone)]
@@ -42,6 +42,15 @@ impl Records {
         let has_room = diagnostic.severity == Severity::Error || self.diagnostics.len() < REMARKS;
         if has_room && !self.diagnostics.contains(&diagnostic) {
             self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Adds a finding, once per block, also in a loop with changing values; none beyond [`REMARKS`].
+    pub(super) fn report_in_block(&mut self, finding: Diagnostic) {
+        let is_same =
+            |other: &Diagnostic| other.place == finding.place && other.message.is_same_sentence(&finding.message);
+        if self.diagnostics.len() < REMARKS && !self.diagnostics.iter().any(is_same) {
+            self.diagnostics.push(finding);
         }
     }
 

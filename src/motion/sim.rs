@@ -2,7 +2,7 @@
 
 use super::checked_plant::CheckedPlant;
 use super::panel::Panel;
-use super::records::{REMARKS, Records};
+use super::records::Records;
 use super::state::SimState;
 use crate::interp::canon::AXES;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
@@ -80,14 +80,8 @@ impl<P> Sim<'_, P> {
         }
     }
 
-    /// Adds a finding, once per block of the program, up to [`REMARKS`] findings.
+    /// Adds a finding about the executing block.
     pub(super) fn report_in_block(&mut self, finding: Diagnostic) {
-        let finding = Diagnostic { place: self.s.place, ..finding };
-        let told =
-            |other: &Diagnostic| other.place == finding.place && other.message.is_same_sentence(&finding.message);
-        let said = &mut self.out.diagnostics;
-        if said.len() < REMARKS && !said.iter().any(told) {
-            said.push(finding);
-        }
+        self.out.report_in_block(Diagnostic { place: self.s.place, ..finding });
     }
 }
