@@ -2,7 +2,7 @@
 
 use super::cut::{self, InsertLoad};
 use super::ratio::Ratio;
-use super::section::Section;
+use super::section::{SAME_LENGTH, Section};
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
@@ -190,7 +190,7 @@ fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64)
         (ChoiceLimit::Sense, ratio.value() < 0.0 && !means.against),
         (ChoiceLimit::Distance, setup.distance < means.distance.0 || setup.distance > means.distance.1),
         (ChoiceLimit::Gap, gap),
-        (ChoiceLimit::Hollow, side.high > NOTHING && !wanted.hollow),
+        (ChoiceLimit::Hollow, side.high > SAME_LENGTH && !wanted.hollow),
         (ChoiceLimit::Flatness, side.flatness() > wanted.flatness),
         (ChoiceLimit::Relief, relief >= head.relief),
         (bound, speed > fastest || each.0 * work_speed < means.cutting_speed.0),
@@ -208,6 +208,3 @@ fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64)
         limits: held.iter().filter(|(_, holds)| *holds).map(|(limit, _)| *limit).collect(),
     })
 }
-
-/// Largest deviation in mm that counts as 0.
-const NOTHING: f64 = 1e-9;

@@ -59,12 +59,12 @@ impl Arc {
     }
 }
 
-/// Largest difference of two radii in mm, and largest length of an arc in radians, that count as 0.
-const NOTHING: f64 = 1e-12;
+/// Rounding errors of a radius (mm) and of an angle (rad).
+const ROUNDING: f64 = 1e-12;
 
 /// Appends an arc to the outline.
 fn push(arcs: &mut Vec<Arc>, arc: Arc) {
-    let sliver = arc.to - arc.from <= NOTHING;
+    let sliver = arc.to - arc.from <= ROUNDING;
     match arcs.last_mut() {
         Some(last) if sliver || last.cut == arc.cut => last.to = arc.to,
         None if sliver => {}
@@ -82,7 +82,7 @@ fn lower(arcs: Vec<Arc>, new: Arc, stock: f64) -> Vec<Arc> {
             push(&mut out, arc);
             continue;
         }
-        let deeper = |angle: f64| new.radius(stock, angle) < arc.radius(stock, angle) - NOTHING;
+        let deeper = |angle: f64| new.radius(stock, angle) < arc.radius(stock, angle) - ROUNDING;
         let (first, last) = (deeper(from), deeper(to));
         let cross = if first == last { to } else { halve(from, to, |angle| deeper(angle) == first) };
         let one = |new_one: bool, from: f64, to: f64| Arc { from, to, cut: if new_one { new.cut } else { arc.cut } };

@@ -17,5 +17,5 @@ pub mod setup;
 
 pub use curve::Curve;
 pub use ratio::Ratio;
-pub use section::Section;
+pub use section::{SAME_LENGTH, Section};
 pub use setup::{CutterSetup, Tip};

@@ -4,6 +4,9 @@ use super::envelope::{self, Arc, OutlinePiece, halve};
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
+/// Lengths (mm) that differ by no more are equal: far above rounding errors, far below any tolerance of a part.
+pub const SAME_LENGTH: f64 = 1e-9;
+
 /// A section of the work in mm: the stock minus the paths of all tips. Material cut by the body of an insert beside its tip is not removed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
@@ -154,7 +157,7 @@ impl Section {
         let mut points: Vec<(f64, f64)> = Vec::with_capacity(self.arcs.len() * (each as usize + 1));
         for arc in &self.arcs {
             for point in (0..=each).map(|i| self.on(arc, f64::from(i) / f64::from(each))) {
-                if points.last().is_none_or(|last| math::hypot(last.0 - point.0, last.1 - point.1) > NOTHING) {
+                if points.last().is_none_or(|last| math::hypot(last.0 - point.0, last.1 - point.1) > SAME_LENGTH) {
                     points.push(point);
                 }
             }
@@ -287,9 +290,6 @@ fn ends(arc: &Arc, piece: &OutlinePiece) -> (f64, f64) {
     let guess = piece.branch.sigma.0;
     (piece.sigma(arc.from, guess), piece.sigma(arc.to, guess))
 }
-
-/// Points nearer to each other (mm) are equal.
-const NOTHING: f64 = 1e-9;
 
 /// Number of steps in the search of an arc for extremes of its deviation; at usual ratios an arc has one at most.
 const STEPS: u32 = 16;

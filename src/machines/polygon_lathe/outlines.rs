@@ -1,6 +1,6 @@
 //! Closed lines of the section: through points, the ideal polygon, and how far the finished section is from it.
 
-use crate::drives::polygon::Section;
+use crate::drives::polygon::{SAME_LENGTH, Section};
 use crate::math::{self, PI};
 use crate::text::number::filled;
 
@@ -37,7 +37,7 @@ pub(super) fn deviations(section: &Section, apothem: f64, sides: u32, count: usi
     let at = |(i, radius): (usize, f64)| {
         let angle = section.begin() + 2.0 * PI * i as f64 / count as f64;
         let off = from_normal(section, angle, pitch);
-        (angle, if radius >= section.stock() - 1e-9 { f64::NAN } else { radius * math::cos(off) - apothem })
+        (angle, if radius >= section.stock() - SAME_LENGTH { f64::NAN } else { radius * math::cos(off) - apothem })
     };
     section.radii(count).into_iter().enumerate().map(at).collect()
 }

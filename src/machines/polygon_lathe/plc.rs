@@ -13,8 +13,8 @@ use crate::motion::{PMC_AXES, PlcOrders, PlcSignals};
 
 /// Seconds between two speeds of an axis that coasts.
 const STEP: f64 = 0.01;
-/// Turns that count as zero.
-const NOTHING: f64 = 1e-9;
+/// Angles (turns) that differ by no more are equal.
+const SAME_ANGLE: f64 = 1e-9;
 
 /// The PLC of the lathe.
 pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
@@ -130,9 +130,9 @@ impl Axes {
 /// Travel of an axis to an angle, in turns: forward, or backward to a negative angle.
 fn travel(now: f64, angle: f64) -> f64 {
     let left = angle - now;
-    let whole = if angle < 0.0 { (left + NOTHING).ceil() } else { (left - NOTHING).floor() };
+    let whole = if angle < 0.0 { (left + SAME_ANGLE).ceil() } else { (left - SAME_ANGLE).floor() };
     // At the angle already.
-    if (left - left.round()).abs() <= NOTHING { left - left.round() } else { left - whole }
+    if (left - left.round()).abs() <= SAME_ANGLE { left - left.round() } else { left - whole }
 }
 
 impl NamedBlock for Axes {

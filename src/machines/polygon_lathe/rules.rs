@@ -8,6 +8,7 @@ use super::geometry::own_shape;
 use super::main_spindle;
 use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
+use crate::drives::polygon::SAME_LENGTH;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::scaling;
@@ -129,9 +130,6 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
     Some(Advice::from(advice).setting(msg!("advice.set-cutter", inserts, work_turns = work, tool_turns = tool), sets))
 }
 
-/// Deviation (mm) that counts as zero.
-const NOTHING: f64 = 1e-9;
-
 fn other_sides(lathe: &PolygonLathe) -> bool {
     lathe.d.sides != lathe.p.sides
 }
@@ -145,7 +143,7 @@ fn lacks_relief(lathe: &PolygonLathe) -> bool {
 }
 
 fn is_hollow(lathe: &PolygonLathe) -> bool {
-    lathe.d.hollow > NOTHING && !lathe.p.hollow
+    lathe.d.hollow > SAME_LENGTH && !lathe.p.hollow
 }
 
 /// Faults of inserts, ratio and tip circle, in the order of their results.
@@ -324,7 +322,7 @@ fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     // The overhang counts up to the radius of the tip circle, at which no body is left.
     let overhang = p.overhang.min(p.tip_radius);
-    if d.reach <= overhang + NOTHING {
+    if d.reach <= overhang + SAME_LENGTH {
         return ok(AtMost(overhang));
     }
     let stock = down(FIELDS, "stock-diameter", p.across_flats + 2.0 * overhang);
@@ -471,7 +469,7 @@ fn run_out(lathe: &PolygonLathe, end: &TurnedEnd, field: &'static str) -> Option
     if limit.holds(needed) {
         return ok(limit);
     }
-    let set = down(FIELDS, field, end.length - needed + NOTHING);
+    let set = down(FIELDS, field, end.length - needed + SAME_LENGTH);
     let needed = (needed, 2);
     if set.value < minimum(FIELDS, field) {
         return fail(limit, [msg!("polygon.no-run-out", needed, length = (end.length, 3)).into()]);

@@ -68,7 +68,7 @@ impl OutlineShape {
         for (span, next) in spans.iter().zip(spans.iter().cycle().skip(1)) {
             let [first, middle, last] = *span;
             corners.push(Vertex { at: first, bulge: bulge(first, middle, last) });
-            if math::hypot(next[0].0 - last.0, next[0].1 - last.1) > NOTHING {
+            if math::hypot(next[0].0 - last.0, next[0].1 - last.1) > SAME_POINT {
                 corners.push(Vertex { at: last, bulge: 0.0 });
             }
         }
@@ -126,7 +126,7 @@ impl Outline {
 }
 
 /// Points nearer to each other (mm) are equal.
-const NOTHING: f64 = 1e-6;
+const SAME_POINT: f64 = 1e-6;
 
 /// Bulge of the arc through three points: the inscribed angle over the chord is half a turn minus half the angle of the arc.
 fn bulge(first: (f64, f64), middle: (f64, f64), last: (f64, f64)) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::ids::{TIPS, group, node};
 use super::layout::{CLOSE, GLASS, Layout};
+use crate::drives::polygon::SAME_LENGTH;
 use crate::machines::polygon_lathe::outlines::{closed, ideal};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
@@ -80,7 +81,7 @@ fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
     let most = (0.5 * pitch).min(1.2);
     let side = |at: u32| {
         let normal = section.begin() + pitch * f64::from(at);
-        let cut = |off: f64| section.radius(normal + off) < section.stock() - 1e-9;
+        let cut = |off: f64| section.radius(normal + off) < section.stock() - SAME_LENGTH;
         let sample = |i: u32| most * (2.0 * f64::from(i) / f64::from(POINTS) - 1.0);
         let mut offs: Vec<f64> = (0..=POINTS).map(sample).filter(|off| cut(*off)).collect();
         // To where the stock begins, between two samples.
