@@ -134,18 +134,25 @@ impl MachineVariable {
     }
 }
 
+/// Executions of a block of the program up to a time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Executions {
+    /// Number of executions begun.
+    pub begun: u32,
+    /// The block executes at this time.
+    pub executes: bool,
+}
+
 /// Samples of a run, for charts and poses.
 pub trait Samples {
     /// The machine at time `t`.
     fn at(&self, t: f64) -> Snapshot;
-    /// Starts of the block with this sequence number (in the started program) up to time `t`, and whether it executes at `t`.
-    fn passes(&self, sequence: u32, t: f64) -> (u32, bool);
+    /// Executions up to time `t` of the block with this sequence number in the started program.
+    fn executions(&self, sequence: u32, t: f64) -> Executions;
+    /// Spans (s) up to time `t` in which that block executes.
+    fn execution_spans(&self, sequence: u32, t: f64) -> Vec<(f64, f64)>;
     /// Visits of the commands of two axes (by index) to the region where both are below their limits, up to time `t`.
     fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit>;
-    /// Spans (s) up to time `t` in which the block with this sequence number (in the started program) executes.
-    fn executions(&self, _sequence: u32, _t: f64) -> Vec<(f64, f64)> {
-        Vec::new()
-    }
 }
 
 impl<P: RunningProgram> Samples for Planner<P> {
@@ -153,21 +160,21 @@ impl<P: RunningProgram> Samples for Planner<P> {
         self.timeline().at(t)
     }
 
-    fn passes(&self, sequence: u32, t: f64) -> (u32, bool) {
-        let Some(place) = self.program().numbered(sequence) else { return (0, false) };
+    fn executions(&self, sequence: u32, t: f64) -> Executions {
+        let Some(place) = self.program().numbered(sequence) else { return Executions::default() };
         let timeline = self.timeline();
-        (timeline.times(place, t), timeline.block_at(t) == Some(place))
+        Executions { begun: timeline.times(place, t), executes: timeline.block_at(t) == Some(place) }
     }
 
-    fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit> {
-        self.timeline().visits(below, t)
-    }
-
-    fn executions(&self, sequence: u32, t: f64) -> Vec<(f64, f64)> {
+    fn execution_spans(&self, sequence: u32, t: f64) -> Vec<(f64, f64)> {
         let Some(place) = self.program().numbered(sequence) else { return Vec::new() };
         let timeline = self.timeline();
         let end = |begin: f64| timeline.next_block(begin).map_or(t, |end| end.min(t));
         timeline.begins(place).take_while(|begin| *begin < t).map(|begin| (begin, end(begin))).collect()
+    }
+
+    fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit> {
+        self.timeline().visits(below, t)
     }
 }
 
@@ -262,8 +269,8 @@ pub trait Prepared: Send + Sync {
     fn activity(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<Message> {
         None
     }
-    /// Begins (s) of the passes over the work, up to a time of the run.
-    fn passes(&self, _run: &dyn Samples, _until: f64) -> Vec<f64> {
+    /// Times (s) up to `until` at which the tool begins its passes over the work.
+    fn pass_starts(&self, _run: &dyn Samples, _until: f64) -> Vec<f64> {
         Vec::new()
     }
     /// The servo motors for the sizing.

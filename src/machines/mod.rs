@@ -60,6 +60,6 @@ pub mod report;
 
 pub use list::{ALL, find};
 pub use machine::{
-    AnyMachine, ControlContext, Defaults, Design, Erased, Frame, Machine, MachineFile, MachineInfo, MachineProgram,
-    MachineVariable, PanelSetup, Prepared, PreparedMachine, Samples,
+    AnyMachine, ControlContext, Defaults, Design, Erased, Executions, Frame, Machine, MachineFile, MachineInfo,
+    MachineProgram, MachineVariable, PanelSetup, Prepared, PreparedMachine, Samples,
 };

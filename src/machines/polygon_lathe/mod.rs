@@ -234,7 +234,7 @@ impl Prepared for PolygonLathe {
         Some(msg!("polygon.cutting", pass))
     }
 
-    fn passes(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
+    fn pass_starts(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
         progress::cuts(self, run, until).into_iter().map(|(begin, _)| begin).collect()
     }
 

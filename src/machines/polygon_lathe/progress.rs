@@ -122,7 +122,7 @@ pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, p
     let holds = |lathe: &PolygonLathe, at: f64| (lathe.p.from_face..=lathe.p.far_end()).contains(&at);
     let cut = progress.now().and_then(|pass| lathe.polygons().position(|lathe| holds(lathe, pass.middle())));
     let others = 1..=lathe.further.len();
-    let begun = others.rev().find(|at| run.passes(program::change_over(*at as u32), now.t).0 > 0);
+    let begun = others.rev().find(|at| run.executions(program::change_over(*at as u32), now.t).begun > 0);
     cut.max(begun).unwrap_or(0)
 }
 

@@ -98,7 +98,7 @@ fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec
     let Some((from, to)) = stretches.first().zip(stretches.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
         return Vec::new();
     };
-    let spans = run.executions(cut_block(p.path), to);
+    let spans = run.execution_spans(cut_block(p.path), to);
     let count = (ALL_PIECES / spans.len().max(1)).clamp(PIECES.0, PIECES.1);
     let mut cuts = Vec::new();
     for (begin, end) in spans {

@@ -117,20 +117,19 @@ pub(super) fn cutting_speed(p: &Params) -> f64 {
 /// The groove that is cut at a moment: its depth, and its ends as Z from the finished face, mm.
 pub(super) fn groove(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Option<(f64, [f64; 2])> {
     let (p, diameter) = (&lathe.p, lathe.keyway()?);
-    let (plunges, plunging) = run.passes(KEYWAY[0], now.t);
-    let (feeds, feeding) = run.passes(KEYWAY[1], now.t);
+    let [plunges, feeds] = KEYWAY.map(|block| run.executions(block, now.t));
     // A program that is started again begins with a new part.
-    if plunges == 0 {
+    if plunges.begun == 0 {
         return None;
     }
     let (radius, z) = lathe.tool(now);
     let begin = -p.keyway_start;
     let first = begin - p.keyway_width;
-    if plunging || feeds < plunges {
+    if plunges.executes || feeds.begun < plunges.begun {
         let depth = math::clamp(0.5 * diameter - radius, 0.0, p.keyway_depth);
         return (depth > 0.0).then_some((depth, [first, begin]));
     }
     let last = begin - p.keyway_length.max(p.keyway_width);
-    let end = if feeding { math::clamp(z - 0.5 * p.keyway_width, last, first) } else { last };
+    let end = if feeds.executes { math::clamp(z - 0.5 * p.keyway_width, last, first) } else { last };
     Some((p.keyway_depth, [end, begin]))
 }

@@ -168,8 +168,8 @@ impl Prepared for TurningSpindle {
         progress::cuts(self, progress, now).then(|| msg!("turning.cutting", pass = pose::pass(self, progress)))
     }
 
-    fn passes(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
-        run.executions(program::PASS_BEGIN, until).into_iter().map(|(begin, _)| begin).collect()
+    fn pass_starts(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
+        run.execution_spans(program::PASS_BEGIN, until).into_iter().map(|(begin, _)| begin).collect()
     }
 
     fn driven_axes(&self) -> Vec<DrivenAxis> {

@@ -3,7 +3,7 @@
 use super::params::Path;
 use super::program::{PASS_BEGIN, cut_block};
 use super::resolved::TurningSpindle;
-use crate::machines::machine::Samples;
+use crate::machines::machine::{Executions, Samples};
 use crate::math;
 use crate::motion::Snapshot;
 
@@ -19,11 +19,11 @@ pub(super) struct Progress {
 /// Progress of the part: starts of the cutting block, and position of the tool in it.
 pub(super) fn progress(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Progress {
     let p = &lathe.p;
-    let (begun, mut cutting) = run.passes(PASS_BEGIN, now.t);
+    let Executions { begun, executes: mut cutting } = run.executions(PASS_BEGIN, now.t);
     if p.path == Path::Taper {
-        let (second, tapering) = run.passes(cut_block(p.path), now.t);
+        let taper = run.executions(cut_block(p.path), now.t);
         // Between the two blocks of a pass.
-        cutting |= tapering || second < begun;
+        cutting |= taper.executes || taper.begun < begun;
     }
     let (radius, z) = lathe.tool(now);
     let at = if p.path == Path::Facing { 2.0 * radius } else { z };

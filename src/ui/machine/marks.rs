@@ -57,7 +57,7 @@ fn milestones(moment: &RunMoment, control: &Control) -> Vec<Named> {
         found.push(Named { t, words: t_owned(id), weight: 3 });
     }
     // The first pass begins with the first contact.
-    let passes = (1_u32..).zip(moment.machine.passes(moment.run, timeline.end())).skip(1);
+    let passes = (1_u32..).zip(moment.machine.pass_starts(moment.run, timeline.end())).skip(1);
     found.extend(passes.map(|(number, t)| Named { t, words: sentence(&msg!("page.mark-pass", number)), weight: 1 }));
     found.sort_by(|a, b| a.t.total_cmp(&b.t));
     found

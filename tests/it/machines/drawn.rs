@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::sweep::{changes, forms};
 use macroline::drives::Bound;
-use macroline::machines::{self, Frame, Samples};
+use macroline::machines::{self, Executions, Frame, Samples};
 use macroline::motion::{Snapshot, Visit};
 use macroline::project::Project;
 use macroline::view::drawing::crosses;
@@ -19,8 +19,12 @@ impl Samples for Still {
         self.0
     }
 
-    fn passes(&self, _: u32, _: f64) -> (u32, bool) {
-        (0, false)
+    fn executions(&self, _: u32, _: f64) -> Executions {
+        Executions::default()
+    }
+
+    fn execution_spans(&self, _: u32, _: f64) -> Vec<(f64, f64)> {
+        Vec::new()
     }
 
     fn visits(&self, _: [(usize, f64); 2], _: f64) -> Vec<Visit> {

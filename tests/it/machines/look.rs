@@ -4,7 +4,7 @@ use super::ribbon_line::{control, machine, on, values};
 use macroline::controls::interface::SignalRole;
 use macroline::controls::{Dialect, Switches};
 use macroline::machines::form::{Origins, Provenance};
-use macroline::machines::{ControlContext, Frame, Samples, report};
+use macroline::machines::{ControlContext, Executions, Frame, Samples, report};
 use macroline::math;
 use macroline::motion::{Snapshot, Visit};
 use macroline::view::look::{Gradient, Ramp};
@@ -258,8 +258,12 @@ impl Samples for Running {
         running(t)
     }
 
-    fn passes(&self, _: u32, _: f64) -> (u32, bool) {
-        (0, false)
+    fn executions(&self, _: u32, _: f64) -> Executions {
+        Executions::default()
+    }
+
+    fn execution_spans(&self, _: u32, _: f64) -> Vec<(f64, f64)> {
+        Vec::new()
     }
 
     fn visits(&self, _: [(usize, f64); 2], _: f64) -> Vec<Visit> {

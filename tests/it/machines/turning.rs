@@ -572,7 +572,7 @@ fn pass_count_is_independent_of_query_order() {
     let project = ideal("gsk-980tdc", &[("path", "taper"), ("depth", "1")]);
     let planner = over_time(&project);
     let end = planner.timeline().end();
-    let asked = |fresh: &Planner<Interp>, t: f64| [36, 37, 50].map(|block| fresh.passes(block, t).0);
+    let asked = |fresh: &Planner<Interp>, t: f64| [36, 37, 50].map(|block| fresh.executions(block, t).begun);
     let moments: Vec<f64> = (0..400).map(|at| end * f64::from(at) / 399.0).collect();
     // Forward, as in play; and back and forth, as in scrubbing.
     let forward: Vec<_> = moments.iter().map(|&t| asked(&planner, t)).collect();

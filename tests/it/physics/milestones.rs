@@ -107,7 +107,7 @@ fn lathes_tell_the_pass_that_they_cut() {
         let project = Project::of(id, None).unwrap();
         let (run, machine) = (whole(&project), project.prepared());
         let end = run.timeline().end();
-        let begins = machine.passes(&run, end);
+        let begins = machine.pass_starts(&run, end);
         assert_eq!(begins.len(), passes, "{id}");
         let told = |at: usize| activity(&project, &run, (begins[at], begins.get(at + 1).copied().unwrap_or(end)));
         assert_eq!(told(0), Some(format!("Cutting, pass 1 / {passes}")), "{id}");
@@ -120,7 +120,7 @@ fn lathes_tell_the_pass_that_they_cut() {
         // Before the first pass, and at the end.
         assert_eq!(activity(&project, &run, (0.0, begins[0])), None, "{id}");
         assert_eq!(activity(&project, &run, (end, end)), None, "{id}");
-        assert_eq!(machine.passes(&run, begins[1] - 1e-6).len(), 1, "{id}");
+        assert_eq!(machine.pass_starts(&run, begins[1] - 1e-6).len(), 1, "{id}");
     }
 }
 
@@ -131,5 +131,5 @@ fn ribbon_line_tells_the_dot_that_it_prints() {
     let (dot, _) = project.prepared().first_contact(&run, run.timeline().end()).unwrap();
     assert_eq!(activity(&project, &run, (0.0, dot)), None);
     assert_eq!(activity(&project, &run, (dot, dot + 1e-3)).as_deref(), Some("Printing, dot 1"));
-    assert!(project.prepared().passes(&run, f64::INFINITY).is_empty());
+    assert!(project.prepared().pass_starts(&run, f64::INFINITY).is_empty());
 }
