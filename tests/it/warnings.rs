@@ -286,6 +286,13 @@ fn m_and_s_in_every_pass_is_a_warning() {
 }
 
 #[test]
+fn long_loop_behind_many_blocks_gives_the_warning() {
+    let (before, inside) = ("G91 G01 X1. F100\n".repeat(1000), "X1.\n".repeat(200));
+    let (_, found) = E60.review(&format!("O1\n{before}WHILE[#1033 GT 0]DO1\nM8\n{inside}END1\nM9\nM30"));
+    assert!(found.iter().any(|d| d.message.id == "lint.auxiliary-in-loop"), "{found:?}");
+}
+
+#[test]
 fn codes_switched_within_the_pass_give_no_warning() {
     // Only when something has changed.
     E60.quiet(

@@ -8,9 +8,6 @@ use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
 use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, LineIndex, Message, Place, Span};
 
-/// Missing index or number.
-pub(super) const NONE: u32 = u32::MAX;
-
 /// The programs under check and the warnings so far.
 pub(super) struct Lint<'a> {
     pub(super) parsed: &'a Parsed,

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::super::ast::{Expr, ExprId, Stmt};
-use super::context::{Lint, NONE};
-use super::flow::{ANY, Flow};
+use super::context::Lint;
+use super::flow::{Flow, JumpTo, Successors};
 use super::roles::{CALL, END, RETURN, STOP, SUB};
 use super::vars::visit;
 use crate::controls::VarKind;
@@ -24,7 +24,7 @@ pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
     let mut budget = BUDGET * flow.blocks.len();
     for at in 0..flow.blocks.len() as u32 {
         let Some(block) = flow.blocks.get(at as usize).filter(|block| block.skip == 0) else { continue };
-        let (start, _) = flow.step(at);
+        let JumpTo::Block(start) = flow.successors(at).jump else { continue };
         if start > at {
             continue;
         }
@@ -79,11 +79,15 @@ fn stays(flow: &Flow, (start, end): (u32, u32), numbers: &BTreeSet<u32>) -> bool
             Stmt::Assigns { first, count } => flow.deck.assignments_at(first, count).iter().any(|one| changes(one.to)),
             _ => flow.roles.block(words) & (CALL | SUB | RETURN | END | STOP) != 0,
         };
-        let (jump, falls) = flow.step(at);
-        let inside = (start..=end).contains(&jump) || jump == NONE && (falls || at == end);
+        let Successors { jump, falls } = flow.successors(at);
+        let inside = match jump {
+            JumpTo::Nowhere => falls || at == end,
+            JumpTo::Block(to) => (start..=end).contains(&to),
+            JumpTo::Anywhere => false,
+        };
         // The loop's own condition is not a way out.
-        let own = at == start && matches!(block.stmt, Stmt::While { .. }) && jump == end + 1;
-        if ends || jump == ANY || !inside && !own {
+        let own = at == start && matches!(block.stmt, Stmt::While { .. }) && jump == JumpTo::Block(end + 1);
+        if ends || !inside && !own {
             return false;
         }
         moves |= words.iter().any(|word| flow.control.axis_letters().any(|letter| letter == word.letter));

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::ast::Word;
 use super::super::dec::Dec;
-use super::context::{Lint, NONE, whole};
+use super::context::{Lint, whole};
 use super::roles::{CALL, EACH_BLOCK, END, RETURN, Roles, SUB};
 use crate::controls::{Address, Alarm, Code};
 use crate::msg;
@@ -61,8 +61,8 @@ pub(super) struct Facts {
     pub(super) calls: Vec<Call>,
     /// A program is called by a calculated number, so any may be called.
     pub(super) any_called: bool,
-    /// Sequence numbers used by calls and returns, with the program or [`NONE`] for any.
-    pub(super) entries: BTreeSet<(u32, u32)>,
+    /// Sequence numbers used by calls and returns, with the program; `None` for any program.
+    pub(super) entries: BTreeSet<(Option<u32>, u32)>,
     /// A call or return goes to a calculated sequence number.
     pub(super) any_entry: bool,
     /// Numbers of called programs that are missing in the files.
@@ -91,7 +91,7 @@ impl Facts {
         if bits & RETURN != 0 {
             part.returns += 1;
             part.return_at = block;
-            self.entry(NONE, number(Address::P));
+            self.entry(None, number(Address::P));
         }
         let macros = &lint.control.macros;
         if bits & CALL != 0 && !macros.functions.is_empty() && number(Address::H).is_some() {
@@ -122,7 +122,7 @@ impl Facts {
                 }
             };
             if sub && macros.sub_sequence {
-                self.entry(to.unwrap_or(NONE), number(Address::H));
+                self.entry(to, number(Address::H));
             }
             if let Some(to) = to
                 && let Some(part) = self.programs.get_mut(to as usize)
@@ -156,7 +156,7 @@ impl Facts {
     }
 
     /// Records the sequence number in P of a return or in H of a call.
-    fn entry(&mut self, program: u32, number: Option<Option<u32>>) {
+    fn entry(&mut self, program: Option<u32>, number: Option<Option<u32>>) {
         match number {
             Some(Some(label)) => drop(self.entries.insert((program, label))),
             Some(None) => self.any_entry = true,
@@ -166,7 +166,7 @@ impl Facts {
 
     /// Whether a call or return goes to a sequence number of a program.
     pub(super) fn enters(&self, program: u32, number: u64) -> bool {
-        let named = |number| [program, NONE].iter().any(|&program| self.entries.contains(&(program, number)));
+        let named = |number| [Some(program), None].into_iter().any(|program| self.entries.contains(&(program, number)));
         self.any_entry || u32::try_from(number).is_ok_and(named)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Jump, JumpDirection, Stmt, WordValue};
-use super::context::{Lint, NONE, whole};
+use super::context::{Lint, whole};
 use super::facts::Facts;
 use super::roles::{END, RETURN, Roles};
 use crate::controls::Address;
@@ -13,8 +13,31 @@ use crate::msg;
 /// Maximum repeated sequence numbers in the warnings of a program.
 const TWICE: usize = 20;
 
-/// Target of a jump to a calculated sequence number: any block.
-pub(super) const ANY: u32 = NONE - 1;
+/// Target of the jump of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum JumpTo {
+    /// It does not jump, or its target does not exist.
+    Nowhere,
+    /// This block; one beyond the last where a loop is the end of its program.
+    Block(u32),
+    /// Any block: a calculated sequence number, or one of several targets.
+    Anywhere,
+}
+
+impl JumpTo {
+    /// The target with this index, if it exists.
+    fn block(index: Option<u32>) -> JumpTo {
+        index.map_or(JumpTo::Nowhere, JumpTo::Block)
+    }
+}
+
+/// Successors of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Successors {
+    pub(super) jump: JumpTo,
+    /// The next block may follow.
+    pub(super) falls: bool,
+}
 
 /// The blocks of one program and their successors. Indices count from its first block.
 pub(super) struct Flow<'a> {
@@ -31,7 +54,7 @@ pub(super) struct Flow<'a> {
     /// Blocks of each label, rising.
     labels: BTreeMap<&'a str, Vec<usize>>,
     /// END of a DO and DO of an END; empty without loops.
-    partner: Vec<u32>,
+    partner: Vec<Option<u32>>,
 }
 
 impl<'a> Flow<'a> {
@@ -54,9 +77,9 @@ impl<'a> Flow<'a> {
                 Stmt::End { .. } => {
                     // The reader reports loops that do not match.
                     if let Some((_, start)) = open.pop() {
-                        partner.resize(blocks.len(), NONE);
-                        partner[start] = at as u32;
-                        partner[at] = start as u32;
+                        partner.resize(blocks.len(), None);
+                        partner[start] = Some(at as u32);
+                        partner[at] = Some(start as u32);
                     }
                 }
                 _ => {}
@@ -67,58 +90,60 @@ impl<'a> Flow<'a> {
     }
 
     /// The block with a sequence number: searched from a block to the end, then from the start.
-    fn target(&self, number: u32, from: u32) -> u32 {
+    fn target(&self, number: u32, from: u32) -> JumpTo {
         let number = u64::from(number);
         let mut at = self.numbers.partition_point(|&row| row < (number, from as usize));
         if self.numbers.get(at).is_none_or(|row| row.0 != number) {
             at = self.numbers.partition_point(|&row| row.0 < number);
         }
-        self.numbers.get(at).filter(|row| row.0 == number).map_or(NONE, |row| row.1 as u32)
+        JumpTo::block(self.numbers.get(at).filter(|row| row.0 == number).map(|row| row.1 as u32))
     }
 
-    fn jump(&self, target: ExprId, from: u32, way: JumpDirection) -> u32 {
+    fn jump(&self, target: ExprId, from: u32, way: JumpDirection) -> JumpTo {
         match self.deck.expr(target) {
             Expr::Label(label) => {
                 let places = self.labels.get(self.deck.text(Some(label))).map_or(&[][..], Vec::as_slice);
-                way.nearest(from as usize, places).map_or(NONE, |to| to as u32)
+                JumpTo::block(way.nearest(from as usize, places).map(|to| to as u32))
             }
-            Expr::Number(number) => whole(WordValue::Number(number)).map_or(NONE, |number| self.target(number, from)),
-            _ => ANY,
+            Expr::Number(number) => {
+                whole(WordValue::Number(number)).map_or(JumpTo::Nowhere, |number| self.target(number, from))
+            }
+            _ => JumpTo::Anywhere,
         }
     }
 
-    /// Jump target of a block ([`NONE`] for none, or [`ANY`]), and whether the next block may follow it.
-    pub(super) fn step(&self, at: u32) -> (u32, bool) {
-        let Some(block) = self.blocks.get(at as usize) else { return (NONE, false) };
-        let partner = || self.partner.get(at as usize).copied().unwrap_or(NONE);
+    /// Successors of a block.
+    pub(super) fn successors(&self, at: u32) -> Successors {
+        use JumpTo::{Anywhere, Nowhere};
+        let Some(block) = self.blocks.get(at as usize) else { return Successors { jump: Nowhere, falls: false } };
+        let partner = || self.partner.get(at as usize).copied().flatten();
         let (jump, falls) = match block.stmt {
             Stmt::Words { .. } => {
                 let words = self.deck.words_of(block);
                 // A `/` in the middle of a block makes the rest optional.
                 (
-                    NONE,
+                    Nowhere,
                     self.roles.block(words) & (END | RETURN) == 0
                         || words.iter().any(|word| word.letter == Address::Skip),
                 )
             }
             Stmt::If { cond, target, way, .. } => match self.deck.holds(cond) {
                 Some(true) => (self.jump(target, at, way), false),
-                Some(false) => (NONE, true),
+                Some(false) => (Nowhere, true),
                 None => (self.jump(target, at, way), true),
             },
             Stmt::Goto { target, way, .. } => (self.jump(target, at, way), false),
             // To one of several targets.
-            Stmt::Ifs { .. } => (ANY, true),
-            // If the END is the last block, its successor is beyond all blocks: a jump to nowhere.
+            Stmt::Ifs { .. } => (Anywhere, true),
             Stmt::While { cond: Some(cond), .. } => match self.deck.holds(cond) {
-                Some(true) => (NONE, true),
-                holds => (partner().saturating_add(1), holds.is_none()),
+                Some(true) => (Nowhere, true),
+                holds => (JumpTo::block(partner().map(|end| end + 1)), holds.is_none()),
             },
-            Stmt::End { .. } => (partner(), false),
-            Stmt::Assign { to, .. } => (NONE, !self.is_alarm(to)),
-            _ => (NONE, true),
+            Stmt::End { .. } => (JumpTo::block(partner()), false),
+            Stmt::Assign { to, .. } => (Nowhere, !self.is_alarm(to)),
+            _ => (Nowhere, true),
         };
-        (jump, falls || block.skip > 0)
+        Successors { jump, falls: falls || block.skip > 0 }
     }
 
     fn is_alarm(&self, to: ExprId) -> bool {
@@ -128,8 +153,9 @@ impl<'a> Flow<'a> {
 
     /// Whether a block leads to an alarm before anything else; jumps to it handle errors.
     pub(super) fn is_alarm_exit(&self, from: u32) -> bool {
+        let goes_on = Successors { jump: JumpTo::Nowhere, falls: true };
         let mut at = from;
-        while at < from + 20 && self.step(at) == (NONE, true) {
+        while at < from + 20 && self.successors(at) == goes_on {
             at += 1;
         }
         matches!(self.blocks.get(at as usize), Some(Block { stmt: Stmt::Assign { to, .. }, .. }) if self.is_alarm(*to))
@@ -171,26 +197,29 @@ impl<'a> Flow<'a> {
     pub(super) fn unreachable(&self, lint: &mut Lint, facts: &Facts) {
         let part = facts.programs[self.program as usize];
         let mut seen = vec![false; self.blocks.len()];
-        let mut open = vec![0];
+        let mut open = vec![JumpTo::Block(0)];
         let firsts = self.numbers.chunk_by(|a, b| a.0 == b.0).filter_map(<[_]>::first);
-        open.extend(firsts.filter(|row| facts.enters(self.program, row.0)).map(|row| row.1 as u32));
+        open.extend(firsts.filter(|row| facts.enters(self.program, row.0)).map(|row| JumpTo::Block(row.1 as u32)));
         // If the callers of a subprogram are not here, any sequence number may be an entry.
         if !part.called && !part.ends || facts.any_entry {
-            open.push(ANY);
+            open.push(JumpTo::Anywhere);
         }
         let mut all = false;
-        while let Some(mut at) = open.pop() {
-            if at == ANY && !all {
-                all = true;
-                for row in &self.numbers {
-                    open.push(row.1 as u32);
+        while let Some(jump) = open.pop() {
+            let mut at = match jump {
+                JumpTo::Block(at) => at,
+                JumpTo::Anywhere if !all => {
+                    all = true;
+                    let labelled = self.blocks.iter().enumerate().filter(|row| row.1.label.is_some());
+                    let entries = self.numbers.iter().map(|row| row.1).chain(labelled.map(|row| row.0));
+                    open.extend(entries.map(|at| JumpTo::Block(at as u32)));
+                    continue;
                 }
-                let labelled = self.blocks.iter().enumerate().filter(|row| row.1.label.is_some());
-                open.extend(labelled.map(|row| row.0 as u32));
-            }
+                JumpTo::Anywhere | JumpTo::Nowhere => continue,
+            };
             while let Some(seen) = seen.get_mut(at as usize).filter(|seen| !**seen) {
                 *seen = true;
-                let (jump, falls) = self.step(at);
+                let Successors { jump, falls } = self.successors(at);
                 open.push(jump);
                 if !falls {
                     break;

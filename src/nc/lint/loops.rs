@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::super::ast::{Block, Expr, Stmt, Word, WordValue};
-use super::context::{Lint, NONE};
+use super::context::Lint;
 use super::facts::Facts;
-use super::flow::{ANY, Flow};
+use super::flow::{Flow, JumpTo, Successors};
 use super::roles::{AUXILIARY, CALL, CURVED, DWELL, LINEAR, RAPID, SPECIAL, SPINDLE, SPINDLE_REST, SUB, SURFACE};
 use super::vars::visit;
 use crate::controls::Address;
@@ -36,8 +36,8 @@ pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
     for flow in flows {
         let mut budget = BUDGET * flow.blocks.len();
         for at in 0..flow.blocks.len() as u32 {
-            let (start, _) = flow.step(at);
-            let blocks = at.wrapping_sub(start) as usize;
+            let JumpTo::Block(start) = flow.successors(at).jump else { continue };
+            let Some(blocks) = at.checked_sub(start).map(|blocks| blocks as usize) else { continue };
             if blocks <= budget {
                 budget -= blocks;
                 pass(lint, flow, facts, (start, at), &mut called);
@@ -65,15 +65,20 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
     for at in start..=end {
         let Some(block) = flow.blocks.get(at as usize) else { break };
         let always = at >= certain && block.skip == 0;
-        let (jump, falls) = flow.step(at);
-        // Blocks after one that never continues are reached only by a jump.
-        if jump == ANY || !falls && at < end {
-            certain = NONE;
-        } else if jump > at && jump <= end && !flow.is_alarm_exit(jump) {
-            certain = certain.max(jump);
+        match flow.successors(at) {
+            // Blocks after one that never continues are reached only by a jump.
+            Successors { jump: JumpTo::Anywhere, .. } => certain = end + 1,
+            Successors { falls: false, .. } if at < end => certain = end + 1,
+            Successors { jump: JumpTo::Block(to), .. } if to > at && to <= end && !flow.is_alarm_exit(to) => {
+                certain = certain.max(to);
+            }
+            _ => {}
         }
         if let Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } = block.stmt {
-            pass.assigned.insert(if let Expr::Var(number) = flow.deck.expr(to) { number } else { NONE });
+            match flow.deck.expr(to) {
+                Expr::Var(number) => drop(pass.assigned.insert(number)),
+                _ => pass.assigns_any = true,
+            }
         }
         let bits = flow.roles.block(flow.deck.words_of(block));
         let here = at + flow.base;
@@ -93,8 +98,10 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
 struct Pass<'a> {
     spindle: Function<'a>,
     auxiliary: Function<'a>,
-    /// Variables assigned by the pass; [`NONE`] for a calculated number.
+    /// Variables assigned by the pass.
     assigned: BTreeSet<u32>,
+    /// A variable with a calculated number is assigned.
+    assigns_any: bool,
     /// A block moves in rapid traverse; axes move; a block cuts.
     rapid: bool,
     moves: bool,
@@ -141,10 +148,9 @@ impl<'a> Pass<'a> {
         let twice = |(at, word): (usize, &&Word)| spindle[..at].iter().any(|other| other.letter == word.letter);
         let changes = |word: &&Word| {
             let WordValue::Expr(id) = word.value else { return false };
-            let mut changes = false;
+            let mut changes = self.assigns_any;
             visit(flow.deck, id, &mut |_, expr| {
-                let number = if let Expr::Var(number) = expr { number } else { NONE };
-                changes |= [number, NONE].iter().any(|number| self.assigned.contains(number));
+                changes |= matches!(expr, Expr::Var(number) if self.assigned.contains(&number));
             });
             changes
         };

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::super::ast::{Expr, ExprId, Op, WordValue};
 use super::super::dec::{Dec, POW10};
-use super::context::{Lint, NONE};
+use super::context::Lint;
 use super::facts::Facts;
-use super::vars::{FormulaSite, LOCALS, ValueKind, Var, Vars, visit};
+use super::vars::{CopySource, FormulaSite, LOCALS, ValueKind, Var, Vars, visit};
 use crate::controls::Address;
 use crate::controls::address::LETTERS;
 use crate::controls::macros::{ARGUMENT, VacantWord};
@@ -25,7 +25,7 @@ impl Vars<'_> {
     /// Determines the possible values of each variable.
     pub(super) fn settle(&mut self) {
         for var in &mut self.list {
-            let entered = if var.word.0 == NONE { ValueKind::Entered } else { ValueKind::Decimals };
+            let entered = if var.word.is_none() { ValueKind::Entered } else { ValueKind::Decimals };
             var.kind = match self.control.var(var.number).map(|row| row.kind) {
                 Some(VarKind::Kept) => entered,
                 Some(VarKind::Local | VarKind::Common | VarKind::Retained) if var.sets == 0 => entered,
@@ -97,10 +97,10 @@ impl Vars<'_> {
 
     /// Whether the variable was compared before a block of its program, or in another program; without a block, anywhere.
     fn guarded(&self, var: &Var, block: Option<u32>) -> bool {
-        let (first, last) = var.compared;
-        let Some(block) = block else { return first != NONE };
+        let Some((first, last)) = var.compared else { return false };
+        let Some(block) = block else { return true };
         let program = self.deck.programs.partition_point(|program| program.end <= block);
-        first < block || first != NONE && self.deck.programs.get(program).is_some_and(|program| last >= program.end)
+        first < block || self.deck.programs.get(program).is_some_and(|program| last >= program.end)
     }
 
     /// The part of a divisor that can be 0: a variable or a difference that was not compared before.
@@ -148,8 +148,11 @@ impl Vars<'_> {
         self.comparisons(lint);
         let unset = self.commons(lint, facts, &divisors);
         self.entries(lint, unset);
-        for (group, &base) in self.locals.iter().enumerate() {
-            if base != NONE && !self.open[group] && !self.wild {
+        for (group, base) in self.locals.iter().enumerate() {
+            if let Some(base) = *base
+                && !self.open[group]
+                && !self.wild
+            {
                 for var in self.list.iter().skip(base as usize).take(LOCALS as usize) {
                     self.local(lint, facts, group, var);
                 }
@@ -164,14 +167,14 @@ impl Vars<'_> {
         for site in &self.divisors {
             let Some(id) = self.can_be_zero(*site) else { continue };
             let (place, divisor) = lint.written(site.block, lint.part(site.block, id));
-            let (number, hint) = match (self.deck.expr(id), self.control.syntax.names()) {
-                (Expr::Var(number), None) => (number, msg!("nc.hint.divisor", divisor)),
-                (Expr::Var(number), Some(_)) => (number, msg!("nc.hint.divisor-named", divisor)),
-                (_, None) => (NONE, msg!("nc.hint.difference", divisor)),
-                (_, Some(_)) => (NONE, msg!("nc.hint.difference-named", divisor)),
+            let (variable, hint) = match (self.deck.expr(id), self.control.syntax.names()) {
+                (Expr::Var(number), None) => (Some(number), msg!("nc.hint.divisor", divisor)),
+                (Expr::Var(number), Some(_)) => (Some(number), msg!("nc.hint.divisor-named", divisor)),
+                (_, None) => (None, msg!("nc.hint.difference", divisor)),
+                (_, Some(_)) => (None, msg!("nc.hint.difference-named", divisor)),
             };
-            let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
-            if (told.insert(key) || number == NONE)
+            let program = self.deck.programs.partition_point(|program| program.end <= site.block);
+            if variable.is_none_or(|number| told.insert((program, number)))
                 && let Some(finding) = lint.warn(place, msg!("lint.zero-divisor", divisor, alarm))
             {
                 finding.hints.push(hint);
@@ -210,26 +213,29 @@ impl Vars<'_> {
         let mut unset: Vec<(u64, usize)> = Vec::new();
         for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > self.local_count) {
             let Some(row) = self.control.var(var.number) else { continue };
-            let (block, id) = var.set_at;
             match row.kind {
                 VarKind::Common | VarKind::Retained
                     if var.sets == 0 && !self.wild && !lint.set.contains(&var.number) =>
                 {
-                    if var.read.0 != NONE {
+                    if var.read.is_some() {
                         unset.push((var.number.into(), slot));
                     }
-                    if var.compared.0 == NONE && !divisors.contains(&var.number) {
+                    if var.compared.is_none() && !divisors.contains(&var.number) {
                         self.vacant_word(lint, var);
                     }
                 }
                 VarKind::Kept if var.scratch && var.used => {
-                    let (place, variable) = lint.written(block, lint.part(block, id));
-                    lint.warn(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
+                    if let Some((block, id)) = var.set_at {
+                        let (place, variable) = lint.written(block, lint.part(block, id));
+                        lint.warn(place, msg!("lint.kept-as-scratch", variable, meaning = row.text));
+                    }
                 }
                 // Safeguards that the programs switch off and never switch on again.
-                VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {
-                    let (place, variable) = lint.written(block, lint.part(block, id));
-                    lint.warn(place, msg!("lint.suppression-stays", variable));
+                VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero => {
+                    if let Some((block, id)) = var.set_at {
+                        let (place, variable) = lint.written(block, lint.part(block, id));
+                        lint.warn(place, msg!("lint.suppression-stays", variable));
+                    }
                 }
                 _ => {}
             }
@@ -249,7 +255,8 @@ impl Vars<'_> {
             _ => None,
         };
         if let (Some(a), Some(b)) = (slot(left), slot(right)) {
-            whole |= self.list[a].copies == b as u32 || self.list[b].copies == a as u32;
+            let copies = |one: usize, other: usize| self.list[one].copies == CopySource::Variable(other as u32);
+            whole |= copies(a, b) || copies(b, a);
         }
         let (left, right) = (self.kind(site.group, left), self.kind(site.group, right));
         let most = left.max(right);
@@ -261,7 +268,7 @@ impl Vars<'_> {
     fn local(&self, lint: &mut Lint, facts: &Facts, group: usize, var: &Var) {
         let calls = self.calls[group];
         if var.sets == 0 && var.given == 0 && !var.vacancy {
-            let (block, id) = var.read;
+            let Some((block, id)) = var.read else { return };
             let argument = ARGUMENT.iter().position(|&number| u32::from(number) == var.number);
             let letter = LETTERS.get(argument.unwrap_or(0)).copied().unwrap_or(Address::A);
             // Whether a subprogram call has a word with this letter, which only a macro call passes as an argument.
@@ -279,19 +286,18 @@ impl Vars<'_> {
                 Some(_) if lost() => msg!("nc.hint.sub-argument", variable, address = letter.to_string()),
                 _ => msg!("nc.hint.unset-local", variable),
             };
-            if block != NONE
-                && let Some(finding) = lint.warn(place, msg!("lint.unset-local", variable))
-            {
+            if let Some(finding) = lint.warn(place, msg!("lint.unset-local", variable)) {
                 finding.hints.push(hint);
             }
-        } else if var.given < calls && var.sets <= var.given && var.compared.0 == NONE {
+        } else if var.given < calls && var.sets <= var.given && var.compared.is_none() {
             self.vacant_word(lint, var);
         }
     }
 
     fn vacant_word(&self, lint: &mut Lint, var: &Var) {
-        let (block, span) = var.word;
-        if self.control.macros.vacant_word == VacantWord::Dropped && block != NONE {
+        if let Some((block, span)) = var.word
+            && self.control.macros.vacant_word == VacantWord::Dropped
+        {
             let (place, word) = lint.written(block, span);
             let variable = name(self.control, var);
             if let Some(finding) = lint.warn(place, msg!("lint.vacant-word", word, variable = variable.as_str())) {
@@ -303,7 +309,8 @@ impl Vars<'_> {
     /// Reports variables that the operator has to set, in one remark at the first one read.
     fn entries(&self, lint: &mut Lint, mut unset: Vec<(u64, usize)>) {
         let mut names = String::new();
-        let mut first = (NONE, ExprId(NONE));
+        let first = unset.iter().filter_map(|&(_, slot)| self.list[slot].read).min_by_key(|(block, id)| (*block, id.0));
+        let Some((block, id)) = first else { return };
         unset.sort_unstable();
         for (count, &(_, slot)) in unset.iter().enumerate() {
             let var = &self.list[slot];
@@ -311,19 +318,14 @@ impl Vars<'_> {
                 names += if count > 0 { ", " } else { "" };
                 names += &if count < NAMES { name(self.control, var) } else { "…".to_owned() };
             }
-            if (var.read.0, var.read.1.0) < (first.0, first.1.0) {
-                first = var.read;
-            }
         }
-        if !names.is_empty() {
-            let (place, _) = lint.written(first.0, lint.part(first.0, first.1));
-            let message = match self.control.syntax.names() {
-                None => msg!("lint.unset-common", variables = names),
-                Some(_) => msg!("lint.unset-parameter", variables = names),
-            };
-            if let Some(finding) = lint.warn(place, message) {
-                finding.severity = Severity::Info;
-            }
+        let (place, _) = lint.written(block, lint.part(block, id));
+        let message = match self.control.syntax.names() {
+            None => msg!("lint.unset-common", variables = names),
+            Some(_) => msg!("lint.unset-parameter", variables = names),
+        };
+        if let Some(finding) = lint.warn(place, message) {
+            finding.severity = Severity::Info;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::super::codes::Codes;
-use super::context::{Lint, NONE};
+use super::context::Lint;
 use super::facts::{Call, Facts};
 use super::faulty::variables;
 use crate::controls::Address;
@@ -18,9 +18,6 @@ const NUMBERS: usize = 16_384;
 /// Number of local variables of a level.
 pub(super) const LOCALS: u32 = 33;
 
-/// Marks a variable that is more than a copy of another one.
-const MANY: u32 = NONE - 1;
-
 /// Possible values of a variable or formula, for comparisons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum ValueKind {
@@ -34,7 +31,29 @@ pub(super) enum ValueKind {
     Calculated,
 }
 
-/// A variable. Blocks are indices in the deck, or [`NONE`].
+/// Origin of the values assigned to a variable, numbers excepted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum CopySource {
+    /// None: numbers at most are assigned.
+    Nothing,
+    /// Always the variable with this index in the list, which it copies.
+    Variable(u32),
+    /// Several variables, or results of formulas.
+    Mixed,
+}
+
+impl CopySource {
+    /// The source after another assignment.
+    fn joined(self, other: CopySource) -> CopySource {
+        match (self, other) {
+            (source, CopySource::Nothing) | (CopySource::Nothing, source) => source,
+            _ if self == other => self,
+            _ => CopySource::Mixed,
+        }
+    }
+}
+
+/// A variable. Blocks are indices in the deck.
 pub(super) struct Var {
     pub(super) number: u32,
     pub(super) kind: ValueKind,
@@ -44,19 +63,20 @@ pub(super) struct Var {
     pub(super) sets: u32,
     /// Number of calls that pass it as an argument.
     pub(super) given: u32,
-    /// The variable it copies: [`NONE`] if none so far, [`MANY`] if it is more than a copy.
-    pub(super) copies: u32,
+    pub(super) copies: CopySource,
     /// First and last block of a comparison.
-    pub(super) compared: (u32, u32),
+    pub(super) compared: Option<(u32, u32)>,
     /// It is compared with the vacant variable.
     pub(super) vacancy: bool,
     /// First read, comparisons with the vacant variable excepted.
-    pub(super) read: (u32, ExprId),
+    pub(super) read: Option<(u32, ExprId)>,
     /// First axis word of only this variable.
-    pub(super) word: (u32, Span),
-    /// First assignment; whether one calculates it from the program's own variables; whether formulas or words of other variables read it.
-    pub(super) set_at: (u32, ExprId),
+    pub(super) word: Option<(u32, Span)>,
+    /// First assignment.
+    pub(super) set_at: Option<(u32, ExprId)>,
+    /// An assignment calculates it from the program's own variables.
     pub(super) scratch: bool,
+    /// Formulas or words of other variables read it.
     pub(super) used: bool,
 }
 
@@ -83,11 +103,11 @@ pub(super) struct Vars<'a> {
     codes: &'a Codes,
     pub(super) control: &'static Control,
     /// Index of a number in `list`; local variables are kept apart.
-    slots: Vec<u32>,
+    slots: Vec<Option<u32>>,
     pub(super) list: Vec<Var>,
     /// Group of programs that share local variables, by program; and index of the first local variable of each group.
     pub(super) group: Vec<u32>,
-    pub(super) locals: Vec<u32>,
+    pub(super) locals: Vec<Option<u32>>,
     /// Groups with callers outside these files.
     pub(super) open: Vec<bool>,
     /// Calls with arguments, by group.
@@ -114,10 +134,10 @@ impl<'a> Vars<'a> {
             deck: lint.deck,
             codes: lint.parsed.codes(),
             control: lint.control,
-            slots: vec![NONE; NUMBERS],
+            slots: vec![None; NUMBERS],
             list: Vec::new(),
             group: (0..programs as u32).collect(),
-            locals: vec![NONE; programs],
+            locals: vec![None; programs],
             open: vec![facts.any_called; programs],
             calls: vec![0; programs],
             sets: Vec::new(),
@@ -148,7 +168,7 @@ impl<'a> Vars<'a> {
         }
         for (index, program) in lint.deck.programs.iter().enumerate() {
             for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
-                vars.block(FormulaSite { block: at, group: vars.group[index], id: ExprId(NONE) }, block);
+                vars.block(at, vars.group[index], block);
             }
         }
         vars
@@ -163,7 +183,7 @@ impl<'a> Vars<'a> {
         for number in numbers {
             if let Some(var) = self.make(self.group[program as usize], number) {
                 var.sets += 1;
-                var.compared = (0, NONE);
+                var.compared = Some((0, u32::MAX));
                 var.nonzero = false;
             }
         }
@@ -183,10 +203,10 @@ impl<'a> Vars<'a> {
     /// Index of a variable in the list; `None` if it is not followed.
     pub(super) fn slot(&self, group: u32, number: u32) -> Option<usize> {
         let slot = match number.wrapping_sub(1) {
-            local if local < self.local_count => self.locals.get(group as usize).map(|base| base.saturating_add(local)),
-            _ => self.slots.get(number as usize).copied(),
+            local if local < self.local_count => (*self.locals.get(group as usize)?).map(|base| base + local),
+            _ => *self.slots.get(number as usize)?,
         };
-        slot.filter(|slot| *slot != NONE).map(|slot| slot as usize)
+        slot.map(|slot| slot as usize)
     }
 
     pub(super) fn get(&self, group: u32, number: u32) -> Option<&Var> {
@@ -200,7 +220,7 @@ impl<'a> Vars<'a> {
             let next = self.list.len() as u32;
             let local = (1..=self.local_count).contains(&number);
             let (table, at) = if local { (&mut self.locals, group) } else { (&mut self.slots, number) };
-            *table.get_mut(at as usize).filter(|_| number != 0 || vacant.is_none())? = next;
+            *table.get_mut(at as usize).filter(|_| number != 0 || vacant.is_none())? = Some(next);
             for number in if local { 1..=LOCALS } else { number..=number } {
                 self.list.push(Var {
                     number,
@@ -208,12 +228,12 @@ impl<'a> Vars<'a> {
                     nonzero: true,
                     sets: 0,
                     given: 0,
-                    copies: NONE,
-                    compared: (NONE, 0),
+                    copies: CopySource::Nothing,
+                    compared: None,
                     vacancy: false,
-                    read: (NONE, ExprId(0)),
-                    word: (NONE, Span::default()),
-                    set_at: (NONE, ExprId(0)),
+                    read: None,
+                    word: None,
+                    set_at: None,
                     scratch: false,
                     used: false,
                 });
@@ -260,55 +280,55 @@ impl<'a> Vars<'a> {
     /// Records an assignment: local variables of the value belong to `from`, the assigned one to `to`.
     fn set(&mut self, from: u32, to: u32, number: u32, value: WordValue) {
         let copied = match value {
-            WordValue::Number(_) => NONE,
+            WordValue::Number(_) => CopySource::Nothing,
             WordValue::Expr(id) => match self.deck.expr(id) {
-                Expr::Number(_) | Expr::Var(0) => NONE,
+                Expr::Number(_) | Expr::Var(0) => CopySource::Nothing,
                 Expr::Var(other) => {
                     self.make(from, other);
-                    self.slot(from, other).map_or(MANY, |slot| slot as u32)
+                    self.slot(from, other).map_or(CopySource::Mixed, |slot| CopySource::Variable(slot as u32))
                 }
-                _ => MANY,
+                _ => CopySource::Mixed,
             },
         };
         let Some(var) = self.make(to, number) else { return };
         var.sets += 1;
-        if copied != NONE {
-            var.copies = if var.copies == NONE || var.copies == copied { copied } else { MANY };
-        }
+        var.copies = var.copies.joined(copied);
         if let Some(slot) = self.slot(to, number) {
             self.sets.push(Set { slot: slot as u32, group: from, value });
         }
     }
 
-    fn block(&mut self, site: FormulaSite, block: &Block) {
+    /// Records the formulas of a block, by its index.
+    fn block(&mut self, at: u32, group: u32, block: &Block) {
+        let site = |id| FormulaSite { block: at, group, id };
         match block.stmt {
-            Stmt::Assign { to, value } => self.assign(site, to, value),
+            Stmt::Assign { to, value } => self.assign(to, site(value)),
             Stmt::IfThen { cond, to, value } => {
-                self.compare(FormulaSite { id: cond, ..site });
-                self.assign(site, to, value);
+                self.compare(site(cond));
+                self.assign(to, site(value));
             }
             Stmt::If { cond, target, .. } => {
-                self.compare(FormulaSite { id: cond, ..site });
-                self.read(site, target, NONE);
+                self.compare(site(cond));
+                self.read(site(target), None);
             }
-            Stmt::Goto { target, .. } => self.read(site, target, NONE),
+            Stmt::Goto { target, .. } => self.read(site(target), None),
             Stmt::Assigns { first, count } => {
                 for assignment in self.deck.assignments_at(first, count) {
-                    self.assign(site, assignment.to, assignment.value);
+                    self.assign(assignment.to, site(assignment.value));
                 }
             }
             Stmt::Ifs { first, count } => {
                 for cond in self.deck.jumps_at(first, count).iter().filter_map(|jump| jump.cond) {
-                    self.compare(FormulaSite { id: cond, ..site });
+                    self.compare(site(cond));
                 }
             }
-            Stmt::Call { repeats: Some(repeats), .. } => self.read(site, repeats, NONE),
-            Stmt::While { cond: Some(cond), .. } => self.compare(FormulaSite { id: cond, ..site }),
+            Stmt::Call { repeats: Some(repeats), .. } => self.read(site(repeats), None),
+            Stmt::While { cond: Some(cond), .. } => self.compare(site(cond)),
             Stmt::Words { .. } => {
                 let words = self.deck.words_of(block);
                 for word in words {
                     let WordValue::Expr(id) = word.value else { continue };
-                    self.read(site, id, NONE);
+                    self.read(site(id), None);
                     let bare = match self.deck.expr(id) {
                         Expr::Negate(inner) => self.deck.expr(inner),
                         expr => expr,
@@ -316,10 +336,9 @@ impl<'a> Vars<'a> {
                     if let Expr::Var(number) = bare
                         && self.control.axis_letters().any(|letter| letter == word.letter)
                         && !words.iter().any(|word| self.takes_words(word))
-                        && let Some(var) = self.make(site.group, number)
-                        && var.word.0 == NONE
+                        && let Some(var) = self.make(group, number)
                     {
-                        var.word = (site.block, word.span(block));
+                        var.word.get_or_insert((at, word.span(block)));
                     }
                 }
             }
@@ -334,25 +353,24 @@ impl<'a> Vars<'a> {
         row.is_some_and(|row| matches!(row.code, Dwell | MacroCall | MacroModal | MacroModalBlock))
     }
 
-    fn assign(&mut self, site: FormulaSite, to: ExprId, id: ExprId) {
+    /// Records the assignment of a value.
+    fn assign(&mut self, to: ExprId, value: FormulaSite) {
         let Expr::Var(number) = self.deck.expr(to) else {
             self.wild = true;
-            self.read(site, to, NONE);
-            return self.read(site, id, NONE);
+            self.read(FormulaSite { id: to, ..value }, None);
+            return self.read(value, None);
         };
-        self.read(site, id, number);
+        self.read(value, Some(number));
         // Measured values are stored in kept variables; values computed from other variables are scratch.
-        let mut scratch = !matches!(self.deck.expr(id), Expr::Number(_));
-        visit(self.deck, id, &mut |_, expr| {
+        let mut scratch = !matches!(self.deck.expr(value.id), Expr::Number(_));
+        visit(self.deck, value.id, &mut |_, expr| {
             if let Expr::Var(other) = expr {
                 scratch &= other != number && (other <= self.local_count || self.is_common(other));
             }
         });
-        self.set(site.group, site.group, number, WordValue::Expr(id));
-        if let Some(var) = self.make(site.group, number) {
-            if var.set_at.0 == NONE {
-                var.set_at = (site.block, to);
-            }
+        self.set(value.group, value.group, number, WordValue::Expr(value.id));
+        if let Some(var) = self.make(value.group, number) {
+            var.set_at.get_or_insert((value.block, to));
             var.scratch |= scratch;
         }
     }
@@ -368,26 +386,25 @@ impl<'a> Vars<'a> {
             let Expr::Var(number) = expr else { return };
             if let Some(var) = self.make(site.group, number) {
                 var.vacancy |= vacancy;
-                var.compared = (var.compared.0.min(site.block), var.compared.1.max(site.block));
+                let (first, last) = var.compared.unwrap_or((site.block, site.block));
+                var.compared = Some((first.min(site.block), last.max(site.block)));
             }
         });
         if !vacancy {
-            self.read(site, site.id, NONE);
+            self.read(site, None);
             if equal {
                 self.equals.push(site);
             }
         }
     }
 
-    /// Records everything that a formula reads and divides by; `to` is the variable assigned from it.
-    fn read(&mut self, site: FormulaSite, id: ExprId, to: u32) {
-        visit(self.deck, id, &mut |id, expr| match expr {
+    /// Records everything that a formula reads and divides by; `to` is the variable assigned from it, if any.
+    fn read(&mut self, site: FormulaSite, to: Option<u32>) {
+        visit(self.deck, site.id, &mut |id, expr| match expr {
             Expr::Var(number) => {
                 if let Some(var) = self.make(site.group, number) {
-                    if var.read.0 == NONE {
-                        var.read = (site.block, id);
-                    }
-                    var.used |= to != number;
+                    var.read.get_or_insert((site.block, id));
+                    var.used |= to != Some(number);
                 }
             }
             Expr::Call(Function::Fix | Function::Fup, inner)
