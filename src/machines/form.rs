@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 
 use crate::controls::Control;
 pub use crate::text::Provenance;
+use crate::view::FieldEntry;
 
 /// A value of a field, as saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,12 +28,12 @@ pub enum Value {
 /// Values by field id; a missing one has its default.
 pub type Values = BTreeMap<String, Value>;
 
-/// The values with other entries, as they would be typed: id of each field and its text. `None` where a field does not take its entry.
-pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[(&'static str, String)]) -> Option<Values> {
+/// The values with other entries. `None` where a field does not take its entry.
+pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[FieldEntry]) -> Option<Values> {
     let mut values = values.clone();
-    for (id, typed) in entries {
-        let field = fields.iter().find(|field| field.id == *id)?;
-        values.insert((*id).to_owned(), field.read(typed).ok()?);
+    for entry in entries {
+        let field = fields.iter().find(|field| field.id == entry.field)?;
+        values.insert(entry.field.to_owned(), field.read(&entry.text).ok()?);
     }
     Some(values)
 }

@@ -1,7 +1,7 @@
 //! The operator's override knobs of feed and spindle: the cut of a lathe at their ends, in the same way for every lathe.
 
 use super::devices::forced_cooling_advice;
-use super::verdict::FieldEntry;
+use super::verdict::NumberEntry;
 use crate::drives::speed::{KnobEnds, Steps};
 use crate::msg;
 use crate::text::Message;
@@ -51,7 +51,7 @@ pub(super) fn worst<T>(
 const LEAST_FEED: f64 = 0.01;
 
 /// An advice with a button for lower feeds; without it where an edge would rub.
-pub(super) fn setting_feeds(advice: Advice, sets: Vec<FieldEntry>) -> Advice {
+pub(super) fn setting_feeds(advice: Advice, sets: Vec<NumberEntry>) -> Advice {
     let values: Vec<&str> = sets.iter().map(|set| set.text.as_str()).collect();
     let least = sets.iter().map(|set| set.value).fold(f64::INFINITY, f64::min);
     let button = match values.as_slice() {

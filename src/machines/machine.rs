@@ -25,7 +25,7 @@ use crate::msg;
 use crate::nc::{Deck, File, Newline};
 use crate::text::catalog::words;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity, listed};
-use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
+use crate::view::{Advice, Chart, DrawnPart, Explorer, FieldEntry, Pose, Readout, Scene, Sheet, Verdict};
 
 /// The control of a machine, with the settings of its open points.
 #[derive(Debug, Clone, Copy)]
@@ -450,7 +450,7 @@ struct Trial {
 
 impl Trial {
     /// Results and errors with other entries of the form; `None` if the form rejects one of them.
-    fn with(&self, entries: &[(&'static str, String)]) -> Option<(Vec<Readout>, usize)> {
+    fn with(&self, entries: &[FieldEntry]) -> Option<(Vec<Readout>, usize)> {
         let values = with_entries(&self.values, &self.machine.fields(), entries)?;
         let prepared =
             self.machine.prepare(&values, ControlContext { control: self.control, switches: &self.switches });

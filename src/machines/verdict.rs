@@ -3,7 +3,7 @@
 use super::form::{Field, FieldKind};
 use crate::text::catalog::number_text;
 use crate::text::{Citation, Grade, Phrase};
-use crate::view::{Advice, Limit, Readout, Verdict};
+use crate::view::{Advice, FieldEntry, Limit, Readout, Verdict};
 
 /// Another unit of a result, and whether a machine `M` has it.
 pub type OtherUnit<M> = (fn(&M) -> bool, &'static str);
@@ -101,7 +101,7 @@ fn judgement(verdict: Verdict, limit: impl Into<Option<Limit>>, advice: impl Int
 
 /// An entry of a number field with the decimals that the field keeps.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FieldEntry {
+pub struct NumberEntry {
     /// Id of the field.
     pub field: &'static str,
     /// Value in the unit of the field.
@@ -110,24 +110,24 @@ pub struct FieldEntry {
     pub text: String,
 }
 
-impl From<FieldEntry> for (&'static str, String) {
-    fn from(entry: FieldEntry) -> (&'static str, String) {
-        (entry.field, entry.text)
+impl From<NumberEntry> for FieldEntry {
+    fn from(entry: NumberEntry) -> FieldEntry {
+        FieldEntry { field: entry.field, text: entry.text }
     }
 }
 
 /// The greatest entry of a number field that is not above `value`.
-pub fn down<P>(fields: &[Field<P>], id: &'static str, value: f64) -> FieldEntry {
+pub fn down<P>(fields: &[Field<P>], id: &'static str, value: f64) -> NumberEntry {
     entry(fields, id, value, f64::floor)
 }
 
 /// The least entry of a number field that is not below `value`.
-pub fn up<P>(fields: &[Field<P>], id: &'static str, value: f64) -> FieldEntry {
+pub fn up<P>(fields: &[Field<P>], id: &'static str, value: f64) -> NumberEntry {
     entry(fields, id, value, f64::ceil)
 }
 
 /// The entry of a number field that is nearest to `value`.
-pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> FieldEntry {
+pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> NumberEntry {
     entry(fields, id, value, f64::round)
 }
 
@@ -149,14 +149,14 @@ pub fn minimum<P>(fields: &[Field<P>], id: &str) -> f64 {
     }
 }
 
-fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> FieldEntry {
+fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> NumberEntry {
     let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
         FieldKind::Number { decimals, .. } => decimals,
         _ => 0,
     });
     let unit = crate::nc::dec::POW10[usize::from(decimals.min(12))] as f64;
     let value = round(value * unit) / unit;
-    FieldEntry { field: id, value, text: number_text(value, decimals) }
+    NumberEntry { field: id, value, text: number_text(value, decimals) }
 }
 
 /// Halvings by which a share is found.

@@ -129,7 +129,7 @@ pub fn readouts_json(readouts: &[Readout]) -> Json {
 pub fn repairs_json(repairs: &Repairs) -> Json {
     let change = |change: &Repair| {
         let sets: serde_json::Map<String, Json> =
-            change.entries.iter().map(|(id, text)| ((*id).to_owned(), json!(text))).collect();
+            change.entries.iter().map(|entry| (entry.field.to_owned(), json!(entry.text))).collect();
         json!({ "change": sentence(&change.text), "sets": sets })
     };
     let changes: Vec<Json> = repairs.changes.iter().map(change).collect();

@@ -103,6 +103,7 @@ use crate::machines::{AnyMachine, ControlContext, Defaults, Design, PreparedMach
 use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
 use crate::text::catalog::Language;
+use crate::view::FieldEntry;
 use crate::view::report::TitleBlock;
 
 /// Input of a run, and contents of the project file except for the id.
@@ -231,10 +232,10 @@ impl Project {
         self.control = control;
     }
 
-    /// The project with other entries of the form, as they would be typed: id of each field and its text. `None` where the form does not
-    /// take one of them.
-    pub fn with_entries(&self, entries: &[(&'static str, String)]) -> Option<Project> {
-        let values = with_entries(&self.values, &self.machine.fields(), entries)?;
+    /// The project with other entries of the form. `None` where the form does not take one of them.
+    pub fn with_entries<E: Clone + Into<FieldEntry>>(&self, entries: &[E]) -> Option<Project> {
+        let entries: Vec<FieldEntry> = entries.iter().cloned().map(E::into).collect();
+        let values = with_entries(&self.values, &self.machine.fields(), &entries)?;
         Some(Project { values, ..self.clone() })
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::Project;
 use crate::text::Severity;
 use crate::text::number::figure;
-use crate::view::{Readout, Repair, Repairs, Verdict};
+use crate::view::{FieldEntry, Readout, Repair, Repairs, Verdict};
 
 /// Maximum number of changes.
 const MOST: usize = 8;
@@ -53,7 +53,7 @@ pub fn ways(project: &Project) -> Vec<RepairWay> {
 
 /// The fields that changes enter.
 fn fields(changes: &[Repair]) -> BTreeSet<&'static str> {
-    changes.iter().flat_map(|change| &change.entries).map(|(field, _)| *field).collect()
+    changes.iter().flat_map(|change| &change.entries).map(|entry| entry.field).collect()
 }
 
 /// Greedy search: takes the remedy after which the fewest results fail, then the fewest warn; of equals the first in the order of the results.
@@ -68,15 +68,15 @@ pub fn repairs(project: &Project) -> Repairs {
 fn found_after(mut best: Trial, mut changes: Vec<Repair>) -> (Vec<Repair>, Trial) {
     while best.faults.failing > 0 && changes.len() < MOST {
         let fields = best.project.machine.fields();
-        let essential = |(id, _): &(&str, String)| {
-            fields.iter().any(|field| field.id == *id && field.essential && !field.role.is_fact())
+        let essential = |entry: &FieldEntry| {
+            fields.iter().any(|field| field.id == entry.field && field.essential && !field.role.is_fact())
         };
         let (of_product, of_machine): (Vec<Repair>, Vec<Repair>) =
             best.offered().into_iter().partition(|repair| repair.entries.iter().any(essential));
         let Some((change, after)) = best.improved(of_machine).or_else(|| best.improved(of_product)) else { break };
         // A later entry of the same fields replaces the earlier one.
         changes.retain(|earlier| {
-            !earlier.entries.iter().all(|(id, _)| change.entries.iter().any(|(other, _)| other == id))
+            !earlier.entries.iter().all(|entry| change.entries.iter().any(|other| other.field == entry.field))
         });
         changes.push(change);
         best = after;

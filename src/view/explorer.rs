@@ -1,6 +1,6 @@
 //! Explorer: values that follow a drag at once, before they are entered in the form.
 
-use super::{Chart, Scene};
+use super::{Chart, FieldEntry, Scene};
 
 /// A form value as a slider.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,8 +13,8 @@ pub struct Knob {
     pub step: f64,
     /// Present value.
     pub value: f64,
-    /// Other entries that the value needs to be effective: field id and typed text.
-    pub along: Vec<(&'static str, String)>,
+    /// Other entries that the value needs to be effective.
+    pub along: Vec<FieldEntry>,
 }
 
 /// Sliders and their consequences.

@@ -2,6 +2,8 @@
 
 pub mod chart;
 
+pub mod field_entry;
+
 pub mod readout;
 
 pub mod letters;
@@ -41,6 +43,7 @@ pub use chart::{Chart, ChartLimit, Series};
 pub use comparison::{ComparedRow, Comparison, VariantCell};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
+pub use field_entry::FieldEntry;
 pub use letters::Anchor;
 pub use look::{Look, Paint};
 pub use parts::DrawnPart;

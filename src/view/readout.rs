@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::field_entry::FieldEntry;
 use crate::msg;
 use crate::text::catalog::sentence;
 use crate::text::{Citation, Message, MessageValue, Phrase, clauses, units};
@@ -98,17 +99,13 @@ pub struct Advice {
     pub message: Message,
     /// Short text of the remedy for a button; `None` if `entries` is empty.
     pub button: Option<Message>,
-    /// Id of each field that the remedy changes, and its new text; empty if the form cannot carry it out.
-    pub entries: Vec<(&'static str, String)>,
+    /// Entries of the form; empty if the form cannot carry out the remedy.
+    pub entries: Vec<FieldEntry>,
 }
 
 impl Advice {
     /// Adds a remedy: text of the button, and the form entries.
-    pub fn setting<E: Into<(&'static str, String)>>(
-        self,
-        button: Message,
-        entries: impl IntoIterator<Item = E>,
-    ) -> Advice {
+    pub fn setting<E: Into<FieldEntry>>(self, button: Message, entries: impl IntoIterator<Item = E>) -> Advice {
         Advice { button: Some(button), entries: entries.into_iter().map(E::into).collect(), ..self }
     }
 }
@@ -125,8 +122,8 @@ impl Advice {
 pub struct Repair {
     /// The change in words: those of the remedy's button.
     pub text: Message,
-    /// Form entries, each the id of a field and its text.
-    pub entries: Vec<(&'static str, String)>,
+    /// Entries of the form.
+    pub entries: Vec<FieldEntry>,
 }
 
 /// Changes of the form with which the failing results of a design hold.

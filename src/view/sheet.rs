@@ -1,5 +1,6 @@
 //! A table for people: parameters, interface, ladder list.
 
+use super::field_entry::FieldEntry;
 use crate::text::{Grade, Phrase};
 
 /// A row of a sheet.
@@ -11,8 +12,8 @@ pub struct Row {
     pub grade: Grade,
     /// Source of the row.
     pub source: Phrase,
-    /// Form entries set by choosing the row: field id and typed text; empty for a row that is not a choice.
-    pub entries: Vec<(&'static str, String)>,
+    /// Form entries set by choosing the row; empty for a row that is not a choice.
+    pub entries: Vec<FieldEntry>,
 }
 
 impl Sheet {

@@ -10,7 +10,7 @@ use crate::view::drawing::{Drawing, polyline};
 use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
-use crate::view::{Explorer, Knob, Scene};
+use crate::view::{Explorer, FieldEntry, Knob, Scene};
 
 /// Width and height of the drawing, and the radius that the stock takes in it.
 const ROOM: (f64, f64, f64) = (360.0, 240.0, 94.0);
@@ -44,7 +44,7 @@ fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
     };
     let p = &lathe.p;
     let own = own_shape(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
-    let along: Vec<_> = own.into_iter().map(|(first, text)| (field(first), text)).collect();
+    let along: Vec<_> = own.into_iter().map(|entry| FieldEntry { field: field(entry.field), ..entry }).collect();
     let count = |first: &'static str, range: (f64, f64), value: f64| Knob {
         field: field(first),
         range,

@@ -10,6 +10,7 @@ use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::PI;
 use crate::text::catalog::number_text as show;
 use crate::text::number;
+use crate::view::FieldEntry;
 
 /// Radians in a degree.
 const RADIANS: f64 = PI / 180.0;
@@ -104,12 +105,11 @@ pub(super) fn insert_deviations(text: &str, inserts: usize, most: f64) -> Option
     all.filter(|all| all.len() <= inserts)
 }
 
-/// Fields and values of a cutter and a ratio, with the shape set to the form's own.
-pub(super) fn own_shape(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<(&'static str, String)> {
-    let number = |id: &'static str, value: f64| (id, show(value, 0));
-    let shape = ("shape", "own".to_owned());
+/// Entries of a cutter and a ratio, with the shape set to the form's own.
+pub(super) fn own_shape(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<FieldEntry> {
+    let number = |id, value| FieldEntry::new(id, show(value, 0));
     vec![
-        shape,
+        FieldEntry::new("shape", "own"),
         number("sides", sides),
         number("inserts", inserts),
         number("work-ratio", work),

@@ -7,7 +7,7 @@ use super::rules::RULES;
 use crate::machines::slides;
 use crate::machines::verdict::{self, judge};
 use crate::text::Phrase;
-use crate::view::{Advice, Readout};
+use crate::view::{Advice, FieldEntry, Readout};
 
 /// Results of the first polygon, and ids and labels of the corresponding ones of the others.
 #[rustfmt::skip]
@@ -40,8 +40,8 @@ const ANGLE: &str = "orientation";
 
 /// Rewrites an advice about the first polygon for another one. The form can carry it out if every field has a counterpart there.
 fn advice(advice: Advice, at: usize) -> Advice {
-    let entries: Option<Vec<(&'static str, String)>> =
-        advice.entries.iter().map(|(id, text)| Some((field(id, at)?, text.clone()))).collect();
+    let of_other = |entry: FieldEntry| Some(FieldEntry { field: field(entry.field, at)?, ..entry });
+    let entries: Option<Vec<FieldEntry>> = advice.entries.into_iter().map(of_other).collect();
     match (advice.button, entries) {
         (Some(button), Some(entries)) => Advice::from(advice.message).setting(button, entries),
         _ => Advice::from(advice.message),

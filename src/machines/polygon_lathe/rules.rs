@@ -384,7 +384,7 @@ fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
         return Some(Judgement { verdict: Verdict::None, limit: None, advice });
     }
     let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.coast_phase.abs(), 0)));
-    warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held".to_owned())])])
+    warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held")])])
 }
 
 fn insert(lathe: &PolygonLathe) -> Option<Judgement> {

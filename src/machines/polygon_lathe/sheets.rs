@@ -16,7 +16,7 @@ use crate::math::PI;
 use crate::text::catalog::number_text as show;
 use crate::text::units::{self, Lengths};
 use crate::text::{Citation, Grade, clauses};
-use crate::view::{Column, Row, Sheet, SheetKind};
+use crate::view::{Column, FieldEntry, Row, Sheet, SheetKind};
 
 /// All sheets.
 pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
@@ -119,8 +119,8 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
         ];
         let terms = (f64::from(choice.ratio.tool()), f64::from(choice.ratio.work()));
         let mut entries = own_shape(lathe.p.sides, (choice.cutter + 1) as f64, terms);
-        entries.push(("tip-radius", show(choice.radius, 3)));
-        entries.push(("speed", show(choice.speed, 0)));
+        entries.push(FieldEntry::new("tip-radius", show(choice.radius, 3)));
+        entries.push(FieldEntry::new("speed", show(choice.speed, 0)));
         Row { entries, ..row(cells, cite) }
     };
     Sheet {

@@ -9,5 +9,5 @@ pub(super) fn calculated_once(p: &Params, in_time: impl Fn(f64) -> bool) -> Opti
     let needed = Params { variant: Variant::Precomputed, ..p.clone() }.pass_needed() * 1000.0;
     let advice = Advice::from(msg!("ribbon.precomputed-in-time", needed = (needed, 1)));
     (p.variant == Variant::Published && in_time(needed))
-        .then(|| advice.setting(msg!("advice.precomputed"), [("variant", "precomputed".to_owned())]))
+        .then(|| advice.setting(msg!("advice.precomputed"), [("variant", "precomputed")]))
 }

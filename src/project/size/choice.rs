@@ -21,7 +21,7 @@ use crate::project::Project;
 use crate::project::parts::{follows, goes_with};
 use crate::text::Message;
 use crate::text::catalog::number_text;
-use crate::view::{OperatingLine, TorqueChart};
+use crate::view::{FieldEntry, OperatingLine, TorqueChart};
 
 /// Greatest number of a run's lines in a chart.
 const MOST_LINES: usize = 600;
@@ -139,7 +139,7 @@ pub struct Candidate {
     /// First reason of its refusal; none if it passes.
     pub refusal: Option<Refusal>,
     /// Entries of the form with this motor: ids of fields and typed texts; empty if the form has no fields for it.
-    pub entries: Vec<(&'static str, String)>,
+    pub entries: Vec<FieldEntry>,
 }
 
 /// A brake resistor beside an amplifier.
@@ -605,7 +605,7 @@ fn braking(amplifier: &Part) -> Option<(Regeneration, Option<f64>)> {
 }
 
 /// Entries of the form with a servo motor.
-fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static str, String)> {
+fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<FieldEntry> {
     // The limits of its series without the derating for starts and site, which the form applies itself.
     let limits = part.acceptance();
     let encoder = match &part.ratings {
@@ -623,7 +623,7 @@ fn entries(fields: &MotorFields, part: &Part, motor: &Servo) -> Vec<(&'static st
         (fields.inertia_limit, number_text(limits.inertia_ratio, 1)),
         (fields.effective_limit, number_text(100.0 * limits.effective, 1)),
     ];
-    entries.into_iter().chain(encoder).collect()
+    entries.into_iter().chain(encoder).map(FieldEntry::from).collect()
 }
 
 /// Maker and model as text for the form.

@@ -15,7 +15,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::project::run::Run;
 use crate::text::catalog::{number_text, sentence};
-use crate::view::{Limit, Verdict};
+use crate::view::{FieldEntry, Limit, Verdict};
 
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
@@ -583,7 +583,7 @@ pub struct HoldingLimit {
     /// Whether a run was cut: the true value is greater.
     pub is_cut: bool,
     /// The entry of the form with this limit; none if the form does not accept it.
-    pub entry: Option<(&'static str, String)>,
+    pub entry: Option<FieldEntry>,
 }
 
 /// Limits of the form that would hold at every event and by every rule of the machine, for those that fail at an event.
@@ -598,7 +598,7 @@ pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<Hol
         let scale = math::pow(10.0, f64::from(of.decimals));
         let value = (most * scale).ceil() / scale;
         let is_cut = same().any(|row| row.is_cut);
-        let entry = (field, number_text(value, of.decimals));
+        let entry = FieldEntry::new(field, number_text(value, of.decimals));
         let fits = !is_cut && project.with_entries(core::slice::from_ref(&entry)).is_some();
         let entry = fits.then_some(entry);
         holding_limits.push(HoldingLimit {
@@ -617,7 +617,7 @@ pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<Hol
 fn asked_by_rules(project: &Project, field: &str) -> f64 {
     let results = project.prepared().results().readouts;
     let sets = results.iter().flat_map(|row| &row.advice).flat_map(|advice| &advice.entries);
-    sets.filter(|set| set.0 == field).filter_map(|set| set.1.parse::<f64>().ok()).fold(0.0, f64::max)
+    sets.filter(|set| set.field == field).filter_map(|set| set.text.parse::<f64>().ok()).fold(0.0, f64::max)
 }
 
 /// The row of an event at which the program stops.

@@ -8,6 +8,7 @@ use crate::machines::driven::{DrivenAxis, FormGear, InverterDrive};
 use crate::msg;
 use crate::text::Message;
 use crate::text::catalog::number_text;
+use crate::view::FieldEntry;
 
 /// Greatest relative difference of equal ratios.
 const SAME_RATIO: f64 = 1e-6;
@@ -42,7 +43,7 @@ pub struct GearCandidate {
     /// First reason of its refusal; none if it passes.
     pub reason: Option<GearRefusal>,
     /// Entries of the form with this unit: ids of fields and typed texts.
-    pub entries: Vec<(&'static str, String)>,
+    pub entries: Vec<FieldEntry>,
 }
 
 impl GearCandidate {
@@ -113,15 +114,16 @@ fn rank(reason: GearRefusal) -> u8 {
 }
 
 /// Entries of the form with a gear unit, as far as its source has them; none if its ratings do not suffice for a verdict.
-fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearRefusal>) -> Vec<(&'static str, String)> {
+fn entries(gear: &FormGear, ratings: &GearRatings, reason: Option<GearRefusal>) -> Vec<FieldEntry> {
     if reason == Some(GearRefusal::Unknown) {
         return Vec::new();
     }
-    let efficiency = ratings.efficiency.map(|efficiency| (gear.fields.efficiency, number_text(100.0 * efficiency, 1)));
+    let efficiency =
+        ratings.efficiency.map(|part| FieldEntry::new(gear.fields.efficiency, number_text(100.0 * part, 1)));
     let inertia = gear.fields.inertia.zip(ratings.inertia);
-    let inertia = inertia.map(|(field, inertia)| (field, number_text(inertia / CM2, 4)));
+    let inertia = inertia.map(|(field, inertia)| FieldEntry::new(field, number_text(inertia / CM2, 4)));
     // If backlash has an effect, the form gets that of the gear unit.
     let backlash = gear.fields.backlash.filter(|_| gear.backlash.is_some()).zip(ratings.backlash);
-    let backlash = backlash.map(|(field, backlash)| (field, number_text(backlash, 2)));
+    let backlash = backlash.map(|(field, backlash)| FieldEntry::new(field, number_text(backlash, 2)));
     efficiency.into_iter().chain(inertia).chain(backlash).collect()
 }

@@ -7,7 +7,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::text::{Message, units};
-use crate::view::{Readout, Verdict};
+use crate::view::{FieldEntry, Readout, Verdict};
 
 /// Factor between two trials.
 const STEP: f64 = 1.25;
@@ -83,7 +83,7 @@ pub struct Fastest {
     /// The results that fail at this speed and at lower ones.
     pub failing_anyway: Vec<ResultName>,
     /// The entry of the form with that speed.
-    pub entry: (&'static str, String),
+    pub entry: FieldEntry,
 }
 
 /// The growth of each field that the machine names, and the fastest operation by the first of them; none if no tried speed holds.
@@ -210,7 +210,7 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let binding = speed.binding.filter(|_| speed.holds)?;
     let field = project.machine.fields().into_iter().find(|field| field.id == speed.field)?;
     let FieldKindInfo::Number { decimals, .. } = field.kind else { return None };
-    let entry = (speed.field, number_text(speed.value, decimals));
+    let entry = FieldEntry::new(speed.field, number_text(speed.value, decimals));
     let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
     let result = project.machine.info().speed_result?;
     let told = results.iter().find(|row| row.id == result)?;

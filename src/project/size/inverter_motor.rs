@@ -21,6 +21,7 @@ use crate::project::Project;
 use crate::project::parts::goes_with;
 use crate::text::Message;
 use crate::text::catalog::number_text;
+use crate::view::FieldEntry;
 
 /// The motor on the inverter with its candidates; none if the machine sizes none.
 pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRuns) -> Option<SizedAxis> {
@@ -73,19 +74,15 @@ fn demand(drive: &InverterDrive, spindles: &[SpindleRun]) -> MotorDemand {
 
 /// Entries of the form with a motor on the inverter, of a rated torque (Nm) and a rated speed (r/min); none if the form has no fields for
 /// it. The speed at the full signal stays: a motor with other poles needs another frequency for it.
-fn induction_entries(
-    part: &Part,
-    drive: &InverterDrive,
-    (torque, rated_speed): (f64, f64),
-) -> Option<Vec<(&'static str, String)>> {
+fn induction_entries(part: &Part, drive: &InverterDrive, (torque, rated_speed): (f64, f64)) -> Option<Vec<FieldEntry>> {
     let (fields, full) = drive.fields.zip(drive.full)?;
     let slip = no_load_speed(rated_speed, RATED_FREQUENCY) - rated_speed;
     Some(vec![
-        (fields.name, name(part)),
-        (fields.rated, number_text(torque, 3)),
-        (fields.load, number_text((100.0 * drive.torque.abs() / torque).min(200.0), 3)),
-        (fields.frequency, number_text(full.no_load / no_load_speed(rated_speed, 1.0), 2)),
-        (fields.rated_speed, number_text((full.no_load - slip).max(1.0), 3)),
+        FieldEntry::new(fields.name, name(part)),
+        FieldEntry::new(fields.rated, number_text(torque, 3)),
+        FieldEntry::new(fields.load, number_text((100.0 * drive.torque.abs() / torque).min(200.0), 3)),
+        FieldEntry::new(fields.frequency, number_text(full.no_load / no_load_speed(rated_speed, 1.0), 2)),
+        FieldEntry::new(fields.rated_speed, number_text((full.no_load - slip).max(1.0), 3)),
     ])
 }
 

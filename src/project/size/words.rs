@@ -12,7 +12,7 @@ use crate::drives::parts::{Part, PartGrade, Status};
 use crate::project::list::verdict_word;
 use crate::project::sensitivity::Flip;
 use crate::text::catalog::{sentence, words};
-use crate::view::{Limit, Sheet, SheetKind};
+use crate::view::{FieldEntry, Limit, Sheet, SheetKind};
 
 /// Word of a part's grade in a table of parts.
 pub(super) fn grade(grade: PartGrade) -> &'static str {
@@ -115,8 +115,8 @@ fn gear(gear: &SizedGear) -> Json {
 }
 
 /// Entries of the form with a part, by the ids of the fields.
-fn entries(of: &[(&'static str, String)]) -> serde_json::Map<String, Json> {
-    of.iter().map(|(id, text)| ((*id).to_owned(), Json::from(text.as_str()))).collect()
+fn entries(of: &[FieldEntry]) -> serde_json::Map<String, Json> {
+    of.iter().map(|entry| (entry.field.to_owned(), Json::from(entry.text.as_str()))).collect()
 }
 
 fn event(row: &EnvelopeRow) -> Json {
@@ -130,7 +130,7 @@ fn event(row: &EnvelopeRow) -> Json {
 fn holding_limit(of: &HoldingLimit) -> Json {
     json!({
         "id": of.id, "value": of.value, "unit": of.unit, "more_than_value": of.is_cut,
-        "field": of.entry.as_ref().map(|entry| entry.0), "entry": of.entry.as_ref().map(|entry| entry.1.as_str()),
+        "field": of.entry.as_ref().map(|entry| entry.field), "entry": of.entry.as_ref().map(|entry| entry.text.as_str()),
     })
 }
 
@@ -144,7 +144,7 @@ fn limit(row: &Growth) -> Json {
 fn fastest(fastest: &Fastest) -> Json {
     json!({
         "line_speed": fastest.value, "unit": fastest.unit, "result": fastest.result.id, "binding": fastest.binding.id,
-        "field": fastest.entry.0, "entry": fastest.entry.1, "fails_with_less_too": ids(&fastest.failing_anyway),
+        "field": fastest.entry.field, "entry": fastest.entry.text, "fails_with_less_too": ids(&fastest.failing_anyway),
     })
 }
 

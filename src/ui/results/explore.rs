@@ -142,7 +142,7 @@ fn Slider(
         let along = knob.with_untracked(|knob| knob.along.clone());
         let mut values = draft.get_untracked().unwrap_or_else(|| page.project.with_untracked(|p| p.values.clone()));
         let text = plain(number);
-        let along = along.iter().map(|(id, text)| (*id, text.as_str())).chain([(field, text.as_str())]);
+        let along = along.iter().map(|entry| (entry.field, entry.text.as_str())).chain([(field, text.as_str())]);
         page.project.with_untracked(|project| set(project, &mut values, along));
         draft.set(Some(values));
     };

@@ -7,6 +7,7 @@ use crate::ui::state::Page;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{FoundRepairs, Request, Response};
+use crate::view::FieldEntry;
 
 /// The number of failing results, the button, and the ways that were found; empty while every result holds.
 #[component]
@@ -92,9 +93,9 @@ fn Ways(
 fn take(page: Page, found: &FoundRepairs) {
     let fields = page.project.with_untracked(|project| project.machine.fields());
     let known = |(id, text): &(String, String)| {
-        fields.iter().find(|field| field.id == id).map(|field| (field.id, text.clone()))
+        fields.iter().find(|field| field.id == id).map(|field| FieldEntry::new(field.id, text.as_str()))
     };
-    let entries: Vec<(&'static str, String)> = found.entries.iter().filter_map(known).collect();
+    let entries: Vec<FieldEntry> = found.entries.iter().filter_map(known).collect();
     if entries.is_empty() {
         return page.notices.notify(Tone::Warn, t("page.no-repair").to_owned());
     }

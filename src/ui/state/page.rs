@@ -27,7 +27,7 @@ use crate::project::silence::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
 use crate::ui::words::{sentence, t};
-use crate::view::{Readout, Scene, Verdict};
+use crate::view::{FieldEntry, Readout, Scene, Verdict};
 
 /// Fields by the result that depends on them.
 type Fields = BTreeMap<&'static str, Vec<&'static str>>;
@@ -441,14 +441,14 @@ impl Page {
         });
     }
 
-    /// Takes entries of the form as they would be typed, in one step: id of each field and its text.
-    pub(crate) fn take_entries(self, entries: &[(&'static str, String)]) {
+    /// Takes entries of the form in one step.
+    pub(crate) fn take_entries(self, entries: &[FieldEntry]) {
         self.edit(|project| {
             if let Some(after) = project.with_entries(entries) {
                 *project = after;
             }
         });
-        entries.iter().for_each(|(id, _)| self.entries.accept(id));
+        entries.iter().for_each(|entry| self.entries.accept(entry.field));
         self.entries.show_again();
         self.notices.announce(t("page.taken"));
     }
@@ -582,7 +582,7 @@ mod tests {
     async fn advised_entries_are_one_step() {
         let bench = mount(|| ()).await;
         let page = bench.page;
-        page.take_entries(&[("pitch", "9".to_owned()), ("heads", "7".to_owned())]);
+        page.take_entries(&[FieldEntry::new("pitch", "9"), FieldEntry::new("heads", "7")]);
         assert_eq!((number(page, "pitch"), number(page, "heads")), (Value::Number(9.0), Value::Number(7.0)));
         page.undo();
         assert_eq!((number(page, "pitch"), number(page, "heads")), (Value::Number(8.0), Value::Number(6.0)));

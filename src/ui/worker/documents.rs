@@ -19,7 +19,7 @@ use crate::text::number::four_digits;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
-use crate::view::{Comparison, Readout, SheetKind, VariantCell, Verdict};
+use crate::view::{Comparison, FieldEntry, Readout, SheetKind, VariantCell, Verdict};
 
 /// The sheets of a project, by the tab that shows them.
 pub(super) fn sheets(project: &Project) -> Sheets {
@@ -43,7 +43,7 @@ pub(in crate::ui) fn repairs(project: &Project) -> Vec<FoundRepairs> {
 
 fn found_repairs(way: &RepairWay) -> FoundRepairs {
     let found = &way.repairs;
-    let entry = |(id, text): &(&'static str, String)| ((*id).to_owned(), text.clone());
+    let entry = |entry: &FieldEntry| (entry.field.to_owned(), entry.text.clone());
     let consequence = |(before, after): &(Readout, Readout)| {
         let [before, after] = [before, after].map(|readout| readout.clone().shown());
         let [from, to] = [&before, &after].map(|readout| four_digits(readout.value, readout.decimals));

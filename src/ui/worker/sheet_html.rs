@@ -162,7 +162,7 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
 
 /// Opens a row whose entries the form can take, with its first cell as a button.
 fn offer(out: &mut String, row: &Row, first: &str) {
-    let entries: Vec<String> = row.entries.iter().map(|(id, text)| format!("{id}={text}")).collect();
+    let entries: Vec<String> = row.entries.iter().map(|entry| format!("{}={}", entry.field, entry.text)).collect();
     out.push_str("<tr data-entries=\"");
     escape(out, &entries.join("\n"));
     out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");

@@ -387,7 +387,7 @@ fn inverter_runs_while_the_spindle_goes_to_its_angle() {
         assert!(state(Bit::Input(MachineContact::Emergency), true), "{control}");
         assert!(!state(angle, false), "{control}");
         // With two run contacts the direction comes from M3 and M4 alone.
-        let project = project.with_entries(&[("output", "0-10".to_owned())]).unwrap();
+        let project = project.with_entries(&[("output", "0-10")]).unwrap();
         let rows = project.design().readouts;
         let row = rows.iter().find(|row| row.id == "positioning-torque").expect("a row");
         assert_eq!(row.verdict, macroline::view::Verdict::Fail, "{control}");
@@ -593,7 +593,7 @@ fn alarm_and_emergency_stop_end_both_axes_in_ratio() {
     let (button, delayed) = (Bit::Input(MachineContact::Emergency), Bit::Input(MachineContact::EmergencyDelayed));
     for (name, project) in projects().filter(|(name, _)| name.starts_with("polygon")) {
         let held = ladder(&project);
-        let off = ladder(&project.with_entries(&[("emergency", "off".to_owned())]).unwrap());
+        let off = ladder(&project.with_entries(&[("emergency", "off")]).unwrap());
         assert_eq!(
             (held.bit(delayed), held.drives(STOPS[0])),
             ("X8.4", true),

@@ -84,7 +84,7 @@ fn clamp_of_the_keyway_follows_the_table_of_stops() {
     for control in ["sinumerik-802d", "sinumerik-808d"] {
         for release in ["82", "0"] {
             let project = Project::named("turning-spindle", Some(control), Some("keyway")).unwrap();
-            let project = project.with_entries(&[("release-code", release.to_owned())]).unwrap();
+            let project = project.with_entries(&[("release-code", release)]).unwrap();
             let rows = stop_table(&project);
             for (name, emergency) in [("Reset", false), ("Emergency stop", true)] {
                 let row = rows.iter().find(|cells| cells[0] == format!("{name} in the keyway")).unwrap();

@@ -701,7 +701,7 @@ fn taken_way_gives_the_figures_of_its_row() {
         let ways = &sheets.iter().find(|sheet| sheet.id == "choices").unwrap().rows;
         assert!(!ways.is_empty());
         for way in ways {
-            let sets: Vec<(&str, &str)> = way.entries.iter().map(|(id, text)| (*id, text.as_str())).collect();
+            let sets: Vec<(&str, &str)> = way.entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
             let taken = project(&[changes, &sets[..]].concat()).design();
             let shown = |id: &str, decimals: u8| {
                 let readout = taken.readouts.iter().find(|row| row.id == id).unwrap();
@@ -745,7 +745,7 @@ fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
         // Each slider alone, with its dependent entries, at both of its ends.
         for end in [knob.range.0, knob.range.1] {
             let text = end.to_string();
-            let along = knob.along.iter().map(|(id, text)| (*id, text.as_str()));
+            let along = knob.along.iter().map(|entry| (entry.field, entry.text.as_str()));
             let changed = look(&along.chain([(knob.field, text.as_str())]).collect::<Vec<_>>());
             assert!(changed.knobs.iter().map(|knob| knob.field).eq(fields.iter().copied()));
             assert_eq!(changed.knobs.iter().find(|other| other.field == knob.field).unwrap().value, end);

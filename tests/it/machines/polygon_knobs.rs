@@ -3,7 +3,7 @@
 use macroline::motion::{Action, Event, Snapshot};
 use macroline::project::Project;
 use macroline::text::catalog::sentence;
-use macroline::view::Verdict;
+use macroline::view::{FieldEntry, Verdict};
 
 use super::polygon::project;
 use super::ribbon_controls::over_time;
@@ -50,7 +50,9 @@ fn feed_knob_that_overloads_the_tool_drive_warns() {
     assert!(torque.value < torque.limit.unwrap().value(), "it holds at 100 %");
     assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Warn, "polygon.torque-at-feed-knob"));
     // The entered force does not change with the chip: two thirds of the feed that holds at 100 %.
-    let [("feed", feed)] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
+    let [FieldEntry { field: "feed", text: feed }] = &torque.advice[0].entries[..] else {
+        panic!("{:?}", torque.advice)
+    };
     near(feed.parse().unwrap(), 0.95 * torque.limit.unwrap().value() / torque.value / 1.5, 1e-3);
     let slower = fast.with_entries(&torque.advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "tool-torque").verdict, Verdict::Ok);
@@ -99,7 +101,7 @@ fn thread_up_to_the_shoulder_fails() {
     let full = run_out(&[("before-thread-length", "20")]);
     // M12 · 1.75: two pitches.
     assert_eq!((full.value, full.limit.unwrap().value(), full.verdict), (3.5, 0.0, Verdict::Fail));
-    assert_eq!(full.advice[0].entries, [("before-thread-length", "16.5".to_owned())]);
+    assert_eq!(full.advice[0].entries, [FieldEntry::new("before-thread-length", "16.5")]);
     assert_eq!(run_out(&[("before-thread-length", "16.5")]).verdict, Verdict::Ok);
     assert_eq!(run_out(&[("before-thread-length", "16.501")]).verdict, Verdict::Fail);
     // A slide that lags by more than two pitches: 23.3 mm/s · (0.25 + 0.03) s.

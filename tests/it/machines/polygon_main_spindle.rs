@@ -7,7 +7,7 @@ use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
 use macroline::project::size::{OperatingEvent, size};
 use macroline::text::catalog::sentence;
-use macroline::view::Verdict;
+use macroline::view::{FieldEntry, Verdict};
 
 use super::polygon_shaft::whole;
 use super::restart::{Outcome, within};
@@ -40,7 +40,7 @@ fn cut_of_a_turned_end_is_judged_by_the_main_motor() {
     // 6 mm by 0.6 mm: less depth is offered.
     let deep = shaft(&[("before-depth", "6"), ("before-feed", "0.6")]);
     let torque = readout(&deep, "main-torque");
-    assert_eq!((torque.verdict, torque.advice[0].entries[0].0), (Verdict::Fail, "before-depth"));
+    assert_eq!((torque.verdict, torque.advice[0].entries[0].field), (Verdict::Fail, "before-depth"));
     let less = deep.with_entries(&torque.advice[0].entries).unwrap();
     assert!(readout(&less, "main-torque").verdict < Verdict::Fail);
 }
@@ -51,7 +51,7 @@ fn cut_too_heavy_for_the_shaft_fan_gets_forced_cooling() {
     let heavy = shaft(&[("before-feed", "0.5")]);
     let torque = readout(&heavy, "main-torque");
     assert_eq!(torque.verdict, Verdict::Fail);
-    assert_eq!(torque.advice[0].entries, [("main-forced-cooling", "true".to_owned())]);
+    assert_eq!(torque.advice[0].entries, [FieldEntry::new("main-forced-cooling", "true")]);
     let cooled = heavy.with_entries(&torque.advice[0].entries).unwrap();
     let torque = readout(&cooled, "main-torque");
     // But for the feed override at its highest position.
@@ -203,7 +203,7 @@ fn turned_end_faster_than_the_idling_motor_fails() {
     let fast = shaft(&[("before-speed", "1200")]);
     let speed = readout(&fast, "main-top-speed");
     assert_eq!((speed.value, speed.limit.unwrap().value(), speed.verdict), (1200.0, 1000.0, Verdict::Fail));
-    assert_eq!(speed.advice[0].entries, [("before-speed", "1000".to_owned())]);
+    assert_eq!(speed.advice[0].entries, [FieldEntry::new("before-speed", "1000")]);
     let slower = fast.with_entries(&speed.advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "main-top-speed").verdict, Verdict::Ok);
 }
@@ -278,7 +278,7 @@ fn main_spindle_waits_until_the_work_servo_stands() {
         [("work-time-constant", "3000"), ("tool-time-constant", "3000")].map(|(id, typed)| (id, typed.to_owned()));
     // The turret may turn close to the work, so that a start after a reset comes to the spindle.
     let example = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
-    let example = example.with_entries(&[("turret-room", "1".to_owned())]).unwrap();
+    let example = example.with_entries(&[("turret-room", "1")]).unwrap();
     for (project, resets) in
         [(&example, &[83.0][..]), (&example.with_entries(&slow).unwrap(), &[83.0, 85.0, 87.0, 89.0, 189.0, 191.0])]
     {
@@ -385,7 +385,7 @@ fn stops_and_servo_off_of_the_main_spindle_are_on_the_sheets() {
 fn envelope_takes_the_phase_in_the_cut_of_a_polygon() {
     let two = [("second", "true"), ("second-across-flats", "21")];
     let square = Project::named("polygon-lathe", None, None).unwrap();
-    let two = square.with_entries(&two.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let two = square.with_entries(&two).unwrap();
     let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
     let phase = |project: &Project, event: OperatingEvent| {
         let rows = sized(project).envelope;

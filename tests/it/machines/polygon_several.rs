@@ -89,7 +89,7 @@ fn explorer_and_sequence_have_every_polygon() {
         fields,
         ["second-sides", "second-inserts", "second-work-ratio", "second-tool-ratio", "second-tip-radius"]
     );
-    assert!(second.knobs.iter().all(|knob| knob.along.iter().all(|(field, _)| field.starts_with("second-"))));
+    assert!(second.knobs.iter().all(|knob| knob.along.iter().all(|entry| entry.field.starts_with("second-"))));
     assert_eq!([first.knobs[4].value, second.knobs[4].value], [45.0, 60.0]);
     assert!(first.scene != second.scene && first.charts.len() == 1 && first.charts[0].series.len() == 1);
     assert!(first.results.is_empty() && second.results.contains(&"second-flatness"));
@@ -217,8 +217,8 @@ fn body_of_the_cutter_touches_exactly_where_the_verdict_says() {
         // The advice mends it, to a thousandth.
         for row in rows.iter().filter(|row| row.verdict == Verdict::Fail) {
             let advice = &row.advice[0];
-            assert_eq!(advice.entries[0].0, "overhang");
-            let enough: f64 = advice.entries[0].1.parse().unwrap();
+            assert_eq!(advice.entries[0].field, "overhang");
+            let enough: f64 = advice.entries[0].text.parse().unwrap();
             assert!(enough >= row.value && enough < row.value + 1.001e-3, "{enough} for {}", row.value);
             let both = rows.iter().map(|row| row.value).fold(0.0, f64::max);
             let mended = two(&[&changes[..], &[("overhang", mm((both + 5e-4).min(1000.0)).as_str())]].concat());

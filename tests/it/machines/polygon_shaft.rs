@@ -328,8 +328,8 @@ fn advice_for_the_second_polygon_sets_its_own_fields() {
     let error = design.readouts.iter().find(|row| row.id == "second-angle-error").unwrap();
     let sets: Vec<_> = error.advice.iter().flat_map(|advice| &advice.entries).collect();
     assert_eq!(sets.len(), 1, "{:?}", error.advice);
-    assert_eq!(sets[0].0, "second-work-start");
-    let mended = project(&[&TWO[..], &[("second-work-start", sets[0].1.as_str())]].concat());
+    assert_eq!(sets[0].field, "second-work-start");
+    let mended = project(&[&TWO[..], &[("second-work-start", sets[0].text.as_str())]].concat());
     assert!(value(&mended, "second-angle-error").abs() < 1e-6);
     assert!((value(&mended, "second-angle") - 15.0).abs() < 1e-6);
 }
@@ -491,7 +491,8 @@ fn clearance_shorter_than_the_run_in_fails_and_is_mended() {
     }
     // No room in front of the jaws: a slower speed alone.
     let tight = project(&[&thread[..], &[("clearance", "2"), ("free-length", "47.5")]].concat());
-    let sets: Vec<_> = judged(&tight).advice.into_iter().flat_map(|advice| advice.entries).map(|set| set.0).collect();
+    let sets: Vec<_> =
+        judged(&tight).advice.into_iter().flat_map(|advice| advice.entries).map(|set| set.field).collect();
     assert_eq!(sets, ["before-speed"]);
     // A ramp so long and a loop so stiff that the lag is below 1 %.
     let stiff = project(&[&thread[..], &[("time-constant", "1000"), ("position-gain", "1000")]].concat());

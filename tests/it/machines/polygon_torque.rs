@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use macroline::drives::polygon::{CutterSetup, Ratio, Section, load};
 use macroline::math;
 use macroline::project::Project;
-use macroline::view::Verdict;
+use macroline::view::{FieldEntry, Verdict};
 
 use super::polygon::project;
 use crate::asked::{near_share, readout, value};
@@ -134,7 +134,9 @@ fn feed_that_the_drive_holds_is_offered_to_the_last_digit() {
     near_share(torque.limit.unwrap().value(), 9549.3 * 5.5 * 0.9 / 1500.0 * 2.5, 1e-4);
     assert_eq!(torque.verdict, Verdict::Fail);
     // The last pass cuts nothing: its feed stays.
-    let [("feed", feed)] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
+    let [FieldEntry { field: "feed", text: feed }] = &torque.advice[0].entries[..] else {
+        panic!("{:?}", torque.advice)
+    };
     let after = square.with_entries(&torque.advice[0].entries).unwrap();
     // It holds, but for the feed override at its highest position.
     assert_eq!(readout(&after, "tool-torque").verdict, Verdict::Warn);
@@ -193,7 +195,11 @@ fn run_up_takes_both_to_one_longer_ramp() {
     let heavy = project(&[("work-inertia", "8"), ("tool-time-constant", "200")]);
     let run_up = readout(&heavy, "work-run-up");
     assert_eq!((run_up.verdict, readout(&heavy, "tool-run-up").verdict), (Verdict::Fail, Verdict::Ok));
-    let [("work-time-constant", work), ("tool-time-constant", tool)] = &run_up.advice[0].entries[..] else {
+    let [
+        FieldEntry { field: "work-time-constant", text: work },
+        FieldEntry { field: "tool-time-constant", text: tool },
+    ] = &run_up.advice[0].entries[..]
+    else {
         panic!("{:?}", run_up.advice)
     };
     assert_eq!(work, tool);
@@ -217,7 +223,9 @@ fn worst_of_several_polygons_is_judged() {
     let down = project(&[("from-face", "20"), ("feed", "0.001"), ("finish-feed", "0.001")]);
     near_share(value(&down, "tool-torque"), 1750.0 * 3.0 * 0.1 * 0.045, 1e-9);
     let advised = project(&[("from-face", "20"), ("infeed", "1"), ("insert-width", "10")]);
-    let [("infeed", _)] = &readout(&advised, "tool-torque").advice[0].entries[..] else { panic!() };
+    let [FieldEntry { field: "infeed", .. }] = &readout(&advised, "tool-torque").advice[0].entries[..] else {
+        panic!()
+    };
 }
 
 #[test]
@@ -240,7 +248,7 @@ fn slender_work_that_bends_is_red_and_mended() {
         ("material", "c45"),
         ("overhang", "30"),
     ];
-    let slender = key.with_entries(&slender.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let slender = key.with_entries(&slender).unwrap();
     let bends = readout(&slender, "bending");
     let moment = |diameter: f64| std::f64::consts::PI * math::pow(diameter, 4.0) / 64.0;
     let by_hand = readout(&slender, "cutting-force").value / (3.0 * 210e3)
@@ -251,7 +259,7 @@ fn slender_work_that_bends_is_red_and_mended() {
     let shorter = bends.advice.iter().find(|advice| !advice.entries.is_empty()).expect("a remedy");
     assert_eq!(readout(&slender.with_entries(&shorter.entries).unwrap(), "bending").verdict, Verdict::Ok);
     // In its place at the jaws a smaller depth helps.
-    let longer = slender.with_entries(&[("free-length", "40".to_owned())]).unwrap();
+    let longer = slender.with_entries(&[("free-length", "40")]).unwrap();
     for advice in readout(&longer, "bending").advice.iter().filter(|advice| !advice.entries.is_empty()) {
         let mended = readout(&longer.with_entries(&advice.entries).unwrap(), "bending");
         assert_eq!(mended.verdict, Verdict::Ok, "{:?}: {}", advice.entries, mended.value);

@@ -7,6 +7,7 @@ use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
 use macroline::project::remedy::{comes_back, remedy, stops_at_once};
 use macroline::project::run::{Run, RunOptions, of_project};
+use macroline::view::FieldEntry;
 
 fn ribbon(control: &str) -> Project {
     Project::named("ribbon-line", Some(control), Some("paper")).unwrap()
@@ -62,7 +63,11 @@ fn remedy_is_the_highest_speed_that_the_control_runs() {
         let project = ribbon(control);
         let sets = remedy(&project).unwrap().entries;
         // The clamp keeps the knob from going further.
-        let [("spindle-speed", speed), ("speed-clamp", clamp)] = &sets[..] else { panic!("{sets:?}") };
+        let [FieldEntry { field: "spindle-speed", text: speed }, FieldEntry { field: "speed-clamp", text: clamp }] =
+            &sets[..]
+        else {
+            panic!("{sets:?}")
+        };
         assert_eq!(clamp, speed);
         let faster = speed.parse::<f64>().unwrap() + 1.0;
         let faster = ["spindle-speed", "speed-clamp"].map(|field| (field, faster.to_string()));
@@ -86,7 +91,7 @@ fn larger_stock_is_offered_a_start_outside_it() {
                 continue;
             }
             let remedy = remedy(&project).unwrap_or_else(|| panic!("{machine} on {control}"));
-            assert_eq!(remedy.entries[0].0, "start-x", "{machine} on {control}");
+            assert_eq!(remedy.entries[0].field, "start-x", "{machine} on {control}");
             let after = project.with_entries(&remedy.entries).unwrap();
             assert!(after.design().diagnostics.iter().all(|found| found.field != Some("start-x")), "{control}");
         }

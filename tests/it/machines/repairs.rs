@@ -54,7 +54,7 @@ fn answer_names_the_repairs_with_their_entries() {
 #[test]
 fn repairs_say_which_errors_stay() {
     let project = Project::of("turning-spindle", None).unwrap();
-    let project = project.with_entries(&[("start-x", "70".to_owned()), ("spindle-ramp", "1".to_owned())]).unwrap();
+    let project = project.with_entries(&[("start-x", "70"), ("spindle-ramp", "1")]).unwrap();
     let found = repairs(&project);
     let (_, left) = repaired(&project);
     assert_eq!((left, found.errors), (0, 1));
@@ -108,7 +108,7 @@ fn several_ways_are_offered_with_their_consequences() {
         assert!(way.consequences.iter().any(|(_, after)| after.id == "surface-ratio"));
     }
     let fields = |way: &RepairWay| -> BTreeSet<&str> {
-        way.repairs.changes.iter().flat_map(|change| &change.entries).map(|(field, _)| *field).collect()
+        way.repairs.changes.iter().flat_map(|change| &change.entries).map(|entry| entry.field).collect()
     };
     assert_eq!(ways.iter().map(fields).collect::<BTreeSet<_>>().len(), ways.len());
 }
@@ -117,9 +117,9 @@ fn several_ways_are_offered_with_their_consequences() {
 fn roller_thinner_than_its_walls_is_no_remedy() {
     let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
     let offers = |wall: &str| {
-        let project = paper.with_entries(&[("print-roller-wall", wall.to_owned())]).unwrap();
+        let project = paper.with_entries(&[("print-roller-wall", wall)]).unwrap();
         let ratio = project.design().readouts.into_iter().find(|readout| readout.id == "surface-ratio").unwrap();
-        ratio.advice.iter().flat_map(|advice| &advice.entries).any(|(field, _)| *field == "print-roller-diameter")
+        ratio.advice.iter().flat_map(|advice| &advice.entries).any(|entry| entry.field == "print-roller-diameter")
     };
     // The heads of the paper would match a roller of 15.28 mm.
     assert_eq!([offers("7.6"), offers("7.7")], [true, false]);

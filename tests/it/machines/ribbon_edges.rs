@@ -52,7 +52,7 @@ fn motor_slower_than_its_slip_stands() {
         let line = project("sinumerik-802d", &entries);
         assert_eq!(readout(&line, "speed-error-rated").verdict, verdict, "{speed} r/min");
         assert_eq!(readout(&line, "speed-error").verdict, Verdict::None, "{speed} r/min");
-        let loaded = line.with_entries(&[("unwinder-load", "100".to_owned())]).unwrap();
+        let loaded = line.with_entries(&[("unwinder-load", "100")]).unwrap();
         let at_load = if verdict == Verdict::Warn { Verdict::Fail } else { Verdict::None };
         assert_eq!(readout(&loaded, "speed-error").verdict, at_load, "{speed} r/min");
     }
@@ -78,15 +78,19 @@ fn long_ramp_is_repaired_by_a_shorter_one() {
         let needed = readout(&line, "loop-needed");
         assert!(needed.value > 5000.0 && needed.verdict == Verdict::Fail, "{}", control.id);
         assert!(needed.advice[0].entries.is_empty(), "{}: {:?}", control.id, needed.advice);
-        let steep =
-            needed.advice.iter().find(|advice| advice.entries.iter().any(|(id, _)| *id == "inverter-ramp")).unwrap();
+        let steep = needed
+            .advice
+            .iter()
+            .find(|advice| advice.entries.iter().any(|entry| entry.field == "inverter-ramp"))
+            .unwrap();
         let after = line.with_entries(&steep.entries).unwrap();
         assert!(readout(&after, "loop-needed").verdict < Verdict::Fail, "{}", control.id);
         // A button that changes several entries names each change.
         let said = sentence(steep.button.as_ref().unwrap());
         assert!(said.contains("Set a ramp of") && said.contains("Set a dwell of"), "{said}");
         let loops = repairs(&line).changes.into_iter().flat_map(|change| change.entries);
-        let loops = loops.filter(|(id, _)| *id == "loop-capacity").map(|(_, text)| text.parse::<f64>().unwrap());
+        let loops =
+            loops.filter(|entry| entry.field == "loop-capacity").map(|entry| entry.text.parse::<f64>().unwrap());
         assert!(loops.fold(0.0, f64::max) <= 5000.0, "{}", control.id);
     }
 }
@@ -137,6 +141,6 @@ fn advice_against_a_taut_start_names_no_fitted_dancer() {
     let line = project("mitsubishi-e60", &stiff);
     let all: Vec<_> = line.design().readouts.into_iter().flat_map(|readout| readout.advice).collect();
     let slack = all.iter().find(|advice| advice.message.id == "ribbon.nip-slack");
-    assert_eq!(slack.map(|advice| advice.entries[0].0), Some("dwell"), "{all:?}");
+    assert_eq!(slack.map(|advice| advice.entries[0].field), Some("dwell"), "{all:?}");
     assert!(all.iter().all(|advice| !sentence(&advice.message).contains("dancer")), "{all:?}");
 }

@@ -99,8 +99,8 @@ fn advice_about_the_range_ends_it() {
         let before = range(&long);
         assert_eq!(before.verdict, Verdict::Fail, "{}", control.id);
         let taken = |field: &str| {
-            let advice = before.advice.iter().find(|advice| advice.entries.iter().any(|(id, _)| *id == field))?;
-            let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let advice = before.advice.iter().find(|advice| advice.entries.iter().any(|entry| entry.field == field))?;
+            let sets: Vec<_> = advice.entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
             let mut after = long.clone();
             after.values.extend(values(&sets));
             Some(after)

@@ -3,7 +3,7 @@
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
-use macroline::view::{Limit, Verdict};
+use macroline::view::{FieldEntry, Limit, Verdict};
 use proptest::prelude::*;
 
 use super::ribbon_controls::{ended, first_cut, over_time, project};
@@ -19,7 +19,7 @@ fn mended(project: &Project, id: &str) -> Project {
     let mut after = project.clone();
     let advice = readout(project, id).advice.into_iter().find(|advice| !advice.entries.is_empty());
     let sets = advice.unwrap_or_else(|| panic!("{id} has no remedy")).entries;
-    let sets: Vec<_> = sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+    let sets: Vec<_> = sets.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
     after.values.extend(values(&sets));
     after
 }
@@ -41,7 +41,7 @@ fn block_time_is_judged_at_the_end_of_the_knob() {
     let Some(Limit::AtLeast(limit)) = block.limit else { panic!("{:?}", block.limit) };
     assert!((limit - 28.1 * 1480.0 / 1200.0).abs() < 1e-9, "{limit}");
     assert!((readout(&line, "knob-holds").value - 31.830988618 / 28.1 * 100.0).abs() < 1e-6);
-    assert_eq!(block.advice[0].entries, [("pitches-per-block", "2".to_owned())]);
+    assert_eq!(block.advice[0].entries, [FieldEntry::new("pitches-per-block", "2")]);
     let better = mended(&line, "block-time");
     assert_eq!(readout(&better, "block-time").verdict, Verdict::Ok);
     assert!((readout(&better, "knob-holds").value - 1480.0 / 12.0).abs() < 1e-9);
@@ -203,7 +203,7 @@ fn loop_without_room_allows_no_turn_up_at_once() {
     };
     let said = told(&paper);
     assert!(said.iter().any(|said| said.ends_with("no turn up while the line runs.")), "{said:?}");
-    let roomy = paper.with_entries(&[("loop-capacity", "1500".to_owned())]).unwrap();
+    let roomy = paper.with_entries(&[("loop-capacity", "1500")]).unwrap();
     let said = told(&roomy);
     assert!(said.iter().all(|said| !said.contains("no turn up")), "{said:?}");
 }

@@ -95,7 +95,7 @@ fn advice_about_a_length_settles_it() {
         assert_eq!(advice.iter().filter(|advice| !advice.entries.is_empty()).count(), 2, "{rest}");
         for advice in advice {
             let mut after = project.clone();
-            let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let sets: Vec<_> = advice.entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
             after.values.extend(values(&sets));
             assert_eq!(error(&after).verdict, Verdict::Ok, "{rest} {sets:?}");
         }

@@ -20,7 +20,7 @@ use macroline::project::Project;
 use macroline::project::check::review;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
-use macroline::view::Verdict;
+use macroline::view::{FieldEntry, Verdict};
 use proptest::prelude::*;
 
 fn emitted(on: ControlContext, values: &Values) -> (MachineProgram, Emitted) {
@@ -438,7 +438,7 @@ fn listing_calculated_before_its_loop_reaches_its_speed() {
     assert_eq!(verdict("precomputed").verdict, Verdict::Warn);
     let starved = verdict("published");
     assert_eq!(starved.verdict, Verdict::Fail);
-    assert!(starved.advice.iter().any(|advice| advice.entries.contains(&("variant", "precomputed".to_owned()))));
+    assert!(starved.advice.iter().any(|advice| advice.entries.contains(&FieldEntry::new("variant", "precomputed"))));
 }
 
 #[test]

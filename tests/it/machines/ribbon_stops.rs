@@ -6,7 +6,7 @@ use macroline::motion::{Action, Event, Planner, RunEnd};
 use macroline::project::Project;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Verdict};
+use macroline::view::{FieldEntry, Limit, Verdict};
 use proptest::prelude::*;
 
 use super::ribbon_controls::{begun, ended, over_time, project};
@@ -67,7 +67,7 @@ fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
         assert_eq!(readout(&other, "loop-needed").verdict, verdict, "{mm}");
     }
     let buttons: Vec<_> = needed.advice.iter().map(|advice| advice.entries.clone()).collect();
-    assert_eq!(buttons[0], [("loop-capacity", "1212.8".to_owned())]);
+    assert_eq!(buttons[0], [FieldEntry::new("loop-capacity", "1212.8")]);
 }
 
 /// The first example with the knob free up to 123.3 %: K = 6.314 mm, a ramp of 2 s, a dwell of 0.7 s.
@@ -158,7 +158,7 @@ fn ribbon_missing_after_the_start_counts_in_the_tension() {
         assert!(held.diagnostics().iter().any(|found| found.message_id() == "ribbon.held-web-tight"));
         // A longer dwell misses nothing.
         let mended = project.with_entries(&tension.advice[0].entries).unwrap();
-        assert_eq!(tension.advice[0].entries[0].0, "dwell");
+        assert_eq!(tension.advice[0].entries[0].field, "dwell");
         assert_eq!((readout(&mended, "tension").verdict, readout(&mended, "tension").value), (Verdict::Ok, 0.0));
     }
     // 1200 r/min: 47.8 mm, 254 N.
@@ -210,7 +210,7 @@ fn advice_on_the_loop_makes_it_hold() {
             assert!(needed.advice.iter().any(|advice| !advice.entries.is_empty()));
             for advice in needed.advice.iter().filter(|advice| !advice.entries.is_empty()) {
                 let mut after = project.clone();
-                let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+                let sets: Vec<_> = advice.entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
                 after.values.extend(values(&sets));
                 assert_eq!(readout(&after, "loop-needed").verdict, Verdict::Ok, "{} {:?}", control.id, advice.entries);
             }
@@ -373,7 +373,7 @@ fn loop_that_a_coasting_unwinder_overfills_is_red_and_mended() {
         let project = line(control.id, &[("loop-capacity", &capacity.to_string())]);
         let judged = readout(&project, "loop-coasting");
         assert_eq!((judged.verdict, judged.limit), (Verdict::Fail, Some(Limit::AtMost(capacity))), "{}", control.id);
-        let fields: Vec<_> = judged.advice.iter().map(|advice| advice.entries[0].0).collect();
+        let fields: Vec<_> = judged.advice.iter().map(|advice| advice.entries[0].field).collect();
         assert_eq!(fields, ["unwinder-motor-brake", "loop-capacity"], "{}", control.id);
         // The loop is not longer than needed; brakes are offered in steps of 0.5 Nm.
         for (advice, least) in judged.advice.iter().zip([0.0, needed - 0.1]) {
@@ -390,9 +390,12 @@ fn brake_is_offered_in_sizes_that_are_sold() {
         let brake = |capacity: f64| {
             let project = line(control.id, &[("loop-capacity", &capacity.to_string())]);
             let judged = readout(&project, "loop-coasting");
-            let set =
-                judged.advice.iter().flat_map(|advice| &advice.entries).find(|(id, _)| *id == "unwinder-motor-brake");
-            set.unwrap().1.parse::<f64>().unwrap()
+            let set = judged
+                .advice
+                .iter()
+                .flat_map(|advice| &advice.entries)
+                .find(|entry| entry.field == "unwinder-motor-brake");
+            set.unwrap().text.parse::<f64>().unwrap()
         };
         let needed = readout(&line(control.id, &[]), "loop-coasting").value.floor();
         assert_eq!(brake(needed - 1.0), 0.5, "{}", control.id);

@@ -62,7 +62,7 @@ fn knob_that_the_axes_do_not_follow_fails() {
         assert!(!advice.is_empty(), "{}", control.id);
         for advice in advice {
             let mut after = free.clone();
-            let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let sets: Vec<_> = advice.entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
             after.values.extend(values(&sets));
             assert_eq!(readout(&after, "slack-rate-knob").verdict, Verdict::Ok, "{} {sets:?}", control.id);
         }
@@ -215,7 +215,7 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
             let advice = row.advice.iter().find(|advice| !advice.entries.is_empty());
             let advice = advice.unwrap_or_else(|| panic!("{name}: {:?}", row.advice));
             let mut after = line.clone();
-            let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let sets: Vec<_> = advice.entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
             after.values.extend(values(&sets));
             assert!(readout(&after, "slack-rate").value.abs() < 0.5 * wanted.abs(), "{name} {sets:?}");
         }

@@ -18,7 +18,7 @@ fn screw_near_its_critical_speed_fails() {
     let slower = long.with_entries(&screw.advice[0].entries).unwrap();
     assert_eq!(readout(&slower, "z-screw-speed").verdict, Verdict::Ok);
     // A longer lead turns it more slowly.
-    let steep = long.with_entries(&[("lead-z", "40".to_owned())]).unwrap();
+    let steep = long.with_entries(&[("lead-z", "40")]).unwrap();
     assert_eq!(readout(&steep, "z-screw-speed").verdict, Verdict::Ok);
 }
 

@@ -4,7 +4,7 @@ use macroline::drives::spindle_motor::MotorCurve;
 use macroline::machines::devices::BillItem;
 use macroline::project::Project;
 use macroline::text::catalog::sentence;
-use macroline::view::{Readout, Verdict};
+use macroline::view::{FieldEntry, Readout, Verdict};
 
 use super::turning::project;
 use crate::asked::{near, sized_without_envelope, value};
@@ -44,7 +44,7 @@ fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
         let said = sentence(&row.advice[0].message);
         let motor = 5.0 * value(&own, "speed-largest");
         assert!((150.0..165.0).contains(&motor) && said.contains(&format!("{motor:.0} r/min")), "{control}: {said}");
-        assert_eq!(row.advice[0].entries, [("motor-forced-cooling", "true".to_owned())], "{control}");
+        assert_eq!(row.advice[0].entries, [FieldEntry::new("motor-forced-cooling", "true")], "{control}");
         let forced = own.with_entries(&row.advice[0].entries).unwrap();
         let row = torque(&forced);
         // At the feed of the form it holds; at 150 % of it on some controls not.
@@ -58,8 +58,8 @@ fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
 fn stage_with_a_faster_motor_is_offered_beside_the_fan() {
     let own = slow("gsk-980tdc", &[("stage-2", "100"), ("gear", "1")]);
     let row = torque(&own);
-    assert_eq!(row.advice[0].entries, [("motor-forced-cooling", "true".to_owned())]);
-    assert_eq!(row.advice[1].entries, [("gear", "2".to_owned())]);
+    assert_eq!(row.advice[0].entries, [FieldEntry::new("motor-forced-cooling", "true")]);
+    assert_eq!(row.advice[1].entries, [FieldEntry::new("gear", "2")]);
     assert_eq!(torque(&own.with_entries(&row.advice[1].entries).unwrap()).verdict, Verdict::Ok);
 }
 
@@ -69,7 +69,7 @@ fn forced_cooling_is_not_offered_where_the_motor_is_too_weak() {
     let row = torque(&weak);
     assert_eq!(row.verdict, Verdict::Fail);
     assert!(
-        row.advice.iter().all(|advice| advice.entries.iter().all(|set| set.0 != "motor-forced-cooling")),
+        row.advice.iter().all(|advice| advice.entries.iter().all(|set| set.field != "motor-forced-cooling")),
         "{row:?}"
     );
 }
@@ -80,7 +80,7 @@ fn shaft_fan_at_the_slow_end_of_the_knob_is_a_warning() {
     let at = |force: &'static str, control| torque(&slow(control, &[("cutting-force", force)]));
     let row = at("510", "gsk-980tdc");
     assert_eq!(row.verdict, Verdict::Warn, "{row:?}");
-    assert_eq!(row.advice[0].entries, [("motor-forced-cooling", "true".to_owned())]);
+    assert_eq!(row.advice[0].entries, [FieldEntry::new("motor-forced-cooling", "true")]);
     assert!(sentence(&row.advice[0].message).contains("50 %"), "{row:?}");
     // 450 N with the feed override at 150 %: 91.6 of 100.6 Nm.
     assert_eq!(at("300", "gsk-980tdc").verdict, Verdict::Ok);

@@ -4,7 +4,7 @@ use macroline::drives::spindle_motor::MotorCurve;
 use macroline::motion::{Action, Event, Planner};
 use macroline::project::Project;
 use macroline::project::size::OperatingEvent;
-use macroline::view::{Limit, Verdict};
+use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::ribbon_controls::over_time;
 use super::turning::{machine, project, run_of};
@@ -97,7 +97,7 @@ fn ramp_fails_just_below_the_shortest_one() {
         // The advice is the least entry that holds.
         let short = shaft(control, &[("spindle-ramp", "0.1")]);
         let sets = readout(&short, "shortest-ramp").advice[0].entries.clone();
-        let [("spindle-ramp", typed)] = &sets[..] else { panic!("{control}: {sets:?}") };
+        let [FieldEntry { field: "spindle-ramp", text: typed }] = &sets[..] else { panic!("{control}: {sets:?}") };
         assert_eq!(typed.parse::<f64>().unwrap(), hundredths / 100.0, "{control}");
         let at_form = short.with_entries(&sets).unwrap();
         let at_knob = at_form.with_entries(&readout(&at_form, "shortest-ramp").advice[0].entries).unwrap();

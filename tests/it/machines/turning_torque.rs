@@ -6,7 +6,7 @@ use macroline::machines::ladder::scan::Image;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::math;
 use macroline::project::Project;
-use macroline::view::Verdict;
+use macroline::view::{FieldEntry, Verdict};
 
 use super::turning::{machine, project};
 use crate::asked::{near, near_share, readout, sized_without_envelope, value};
@@ -55,7 +55,7 @@ fn lower_stage_with_enough_torque_is_offered() {
     let stalls = project("gsk-980tdc", &[&STALLS[..], &stages].concat());
     let torque = readout(&stalls, "torque");
     assert_eq!(torque.verdict, Verdict::Fail);
-    assert_eq!(torque.advice[0].entries, [("gear", "1".to_owned())]);
+    assert_eq!(torque.advice[0].entries, [FieldEntry::new("gear", "1")]);
     let after = stalls.with_entries(&torque.advice[0].entries).unwrap();
     // 286.5 Nm, of which the feed override at 150 % takes more.
     assert!(readout(&after, "torque").verdict < Verdict::Fail);
@@ -159,7 +159,9 @@ fn less_depth_is_offered_where_the_force_follows_from_it() {
     let cut = [&STALLS[..], &[("material", "c45"), ("depth", "5")]].concat();
     let stalls = project("gsk-980tdc", &cut);
     let torque = readout(&stalls, "torque");
-    let [("depth", depth)] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
+    let [FieldEntry { field: "depth", text: depth }] = &torque.advice[0].entries[..] else {
+        panic!("{:?}", torque.advice)
+    };
     assert!(depth.parse::<f64>().unwrap() < 5.0);
     let after = stalls.with_entries(&torque.advice[0].entries).unwrap();
     assert!(readout(&after, "torque").verdict < Verdict::Fail);

@@ -9,7 +9,7 @@ use macroline::machines::{self, Design};
 use macroline::project::{Project, list};
 use macroline::text::catalog::sentence;
 use macroline::text::{MessageValue, Severity};
-use macroline::view::{Advice, Limit, Readout, Verdict};
+use macroline::view::{Advice, FieldEntry, Limit, Readout, Verdict};
 
 use super::sweep::{changes, forms};
 use crate::asked::readout;
@@ -257,10 +257,10 @@ fn ok_keeps_the_limit_and_fail_violates_it() {
 fn taken(project: &Project, advice: &Advice) -> Project {
     let mut after = project.clone();
     let fields = project.machine.fields();
-    for (id, typed) in &advice.entries {
-        let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
-        let value = field.read(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}"));
-        after.values.insert((*id).to_owned(), value);
+    for entry in &advice.entries {
+        let field = fields.iter().find(|field| field.id == entry.field).unwrap_or_else(|| panic!("no {entry:?}"));
+        let value = field.read(&entry.text).unwrap_or_else(|problem| panic!("{entry:?}: {problem:?}"));
+        after.values.insert(entry.field.to_owned(), value);
     }
     after
 }
@@ -400,7 +400,7 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
 fn project(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Project {
     let (machine, control) = (machines::find(machine).unwrap(), macroline::controls::find(control).unwrap());
     let plain = Project::of_form(machine, control);
-    let entries = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+    let entries = entries.iter().copied().map(FieldEntry::from).collect();
     taken(&plain, &Advice { entries, button: None, message: macroline::msg!("polygon.no-b") })
 }
 
@@ -408,7 +408,7 @@ fn project(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Pr
 fn buttons(project: &Project, id: &str) -> Vec<String> {
     let written = |advice: &Advice| {
         let button = sentence(advice.button.as_ref()?);
-        let sets: Vec<_> = advice.entries.iter().map(|(id, typed)| format!("{id}={typed}")).collect();
+        let sets: Vec<_> = advice.entries.iter().map(|entry| format!("{}={}", entry.field, entry.text)).collect();
         Some(format!("{button}: {}", sets.join(" ")))
     };
     readout(project, id).advice.iter().filter_map(written).collect()

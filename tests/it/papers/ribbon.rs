@@ -111,7 +111,7 @@ fn s_is_taken_in_manual_mode() {
 
 fn knob_moves_in_preset_steps() {
     let mut coarse = line();
-    coarse = coarse.with_entries(&[("knob-step", "10".to_owned())]).unwrap();
+    coarse = coarse.with_entries(&[("knob-step", "10")]).unwrap();
     let run = over_time(&coarse, vec![event(6.0, Action::SpindleOverride(47.0))]);
     near(run.at(10.0).spindle.command, 600.0, 1e-6);
 }
@@ -135,7 +135,7 @@ fn block_of_the_paper_turns_the_motor() {
 
 fn speed_at_10_volts_is_a_parameter() {
     for full in ["1480", "1450", "2000"] {
-        let line = line().with_entries(&[("speed-at-10v", full.to_owned())]).unwrap();
+        let line = line().with_entries(&[("speed-at-10v", full)]).unwrap();
         let wanted = 10.0 * 1200.0 / full.parse::<f64>().unwrap();
         near(readout(&line, "volts-command").value, wanted, 1e-9);
     }

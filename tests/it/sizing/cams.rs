@@ -131,8 +131,8 @@ fn knob_at_its_end_decides_and_the_button_keeps_it() {
     let mut slower = fast.clone();
     let advice = &start.advice[0];
     assert!(!advice.entries.is_empty(), "{advice:?}");
-    for (id, typed) in &advice.entries {
-        slower.values.insert((*id).to_owned(), Value::Number(typed.parse().unwrap()));
+    for entry in &advice.entries {
+        slower.values.insert(entry.field.to_owned(), Value::Number(entry.text.parse().unwrap()));
     }
     let kept = result(&slower, "cam-start-torque");
     let Some(Limit::AtMost(limit)) = kept.limit else { panic!("{kept:?}") };

@@ -219,7 +219,7 @@ fn motor_with_name_is_billed_with_its_amplifier_or_an_open_row() {
 #[test]
 fn motor_of_a_lathe_is_billed_without_a_known_cut() {
     let project = Project::named("turning-spindle", None, None).unwrap();
-    let project = project.with_entries(&[("material", "none".to_owned())]).unwrap();
+    let project = project.with_entries(&[("material", "none")]).unwrap();
     assert!(project.prepared().inverter_drive().is_none());
     let entered = "open: rated power 7.5 kW, rated speed 1500 r/min, highest speed 3000 r/min, rotor inertia 0.03 kg m², as entered";
     let open = ("Inverter", "open: to be chosen with the motor".to_owned());
@@ -241,7 +241,7 @@ fn motor_of_a_lathe_is_billed_without_a_known_cut() {
 fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let lathe = Project::named("turning-spindle", None, None).unwrap();
     let with = |percent: &str| {
-        let lathe = lathe.with_entries(&[("motor-braking", percent.to_owned()), ("pause", "20".to_owned())]).unwrap();
+        let lathe = lathe.with_entries(&[("motor-braking", percent), ("pause", "20")]).unwrap();
         let row = sized(&lathe)
             .bill
             .into_iter()
@@ -317,7 +317,7 @@ fn control_without_a_current_motor_shows_the_demand() {
 fn site_of_amplifiers_is_an_open_point() {
     let line = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
     // A dancer asks its inverter for more.
-    let line = line.with_entries(&[("dancer", "false".to_owned())]).unwrap();
+    let line = line.with_entries(&[("dancer", "false")]).unwrap();
     let open = |line: &Project| {
         let bill = sized(line).bill;
         let told = |row: BillRow| row.open.into_iter().map(move |open| (row.item, sentence(&open)));
@@ -326,7 +326,7 @@ fn site_of_amplifiers_is_an_open_point() {
     let here = open(&line);
     assert!(here.iter().all(|(_, told)| told.contains("takes the axis commands")), "{here:?}");
     // 40 °C at 4000 m leave 77 % (sizing facts 2.7).
-    let high = line.with_entries(&[("site-height", "4000".to_owned())]).unwrap();
+    let high = line.with_entries(&[("site-height", "4000")]).unwrap();
     let told = open(&high);
     assert!(told.iter().any(|(item, told)| *item == BillItem::Amplifier && told.contains("77")), "{told:?}");
 }
@@ -469,8 +469,8 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
                 let rows = sized_without_envelope(project).terminals;
                 rows.iter().filter(|row| row.signal == "Enable, at once").count()
             };
-            let coasting = project.with_entries(&[("emergency", "off".to_owned())]);
-            let held = project.with_entries(&[("emergency", "held".to_owned())]);
+            let coasting = project.with_entries(&[("emergency", "off")]);
+            let held = project.with_entries(&[("emergency", "held")]);
             assert_eq!(held.as_ref().map_or(0, at_once), 0, "{name}");
             assert_eq!(coasting.as_ref().map_or(2, at_once), 2, "{name}");
             // Encoder and command of every servo motor, pulses of the spindle, number of the tool.
@@ -528,7 +528,7 @@ fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
          servo,Works,SLOW,1000,6000,2,6,0.0001,entered\n\
          servo,Works,FAST,5000,6000,2,6,0.0001,entered\n";
-    let mut project = line().with_entries(&asked.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let mut project = line().with_entries(&asked).unwrap();
     project.add_parts(parts::read(table, "own.csv").0);
     let sizing = sized(&project);
     let shares = |model: &str| {
@@ -666,7 +666,7 @@ fn amplifier_gives_the_currents_that_are_asked() {
 #[test]
 fn fastest_operation_names_what_fails_at_any_speed() {
     // A nip without friction holds no web, however slowly the line runs.
-    let slipping = line().with_entries(&[("pinch-friction", "0.01".to_owned())]).unwrap();
+    let slipping = line().with_entries(&[("pinch-friction", "0.01")]).unwrap();
     let failing = |project: &Project| -> Vec<&'static str> {
         let readouts = project.design().readouts;
         readouts.iter().filter(|row| row.verdict == Verdict::Fail).map(|row| row.id).collect()
@@ -730,7 +730,7 @@ fn form_and_list_judge_a_motor_by_the_limits_of_its_series() {
     let own = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == "beta 0.2/5000is").unwrap();
     assert!(reason(own).starts_with("Too hot: "), "{}", reason(own));
     // The limit is the person's to set.
-    let lax = project.with_entries(&[("effective-limit-x", "80".to_owned())]).unwrap();
+    let lax = project.with_entries(&[("effective-limit-x", "80")]).unwrap();
     assert_eq!(result(&lax).verdict, Verdict::Ok);
 }
 

@@ -43,7 +43,7 @@ fn dot_error_is_judged_by_the_tolerance() {
     let row = readout(&worn, "dot-error");
     assert_eq!(row.verdict, Verdict::Warn);
     let sets = row.advice[0].entries.clone();
-    assert_eq!(sets[0].0, "roller-run-out");
+    assert_eq!(sets[0].field, "roller-run-out");
     assert_eq!(readout(&worn.with_entries(&sets).unwrap(), "dot-error").verdict, Verdict::Ok);
 }
 

@@ -91,7 +91,7 @@ fn loop_at_every_stop_is_that_of_the_formulas() {
 fn faced_disc() -> Project {
     let project = Project::named("turning-spindle", None, Some("facing")).unwrap();
     let entries = [("stock-diameter", "140"), ("finished-diameter", "10"), ("spindle-ramp", "6")];
-    project.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap()
+    project.with_entries(&entries).unwrap()
 }
 
 #[test]
@@ -129,7 +129,7 @@ fn torque_is_limited_by_what_the_motor_has_at_its_speed() {
         ("work-power", "5.5"),
     ];
     let project = Project::named("polygon-lathe", None, None).unwrap();
-    let project = project.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let project = project.with_entries(&entries).unwrap();
     let sizing = sized(&project);
     let of_run = row(&sizing, OperatingEvent::Run, "tool-torque");
     let of_rules = project.design().readouts.into_iter().find(|row| row.id == "tool-torque").unwrap();
@@ -200,8 +200,8 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     for (line, event) in lines.iter().zip(["Inverter fault", "Power failure"]) {
         assert!(line.starts_with(&format!("{event} with the knob at 200 %: Loop comes to ")), "{line}");
     }
-    let [(field, _)] = sets.as_slice() else { panic!("{sets:?}") };
-    assert_eq!(*field, "loop-capacity");
+    let [set] = sets.as_slice() else { panic!("{sets:?}") };
+    assert_eq!(set.field, "loop-capacity");
     let after = sized(&project.with_entries(&sets).unwrap());
     assert_eq!(told(&after), [""; 0]);
     assert!(after.envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
@@ -375,7 +375,7 @@ fn torques(sizing: &Sizing, event: OperatingEvent) -> Vec<&str> {
 fn motor_without_current_has_no_torque() {
     use OperatingEvent::{Alarm, EmergencyStop, PowerFailure, Run};
     let lathe = Project::named("turning-spindle", None, Some("shaft")).unwrap();
-    let sizing = sized(&lathe.with_entries(&[("bed-angle", "60".to_owned())]).unwrap());
+    let sizing = sized(&lathe.with_entries(&[("bed-angle", "60")]).unwrap());
     for event in [Alarm, PowerFailure] {
         assert!(!torques(&sizing, event).contains(&"spindle-torque"), "{}: {:?}", event.id(), torques(&sizing, event));
     }
@@ -397,7 +397,7 @@ fn motor_without_current_has_no_torque() {
 fn coasting_work_and_tool_have_no_torque_at_an_emergency_stop() {
     let project = |stop: &str| {
         let lathe = Project::named("polygon-lathe", None, None).unwrap();
-        sized(&lathe.with_entries(&[("emergency", stop.to_owned())]).unwrap())
+        sized(&lathe.with_entries(&[("emergency", stop)]).unwrap())
     };
     let of = |sizing: &Sizing| {
         let all = torques(sizing, OperatingEvent::EmergencyStop);
@@ -529,7 +529,7 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     // The start of the published machine lays 332 mm before X pulls.
     let entries = [("no-load-speed", "1480"), ("rated-load-speed", "1480"), ("loop-capacity", "300")];
     let project = Project::named("ribbon-line", None, Some("paper")).unwrap();
-    let project = project.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let project = project.with_entries(&entries).unwrap();
     let sizing = sized(&project);
     let hold = row(&sizing, OperatingEvent::Start, "hold");
     assert_eq!((hold.verdict, hold.knob), (Verdict::Fail, None));

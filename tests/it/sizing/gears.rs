@@ -10,6 +10,7 @@ use macroline::math::{self, PI, RPM};
 use macroline::project::size::{BillRow, GearCandidate, SizedGear, Sizing};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
+use macroline::view::FieldEntry;
 use proptest::prelude::*;
 
 use super::{SAME, same};
@@ -117,7 +118,7 @@ fn gear_unit_of_the_list_is_taken_into_the_form() {
     let mut project = line(10.0);
     own(&mut project, 10.0, 50.0, 100.0, 3000.0, 1.0);
     let entries = own_of(&sized(&project), "x").entries.clone();
-    assert_eq!(entries, [("efficiency-x", "90".to_owned()), ("gear-inertia-x", "1".to_owned())]);
+    assert_eq!(entries, [FieldEntry::new("efficiency-x", "90"), FieldEntry::new("gear-inertia-x", "1")]);
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn failing(project: &Project, speed: f64, failing_anyway: &[ResultName]) -> Vec<
 
 /// The sizing without the envelope.
 fn sized(project: &Project) -> Sizing {
-    let short = project.with_entries(&[("pitch-count", "10".to_owned())]).unwrap_or_else(|| project.clone());
+    let short = project.with_entries(&[("pitch-count", "10")]).unwrap_or_else(|| project.clone());
     answers(project, &SizingRuns::new(&short, &short.written()))
 }
 
@@ -45,7 +45,7 @@ fn fastest_entry_fails_only_in_what_is_named() {
             let project = Project::named("ribbon-line", Some(control), Some(example)).unwrap();
             let sizing = sized(&project);
             let Some(fastest) = sizing.fastest else { continue };
-            let speed: f64 = fastest.entry.1.parse().unwrap();
+            let speed: f64 = fastest.entry.text.parse().unwrap();
             assert_eq!(failing(&project, speed, &fastest.failing_anyway), [""; 0], "{example} on {control} at {speed}");
             found.push((control, example));
         }

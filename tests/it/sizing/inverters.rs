@@ -36,7 +36,7 @@ fn lathe(ramp: &str, current: f64, inverters: &[(&str, f64, f64, &str)]) -> Sizi
         ("motor-forced-cooling", "true"),
         ("spindle-ramp", ramp),
     ];
-    let project = project.with_entries(&form.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let project = project.with_entries(&form).unwrap();
     size(&project, &project.written())
 }
 

@@ -2,7 +2,7 @@
 
 use macroline::project::size::{SizingRuns, answers};
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Verdict};
+use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
 use crate::asked::readout;
@@ -26,7 +26,7 @@ fn effective_torque_is_limited_by_the_curve_at_speed() {
     let motor = print.candidates.iter().find(|motor| motor.part.model == "HC53").unwrap();
     let said = sentence(&motor.refusal.as_ref().unwrap().message);
     assert!(said.starts_with("Too hot"), "{said}");
-    assert!(motor.entries.contains(&("motor-rated-torque-y", "1.59".to_owned())), "{:?}", motor.entries);
+    assert!(motor.entries.contains(&FieldEntry::new("motor-rated-torque-y", "1.59")), "{:?}", motor.entries);
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn each_axis_has_the_encoder_of_its_motor() {
     let sizing = answers(&project, &SizingRuns::new(&project, &project.written()));
     let pull = sizing.axes.iter().find(|axis| axis.id == "x").unwrap();
     let motor = pull.candidates.iter().find(|motor| motor.part.model == "HG-KN43J").unwrap();
-    assert!(motor.entries.contains(&("encoder-resolution-x", "131072".to_owned())), "{:?}", motor.entries);
+    assert!(motor.entries.contains(&FieldEntry::new("encoder-resolution-x", "131072")), "{:?}", motor.entries);
     let taken = project.with_entries(&motor.entries).unwrap();
     // 131 072 counts per turn of X, 100 000 of the print roller.
     same("X", readout(&taken, "x-resolution").value * 131_072.0, readout(&project, "x-resolution").value * 1e5, 1e-9);

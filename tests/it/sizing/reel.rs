@@ -5,7 +5,7 @@ use macroline::drives::reel::{Reel, acceleration, radius_after, speed, torque, t
 use macroline::machines::form::Value;
 use macroline::math::PI;
 use macroline::project::Project;
-use macroline::view::Verdict;
+use macroline::view::{FieldEntry, Verdict};
 use proptest::prelude::*;
 
 use super::{line, same};
@@ -126,9 +126,9 @@ fn results_of_the_reel_follow_the_formulas() {
 /// The verdict of a result, and of the same after each of its repairs.
 fn mended(project: &Project, id: &str) -> (Verdict, Vec<(&'static str, Verdict)>) {
     let row = readout(project, id);
-    let after = |sets: &[(&'static str, String)]| readout(&project.with_entries(sets).unwrap(), id).verdict;
+    let after = |sets: &[FieldEntry]| readout(&project.with_entries(sets).unwrap(), id).verdict;
     let repairs = row.advice.iter().filter(|advice| !advice.entries.is_empty());
-    (row.verdict, repairs.map(|advice| (advice.entries[0].0, after(&advice.entries))).collect())
+    (row.verdict, repairs.map(|advice| (advice.entries[0].field, after(&advice.entries))).collect())
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn a_reel_of_the_line_passes() {
 #[test]
 fn start_without_a_ramp_is_no_gentle_start() {
     // No drive starts a reel in no time: the form asks a ramp, and the shortest one is the hardest.
-    assert!(line(&[]).with_entries(&[("inverter-ramp", "0".to_owned())]).is_none());
+    assert!(line(&[]).with_entries(&[("inverter-ramp", "0")]).is_none());
     let hardest = line(&[("inverter-ramp", 0.01)]);
     for id in ["unwinder-ramp-torque", "unwinder-braking-torque"] {
         assert_eq!(readout(&hardest, id).verdict, Verdict::Fail, "{id}");

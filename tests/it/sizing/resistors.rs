@@ -240,7 +240,7 @@ fn cut_does_not_help_the_stop_of_the_tool() {
         ("drive-efficiency", "100"),
         ("tool-inertia", "0.02"),
     ];
-    let lathe = lathe.with_entries(&entries.map(|(id, typed)| (id, typed.to_owned()))).unwrap();
+    let lathe = lathe.with_entries(&entries).unwrap();
     let sizing = sized(&lathe);
     let tool = sizing.axes.iter().find(|axis| axis.id == "tool").unwrap();
     // The tool stops outside of the stock from 1000 r/min: ½ J ω² = ½ · 0.02 · 104.72² = 109.7 J.
@@ -264,7 +264,7 @@ fn behind(columns: &str, cells: &str) -> Sizing {
     let (own, found) = parts::read(&table, "own.csv");
     assert!(found.is_empty(), "{found:?}");
     project.add_parts(own);
-    sized(&project.with_entries(&[("motor-y", "Works S1".to_owned())]).unwrap())
+    sized(&project.with_entries(&[("motor-y", "Works S1")]).unwrap())
 }
 
 /// The open row of the brake resistor of the print roller.
@@ -300,11 +300,11 @@ fn unknown_regeneration_is_an_open_row_with_its_energy() {
 
 #[test]
 fn motor_of_no_catalogue_has_its_energy_in_an_open_row() {
-    let named = stopping().with_entries(&[("motor-y", "Works of no list".to_owned())]).unwrap();
+    let named = stopping().with_entries(&[("motor-y", "Works of no list")]).unwrap();
     let told = open_resistor(&sized(&named)).expect("an open row");
     assert!(told.contains("ask its maker"), "{told}");
     let lathe = Project::named("polygon-lathe", None, None).unwrap();
-    let sizing = sized(&lathe.with_entries(&[("tool-inertia", "10".to_owned())]).unwrap());
+    let sizing = sized(&lathe.with_entries(&[("tool-inertia", "10")]).unwrap());
     let tool = sizing.axes.iter().find(|axis| axis.id == "tool").unwrap();
     assert!(tool.ordered().is_none() && tool.returned.is_some());
     assert!(sizing.bill.iter().any(|row| row.item == BillItem::Resistor && row.axis == Some(tool.name)));

@@ -174,7 +174,7 @@ fn weak_motors_fail_with_a_remedy() {
     {
         let found = readout(&project, id);
         assert_eq!(found.verdict, Verdict::Fail, "{id}");
-        assert_eq!(found.advice[0].entries.first().map(|set| set.0), field, "{id}");
+        assert_eq!(found.advice[0].entries.first().map(|set| set.field), field, "{id}");
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use macroline::project::parts;
 use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, SizingRuns, answers, size};
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Verdict};
+use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
 use crate::asked::readout;
@@ -38,9 +38,9 @@ fn taut_ribbon_beyond_the_grip_fails_the_nip() {
     assert!((nip.value - 157.4).abs() < 0.05, "{}", nip.value);
     assert_eq!((nip.verdict, nip.limit), (Verdict::Fail, Some(Limit::AtMost(50.0))));
     let sets: Vec<_> = nip.advice.iter().map(|advice| advice.entries.clone()).collect();
-    assert_eq!(sets[0], [("pinch-force", "314.8".to_owned())]);
+    assert_eq!(sets[0], [FieldEntry::new("pinch-force", "314.8")]);
     // 0.87 s of dwell miss no ribbon.
-    assert_eq!(sets[1], [("dwell", "0.87".to_owned())]);
+    assert_eq!(sets[1], [FieldEntry::new("dwell", "0.87")]);
     for set in sets {
         assert_eq!(readout(&project.with_entries(&set).unwrap(), "nip-use").verdict, Verdict::Ok, "{set:?}");
     }
@@ -103,10 +103,10 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
     same("torque", peak.value, torque, 1e-9);
     assert!((peak.value - 1.284).abs() < 0.001 && peak.verdict == Verdict::Ok, "{peak:?}");
     // 0.8 of 1.6 Nm are too little, and no ramp is a remedy.
-    let weak = project.with_entries(&[("motor-peak-x", "1.6".to_owned())]).unwrap();
+    let weak = project.with_entries(&[("motor-peak-x", "1.6")]).unwrap();
     let peak = readout(&weak, "x-peak-torque");
     assert_eq!(peak.verdict, Verdict::Fail);
-    assert_eq!(peak.advice[0].entries, [("dwell", "0.87".to_owned())]);
+    assert_eq!(peak.advice[0].entries, [FieldEntry::new("dwell", "0.87")]);
     let mut listed = project.clone();
     for (model, most) in [("WEAK", 1.6), ("STRONG", 1.61)] {
         let table = format!(
@@ -144,7 +144,7 @@ fn taut_ribbon_counts_in_the_gear_unit_and_in_operation() {
     same("envelope", row.value, at_roller / (50.0 * 0.95), 1e-9);
     assert_eq!(row.verdict, Verdict::Ok);
     // 0.8 of 1.6 Nm are too little, as in the form.
-    let weak = project.with_entries(&[("motor-peak-x", "1.6".to_owned())]).unwrap();
+    let weak = project.with_entries(&[("motor-peak-x", "1.6")]).unwrap();
     assert_eq!(run(&size(&weak, &weak.written())).verdict, Verdict::Fail);
     // The ribbon pulls at X alone.
     let print = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "y").unwrap().gear.as_ref().unwrap().duty;

@@ -124,7 +124,7 @@ fn energy_of_a_run_goes_into_friction_alone() {
 #[test]
 fn machine_with_an_unknown_drive_has_no_energy_of_a_part() {
     let project = Project::named("turning-spindle", None, None).unwrap();
-    let project = project.with_entries(&[("material", "none".to_owned())]).unwrap();
+    let project = project.with_entries(&[("material", "none")]).unwrap();
     let sizing = size(&project, &project.written());
     assert_eq!(sizing.cycle.expect("the program comes to its end").energy, None);
     assert!(sizing.json()["cycle"]["energy_given_j"].is_null());

@@ -7,14 +7,14 @@ use macroline::machines::form::Value;
 use macroline::project::Project;
 use macroline::project::size::{Candidate, Sizing, SizingRuns, answers};
 use macroline::text::catalog::sentence;
-use macroline::view::{Limit, Verdict};
+use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
 use crate::asked::readout;
 
 /// The sizing without the envelope, of a short product.
 fn sized(project: &Project) -> Sizing {
-    let short = project.with_entries(&[("pitch-count", "10".to_owned())]).unwrap();
+    let short = project.with_entries(&[("pitch-count", "10")]).unwrap();
     answers(&short, &SizingRuns::new(&short, &short.written()))
 }
 
@@ -46,9 +46,9 @@ fn stop_beyond_what_the_inverter_takes_back_fails() {
         let after = heavy.with_entries(set).unwrap();
         assert_eq!(readout(&after, "unwinder-braking-torque").verdict, Verdict::Ok, "{set:?}");
     }
-    let ramp: f64 = sets[0][0].1.parse().unwrap();
+    let ramp: f64 = sets[0][0].text.parse().unwrap();
     same("ramp", ramp, 2.0 * (braking.value + STEADY) / (1.0 + STEADY), 1e-3);
-    assert_eq!(*sets[1], [("unwinder-motor-braking", "61".to_owned())]);
+    assert_eq!(*sets[1], [FieldEntry::new("unwinder-motor-braking", "61")]);
     // The energy of the stop, half of torque, speed and time.
     let joules = 0.5 * braking.value * 1480.0 * PI / 30.0 * 2.0;
     let told = resistor(&heavy).unwrap();
@@ -118,7 +118,7 @@ fn motor_with_other_poles_takes_its_frequency_into_the_form() {
         .find(|motor| motor.part.model == "MT3 100 LB/2")
         .or_else(|| unwinder(&sizing).iter().find(|motor| motor.part.model.ends_with("/2") && motor.refusal.is_none()));
     let motor = two_poles.unwrap();
-    let entry = |id: &str| motor.entries.iter().find(|(field, _)| *field == id).unwrap().1.parse::<f64>().unwrap();
+    let entry = |id: &str| motor.entries.iter().find(|entry| entry.field == id).unwrap().text.parse::<f64>().unwrap();
     // 3000 r/min at 50 Hz: the form's 1500 r/min without load need 25 Hz, and the slip of the name plate stays.
     let macroline::drives::parts::Ratings::Induction(of) = motor.part.ratings else { panic!("{motor:?}") };
     assert_eq!(entry("frequency-at-10v"), 25.0);
@@ -136,8 +136,8 @@ fn motor_with_other_poles_takes_its_frequency_into_the_form() {
     let named = heavy.with_entries(&[motor.entries[0].clone()]).unwrap();
     assert!(again(&named).is_some_and(|said| said.contains("3000 r/min")), "{:?}", again(&named));
     let four = unwinder(&sizing).iter().find(|motor| motor.part.model.ends_with("/4")).unwrap();
-    let frequency = four.entries.iter().find(|(id, _)| *id == "frequency-at-10v").unwrap();
-    assert_eq!(frequency.1, "50");
+    let frequency = four.entries.iter().find(|entry| entry.field == "frequency-at-10v").unwrap();
+    assert_eq!(frequency.text, "50");
 }
 
 #[test]

@@ -107,7 +107,7 @@ fn options_of_the_form_change_bill_and_terminals_together() {
 #[test]
 fn lathe_without_a_known_cut_has_its_motor_on_the_terminals() {
     let lathe = Project::named("turning-spindle", None, None).unwrap();
-    let lathe = lathe.with_entries(&[("material", "none".to_owned())]).unwrap();
+    let lathe = lathe.with_entries(&[("material", "none")]).unwrap();
     assert!(lathe.prepared().inverter_drive().is_none());
     let sizing = agree("no cut", &lathe);
     let motor = |row: &&macroline::project::size::TerminalRow| row.to.item == BillItem::Motor;

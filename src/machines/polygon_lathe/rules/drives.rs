@@ -6,7 +6,7 @@ use crate::machines::polygon_lathe::demand::DemandKind;
 use crate::machines::polygon_lathe::load::{END_FEEDS, FEEDS, PolygonAxis};
 use crate::machines::polygon_lathe::params::FIELDS;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
-use crate::machines::verdict::{FieldEntry, Judgement, down, fail, maximum, ok, up, warn};
+use crate::machines::verdict::{Judgement, NumberEntry, down, fail, maximum, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -26,7 +26,7 @@ fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: 
 impl PolygonLathe {
     /// Lower entries of the feeds whose cuts on this lathe at a position of the feed override have a force above the greatest one (N) that is
     /// allowed: of the flats, then of the turned ends.
-    pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<FieldEntry> {
+    pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<NumberEntry> {
         let p = &self.p;
         let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
         let flats = flats.map(|(cuts, (field, feed))| (field, feed, at.force_at(cuts)));

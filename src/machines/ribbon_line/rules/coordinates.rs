@@ -61,7 +61,7 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
     if line.rolls_over()[0] {
         // The print roller is left, and counts millimetres.
         let advice = Advice::from(msg!("ribbon.range-degrees"));
-        let set = [("y-unit", "degrees".to_owned())];
+        let set = [("y-unit", "degrees")];
         return if line.p.print_axis == PrintAxis::Y {
             vec![advice.setting(msg!("advice.degrees"), set)]
         } else {
@@ -85,9 +85,7 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
         }];
     }
     if shifts && line.p.endless != Endless::Shift {
-        return vec![
-            Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), [("endless", "shift".to_owned())]),
-        ];
+        return vec![Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), [("endless", "shift")])];
     }
     Vec::new()
 }
@@ -148,7 +146,7 @@ fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
     let unit = if at == 1 && line.degrees() { "°/h" } else { "mm/h" };
     let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, drift = (drift, 4), limit = (limit, 4), unit));
     if at == 1 && !line.degrees() && p.print_axis == PrintAxis::Y {
-        advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees".to_owned())]);
+        advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees")]);
     }
     warn(AtMost(limit), [advice])
 }

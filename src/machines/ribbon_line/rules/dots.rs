@@ -5,7 +5,7 @@ use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource};
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
-use crate::machines::verdict::{FieldEntry, Judgement, Rule, down, ok, up, warn};
+use crate::machines::verdict::{Judgement, NumberEntry, Rule, down, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Advice;
@@ -32,7 +32,7 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
     };
     let alone = room >= 0.1 * mm;
     let share = if alone { room / mm } else { 0.5 };
-    let one = |button: fn(&str) -> Message, entry: FieldEntry| (button(&entry.text), vec![entry]);
+    let one = |button: fn(&str) -> Message, entry: NumberEntry| (button(&entry.text), vec![entry]);
     let (button, entries) = match part {
         ErrorSource::RunOut => {
             one(|run_out| msg!("advice.set-run-out", run_out), down(FIELDS, "roller-run-out", p.roller_run_out * share))

@@ -10,7 +10,7 @@ use crate::machines::ribbon_line::mechanics::{GRIP, ServoAxis};
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::unwinder_motor::SHORT_TIME;
-use crate::machines::verdict::{FieldEntry, Judgement, Rule, down, fail, maximum, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, NumberEntry, Rule, down, fail, maximum, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Advice;
@@ -56,7 +56,7 @@ fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
     let set = up(FIELDS, "time-constant-x", ramp);
     let milliseconds = set.value;
-    let both = [set.clone(), FieldEntry { field: "time-constant-y", ..set }];
+    let both = [set.clone(), NumberEntry { field: "time-constant-y", ..set }];
     let sentence =
         msg!("ribbon.peak-torque", torque = (fast.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
     fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])

@@ -24,7 +24,7 @@ pub(in super::super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advi
     let mut advice = vec![slower_advice(line)];
     if line.control.can(Code::FeedPerRevolution) && d.feed_per_revolution <= limits.revolution_feed_max {
         let instead = Advice::from(msg!("ribbon.per-revolution-instead", feed = (d.feed_per_revolution, 3)));
-        let set = [("feed-form", "per-revolution".to_owned())];
+        let set = [("feed-form", "per-revolution")];
         advice.push(if p.spindle_encoder { instead.setting(msg!("advice.per-revolution"), set) } else { instead });
     }
     Some((msg!("ribbon.feed-above-limit", feed = d.vector_feed, most = max), advice))
@@ -252,7 +252,7 @@ pub(in super::super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
             } else {
                 msg!("ribbon.published-too-slow", needed = (needed, 1), time = (lasts, 1))
             };
-            Advice::from(sentence).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())])
+            Advice::from(sentence).setting(msg!("advice.ready-made"), [("variant", "ready-made")])
         }
     };
     let mut advice = vec![advice];

@@ -8,7 +8,7 @@ use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Limit::{AtMost, Equal, Within};
-use crate::view::{Advice, Verdict};
+use crate::view::{Advice, FieldEntry, Verdict};
 
 /// OK up to the allowed smear, a warning up to four times it, a failure beyond.
 fn slip(line: &RibbonLine) -> Verdict {
@@ -89,7 +89,7 @@ pub(in super::super) fn pi(line: &RibbonLine) -> Option<Judgement> {
         PiForm::Exact => ok(None),
         PiForm::Short => {
             let advice = msg!("ribbon.pi-short", rate = (line.d.pi_drift, 2), length = (line.d.pi_drift * 60.0, 0));
-            let set = [("pi", "exact".to_owned())];
+            let set = [("pi", "exact")];
             warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
         }
     }
@@ -108,7 +108,7 @@ pub(in super::super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     let set = near(FIELDS, "press-roller-diameter", effective);
     let advice = Advice::from(msg!("ribbon.thickness", percent = (d.thickness_error, 2), diameter = (effective, 3)));
     let button = msg!("advice.set-diameter", diameter = (effective, 2));
-    warn(limit, [advice.setting(button, [set.into(), ("effective-diameter", "true".to_owned())])])
+    warn(limit, [advice.setting(button, [set.into(), FieldEntry::new("effective-diameter", "true")])])
 }
 
 fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {
@@ -149,8 +149,7 @@ pub(in super::super) fn length(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let advice = whole_length(msg!("ribbon.length-rest", difference = (p.length_error(), 3), count = (p.count(), 0)));
-    let shorter =
-        Advice::from(msg!("ribbon.length-shorten")).setting(msg!("advice.shorten"), [("rest", "shorten".to_owned())]);
+    let shorter = Advice::from(msg!("ribbon.length-shorten")).setting(msg!("advice.shorten"), [("rest", "shorten")]);
     match p.rest {
         Rest::Alarm => fail(limit, [advice, shorter]),
         Rest::Round | Rest::Shorten => warn(limit, [advice, shorter]),

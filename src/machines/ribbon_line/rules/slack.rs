@@ -6,15 +6,16 @@ use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wa
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::tension_switch::{TensionSwitch, with_pinch};
 use crate::machines::ribbon_line::unwinder_motor::shortest_ramp;
-use crate::machines::verdict::{FieldEntry, Judgement, fail, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, NumberEntry, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::catalog::sentence;
 use crate::text::{Message, clauses};
 use crate::view::Advice;
+use crate::view::FieldEntry;
 use crate::view::Limit::{AtMost, Equal, Within};
 
 /// Entries that give both axes the greater time constant and the lower gain.
-pub(in super::super) fn equal_entries(p: &Params) -> Vec<FieldEntry> {
+pub(in super::super) fn equal_entries(p: &Params) -> Vec<NumberEntry> {
     let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
     let mut sets = Vec::new();
     for (id, value, same) in [
@@ -63,7 +64,7 @@ pub(in super::super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
 
 /// The shortest dwell (s) of a form after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm
 /// more. A feed per revolution follows the unwinder from standstill, and the best dwell is none.
-fn matching_dwell(line: &RibbonLine, p: &Params) -> FieldEntry {
+fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
     up(FIELDS, "dwell", short.max(0.0))
@@ -81,8 +82,8 @@ pub(in super::super) const LONGEST_LOOP: f64 = 5000.0;
 pub(in super::super) struct FormChange {
     /// Words of the button that makes it.
     button: Message,
-    /// Entries of the form: ids of fields and typed texts.
-    entries: Vec<(&'static str, String)>,
+    /// Entries of the form.
+    entries: Vec<FieldEntry>,
 }
 
 /// An advice whose button takes several changes and names each.
@@ -261,7 +262,7 @@ fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
     let set = matching_dwell(line, &form);
     let (dwell, typed) = (set.value, set.text.clone());
     let button = msg!("advice.set-dwell", time = typed.as_str());
-    let change = FormChange { button, entries: vec![("wait", "dwell".to_owned()), set.into()] };
+    let change = FormChange { button, entries: vec![FieldEntry::new("wait", "dwell"), set.into()] };
     DweltForm { form: Params { wait: Wait::Dwell, dwell, ..form }, typed, change }
 }
 
@@ -279,9 +280,8 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
         Variant::ReadyMade => {
             Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set])
         }
-        Variant::Published | Variant::Precomputed => {
-            Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set.into()])
-        }
+        Variant::Published | Variant::Precomputed => Advice::from(message)
+            .setting(msg!("advice.ready-made"), [FieldEntry::new("variant", "ready-made"), set.into()]),
     }
 }
 
@@ -304,7 +304,7 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
         let kept = (d.speed_kept * 100.0, 1);
         advice.push(match p.path_mode {
             PathMode::ExactStop => Advice::from(msg!("ribbon.stops-lose", percent = kept))
-                .setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())]),
+                .setting(msg!("advice.continuous"), [("path-mode", "continuous")]),
             PathMode::Continuous => starved(line, kept),
         });
     }
@@ -316,7 +316,7 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
 
 /// An advice to fit a dancer.
 pub(in super::super) fn with_dancer(advice: Message) -> Advice {
-    Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true".to_owned())])
+    Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true")])
 }
 
 pub(in super::super) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
@@ -365,11 +365,11 @@ pub(in super::super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> 
     };
     let turns =
         msg!("ribbon.knob-alone", percent = (knob.percent, 0), speed = (knob.speed, 1), rate = (knob.slack_rate, 0));
-    let lock = [("knob-use", "locked".to_owned())];
+    let lock = [("knob-use", "locked")];
     let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
     if line.control.can(Code::FeedPerRevolution) {
         let follow = msg!("ribbon.follow-measured", feed = (line.d.feed_per_revolution, 3));
-        let set = [("feed-form", "per-revolution".to_owned())];
+        let set = [("feed-form", "per-revolution")];
         advice.push(if line.p.spindle_encoder {
             Advice::from(follow).setting(msg!("advice.per-revolution"), set)
         } else {
@@ -430,5 +430,5 @@ pub(in super::super) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     }
     let advice =
         Advice::from(msg!("ribbon.start-stop", stops = (d.cycles_per_minute, 0), percent = (d.start_stop_speed, 0)));
-    warn(None, [advice.setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())])])
+    warn(None, [advice.setting(msg!("advice.continuous"), [("path-mode", "continuous")])])
 }
