@@ -273,7 +273,7 @@ const FEED_AXIS: Citation =
     Citation::new("feed axis manual B-65262EN/03, p.60: inertia up to 3, 70 % of stall torque", Grade::Manual);
 
 /// Limits by series; the last row is for all others. Source: sizing facts 2.3.
-pub static ACCEPTANCE: [SeriesLimits; 6] = [
+static ACCEPTANCE: [SeriesLimits; 6] = [
     row("MELDAS HC", 5.0, 0.8, Citation::new("MELDAS HC series manual, p.13 to 15: inertia up to 5", Grade::Manual)),
     row("HG-KN", 15.0, 0.8, Citation::new("web specification of the HG-KN motors: inertia up to 15", Grade::Manual)),
     row("alpha iS", 3.0, 0.7, FEED_AXIS),
@@ -317,7 +317,7 @@ impl Part {
         })
     }
 
-    /// The row of [`ACCEPTANCE`] for its series.
+    /// Limits of its series.
     pub fn limits(&self) -> &'static SeriesLimits {
         let [own @ .., others] = &ACCEPTANCE;
         own.iter().find(|row| self.series.starts_with(row.series)).unwrap_or(others)

@@ -22,7 +22,7 @@ pub(super) struct VariableStore {
 }
 
 /// Local variables of a level without arguments.
-pub(super) fn no_locals() -> Rc<Locals> {
+fn no_locals() -> Rc<Locals> {
     Rc::new([VACANT; LOCALS])
 }
 

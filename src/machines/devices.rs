@@ -103,11 +103,6 @@ impl BillItem {
             BillItem::ControlSupply => "size.item.control-supply",
         }
     }
-
-    /// Whether wires lead to it.
-    pub fn is_wired(self) -> bool {
-        self != BillItem::Gear
-    }
 }
 
 /// A device that a machine needs, with its requirements.

@@ -112,7 +112,7 @@ fn may_count_turns(control: &Control) -> bool {
 }
 
 /// A dwell of a computed number of seconds: with X where the control reads that, else with its first address for seconds.
-pub fn dwell_of(control: &Control, seconds: Formula) -> [NewWord; 2] {
+fn dwell_of(control: &Control, seconds: Formula) -> [NewWord; 2] {
     let addresses = control.syntax.dwell_addresses;
     let address = if addresses.contains(Address::X) { Address::X } else { addresses.first().unwrap_or(Address::X) };
     [g(4), word(address, seconds)]
@@ -193,7 +193,7 @@ fn stop_with_text(b: &mut Builder, control: &Control, number: u32, text: &str, t
 
 /// Stops the program with a text until its cause is gone: after the M0 cycle start goes back to the checks from block `checks` on. They see
 /// values that the operator sets at M0, for nothing is read ahead of it.
-pub fn alarm_until_cleared(b: &mut Builder, control: &Control, number: u32, text: &str, checks: u32) {
+fn alarm_until_cleared(b: &mut Builder, control: &Control, number: u32, text: &str, checks: u32) {
     stop_with_text(b, control, number, text, |b| {
         let waits = codes(control, [Code::StopReading]);
         if !waits.is_empty() {

@@ -94,7 +94,7 @@ impl Location {
 }
 
 /// Number of the program that contains a block.
-pub fn program_at(parsed: &Parsed, place: Place) -> Option<u32> {
+fn program_at(parsed: &Parsed, place: Place) -> Option<u32> {
     let deck = parsed.deck();
     let holds = |blocks: &[nc::Block]| blocks.iter().any(|block| block.span == place.span);
     let mut programs = deck.programs.iter().filter(|program| program.file == place.file);

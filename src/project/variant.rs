@@ -24,14 +24,8 @@ pub struct Variant {
 
 impl PartialEq for Variant {
     fn eq(&self, other: &Variant) -> bool {
-        self.name == other.name && self.has_settings(other.control, &other.values, &other.switches)
-    }
-}
-
-impl Variant {
-    /// Whether these are its settings.
-    pub fn has_settings(&self, control: &Control, values: &Values, switches: &Switches) -> bool {
-        self.control.id == control.id && self.values == *values && self.switches == *switches
+        let same_form = self.values == other.values && self.switches == other.switches;
+        self.name == other.name && self.control.id == other.control.id && same_form
     }
 }
 

@@ -40,7 +40,7 @@ pub const AUXILIARY: [DriveSystem; 6] =
 pub const FIELD_BUS: [DriveSystem; 2] = DriveSystem::auxiliary(["ctrlX MC20", "ctrlX XC20"], JUDGED);
 
 /// Inverters for an analog spindle, with a speed input of 0 to 10 V.
-pub const INVERTERS: [DriveSystem; 3] =
+const INVERTERS: [DriveSystem; 3] =
     DriveSystem::axes(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], JUDGED);
 
 /// Induction motors on an inverter.

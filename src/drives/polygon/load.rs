@@ -53,7 +53,7 @@ impl Curve {
     ///
     /// The force is opposite to the motion of the tip over the work, so `l_w + k l_t = V` (power of both axes). Source: polygon turning
     /// facts 3.9.
-    pub fn levers(&self, sigma: f64) -> (f64, f64) {
+    fn levers(&self, sigma: f64) -> (f64, f64) {
         let (sin, cos) = math::sin_cos(sigma);
         let (a, r) = (self.distance(), self.radius());
         let m = (self.ratio() - 1.0) * r;

@@ -31,7 +31,7 @@ pub struct CutterSetup {
 }
 
 /// Maximum inserts of a cutter.
-pub const MOST_INSERTS: u32 = 100;
+const MOST_INSERTS: u32 = 100;
 
 /// A pass of the pattern: its insert, its side and its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -127,7 +127,7 @@ impl Params {
     }
 
     /// Moment of inertia (kg m²) of the main motor's rotor at the spindle.
-    pub(super) fn main_rotor_at_spindle(&self) -> f64 {
+    fn main_rotor_at_spindle(&self) -> f64 {
         self.main.rotor_at_spindle(self.main_speed)
     }
 

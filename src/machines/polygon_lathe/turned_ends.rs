@@ -23,7 +23,7 @@ impl TurnedEnd {
     }
 
     /// Number of cuts of the thread, each taking the same area: `(h / first)²`, rounded up, with the depth h of the flanks.
-    pub(super) fn thread_cuts(&self) -> f64 {
+    fn thread_cuts(&self) -> f64 {
         let ratio = FLANKS * self.pitch / self.thread_infeed;
         math::whole_up(ratio * ratio).max(1.0)
     }

@@ -23,7 +23,7 @@ enum Sign {
 }
 
 /// Binding level at which every operator needs brackets.
-pub(in crate::nc) const FACTOR: u8 = 6;
+const FACTOR: u8 = 6;
 
 /// Maximum length of a block's text.
 const BLOCK_TEXT: usize = 10_000;

@@ -151,7 +151,7 @@ impl HelpEntry {
         }
     }
 
-    pub(super) fn has_id(&self, id: &str) -> bool {
+    fn has_id(&self, id: &str) -> bool {
         self.id == id || self.also.iter().any(|also| also == id)
     }
 

@@ -260,7 +260,7 @@ impl<'t> Rows<'t> {
 }
 
 /// Whether a number may have a mark between thousands: `1.500`, `12,000`.
-pub(super) fn is_grouped(text: &str) -> bool {
+fn is_grouped(text: &str) -> bool {
     let Some((whole, rest)) = text.split_once(['.', ',']) else { return false };
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     digits(whole) && whole.len() <= 3 && !whole.starts_with('0') && digits(rest) && rest.len() == 3

@@ -15,7 +15,7 @@ use crate::project::json::{JsonMember, JsonMembers, number};
 use crate::text::escape::clip;
 
 /// Events of a panel at most.
-pub(super) const MAX_EVENTS: usize = 100_000;
+const MAX_EVENTS: usize = 100_000;
 
 /// An action by its key. A button that is `false` is not pressed.
 #[derive(Deserialize)]

@@ -14,7 +14,7 @@ use crate::view::scene::{LETTER, LINE};
 use crate::view::{Anchor, Callout, Drawing, Font, Look, Paint, SceneGroup};
 
 /// A smear as the lens shows it, mm.
-pub(crate) fn smear_text(smear: f64) -> String {
+fn smear_text(smear: f64) -> String {
     const MOST: f64 = 999.0;
     if smear > MOST { format!("> {}", units::text(MOST, 0, "mm")) } else { units::figure(smear, 3, "mm") }
 }

@@ -61,7 +61,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Sets the cursor to a line without its comment, stores the comment, and returns the length without it.
-    pub(in crate::nc::parse) fn take_without_comment(&mut self, from: usize, to: usize) -> usize {
+    fn take_without_comment(&mut self, from: usize, to: usize) -> usize {
         let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         let mut quoted = false;
@@ -132,7 +132,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads block skip, block number and label, then the statement.
-    pub(in crate::nc::parse) fn symbolic_statement(&mut self) -> Read<Stmt> {
+    fn symbolic_statement(&mut self) -> Read<Stmt> {
         let mut first = self.block_skip();
         let second = self.cursor.byte(1);
         if first == b':' || first | 0x20 == b'n' && (second.is_ascii_digit() || second == b' ') {

@@ -237,6 +237,6 @@ impl Reader<'_> {
 }
 
 /// The sign of a comparison.
-pub(in crate::nc::parse) fn sign_of(op: Op) -> &'static str {
+fn sign_of(op: Op) -> &'static str {
     SIGNS.iter().find(|row| row.1 == op && row.2).map_or("", |row| row.0)
 }

@@ -190,7 +190,7 @@ impl Reader<'_> {
 
     /// Reports a number without a point above the range of whole numbers.
     #[inline]
-    pub(in crate::nc::parse) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
+    fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
         if number.mantissa.unsigned_abs() > 2_147_483_647 && !number.point {
             self.check_whole(number, start);
         }
