@@ -6,7 +6,7 @@ use super::error::Trap;
 use super::state::RunState;
 use super::vars::{LOCALS, Locals, VACANT};
 use super::world::{MachineClock, World};
-use crate::controls::{CodeId, Group, VarKind};
+use crate::controls::{CodeId, Control, Group, VarKind};
 use crate::nc::{Block, ParsedFormula};
 use crate::text::{Diagnostic, FileId, Place, Span};
 
@@ -23,7 +23,7 @@ pub enum Entered {
 
 /// A level of the call stack.
 #[derive(Debug, Clone)]
-pub struct Level {
+pub struct CallLevel {
     /// Number of the program; 0 if it has none.
     pub program: u32,
     /// Name of the program; empty if it has none.
@@ -35,11 +35,11 @@ pub struct Level {
     /// Number of repeats left after this run.
     pub again: u32,
     /// Level of the local variables in force, from 0.
-    pub level: usize,
+    pub local_level: usize,
     values: Locals,
 }
 
-impl Level {
+impl CallLevel {
     /// Local variables that are not vacant, by number; empty for a subprogram, because its caller's level lists them.
     pub fn locals(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
         let own = self.entered != Entered::Subprogram;
@@ -49,7 +49,7 @@ impl Level {
 
 /// The subject of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum What {
+pub enum ChangeSubject {
     /// A variable common to all levels, by number.
     Variable(u32),
     /// A local variable of the running level.
@@ -60,11 +60,22 @@ pub enum What {
     Feed,
 }
 
+impl ChangeSubject {
+    /// Its name on the control: `#105`, `G`, `F`.
+    pub fn name(self, control: &Control) -> String {
+        match self {
+            ChangeSubject::Variable(number) | ChangeSubject::Local(number) => control.variable(number),
+            ChangeSubject::Code => "G".to_owned(),
+            ChangeSubject::Feed => "F".to_owned(),
+        }
+    }
+}
+
 /// A change of a value; `None` is vacant or not yet set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
     /// Variable, code or feed.
-    pub what: What,
+    pub subject: ChangeSubject,
     /// Old value.
     pub before: Option<f64>,
     /// New value.
@@ -90,14 +101,14 @@ impl Interp {
     }
 
     /// Call levels, innermost first.
-    pub fn levels(&self) -> Vec<Level> {
+    pub fn levels(&self) -> Vec<CallLevel> {
         let (state, deck) = (&self.state, self.shared.parsed.deck());
         let mut levels = Vec::with_capacity(state.frames.len() + 1);
-        let mut level = 0;
+        let mut local_level = 0;
         for at in 0..=state.frames.len() {
             let by = at.checked_sub(1).and_then(|at| state.frames.get(at));
             let arguments = by.is_some_and(|frame| frame.arguments.is_some());
-            level += usize::from(arguments);
+            local_level += usize::from(arguments);
             let (program, place) = match state.frames.get(at) {
                 // The return continues with the block after the call.
                 Some(frame) => (frame.program, self.place_of(frame.program, frame.back.saturating_sub(1))),
@@ -108,14 +119,14 @@ impl Interp {
                 Some(_) if arguments => Entered::Macro,
                 Some(_) => Entered::Subprogram,
             };
-            levels.push(Level {
+            levels.push(CallLevel {
                 program: deck.programs.get(program as usize).map_or(0, |program| program.number),
                 name: deck.text(deck.programs.get(program as usize).and_then(|program| program.name)).to_owned(),
                 entered,
                 place,
                 again: by.map_or(0, |frame| frame.again),
-                level,
-                values: state.vars.locals_of(level),
+                local_level,
+                values: state.vars.locals_of(local_level),
             });
         }
         levels.reverse();
@@ -156,10 +167,10 @@ impl Interp {
         let (shared, control, deck) = (&*self.shared, self.shared.control, self.shared.parsed.deck());
         let mut cx = BlockContext { shared, control, deck, world, parts: 1.0 };
         let mut changes = Vec::new();
-        let mut compare = |what: What, then: f64, now: f64| {
+        let mut compare = |subject: ChangeSubject, then: f64, now: f64| {
             let (before, after) = (shown(then), shown(now));
             if before != after {
-                changes.push(Change { what, before, after });
+                changes.push(Change { subject, before, after });
             }
         };
         let level = now.vars.level();
@@ -167,7 +178,7 @@ impl Interp {
         let (values, vacant) = (now.vars.locals_of(level), [VACANT; LOCALS]);
         let given = if level <= then.vars.level() { then.vars.locals_of(level) } else { vacant };
         for (number, (&then, &now)) in (1..).zip(given.iter().zip(&values)) {
-            compare(What::Local(number), then, now);
+            compare(ChangeSubject::Local(number), then, now);
         }
         for (at, row) in self.shared.control.vars.iter().enumerate() {
             for number in row.first..=row.last {
@@ -175,7 +186,7 @@ impl Interp {
                 let zero = if matches!(row.kind, VarKind::Common | VarKind::Retained) { VACANT } else { 0.0 };
                 // Other variables start with a value.
                 let value = |state: &RunState| shown(state.vars.common(slot)).unwrap_or(zero);
-                compare(What::Variable(number), value(then), value(now));
+                compare(ChangeSubject::Variable(number), value(then), value(now));
             }
             let clock = match row.kind {
                 VarKind::PowerOnTime(_) => MachineClock::PowerOn as usize,
@@ -183,17 +194,17 @@ impl Interp {
                 _ => continue,
             };
             if now.clock_zero[clock] != then.clock_zero[clock] {
-                compare(What::Variable(row.first), VACANT, now.read(&mut cx, row.first).unwrap_or(VACANT));
+                compare(ChangeSubject::Variable(row.first), VACANT, now.read(&mut cx, row.first).unwrap_or(VACANT));
             }
         }
         for (group, (&then, &now)) in then.modal.codes.iter().zip(&now.modal.codes).enumerate() {
             // In the motion group 0 is G00; in every other group 0 means no code.
             let none = if group == Group::Motion as usize { 0.0 } else { VACANT };
             let code = |code: CodeId| if code.to_f64() == 0.0 { none } else { code.to_f64() };
-            compare(What::Code, code(then), code(now));
+            compare(ChangeSubject::Code, code(then), code(now));
         }
         // S, M and T appear in their commands.
-        compare(What::Feed, then.modal.words[FEED], now.modal.words[FEED]);
+        compare(ChangeSubject::Feed, then.modal.words[FEED], now.modal.words[FEED]);
         changes
     }
 }

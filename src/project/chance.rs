@@ -64,7 +64,7 @@ pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn F
                 values.insert(field.id.to_owned(), value);
             }
         }
-        let readouts = project.machine.prepare(&values, project.on()).results().readouts;
+        let readouts = project.machine.prepare(&values, project.control_context()).results().readouts;
         let fails = |row: &&Readout| row.verdict == Verdict::Fail;
         hold += u32::from(!readouts.iter().any(|row| fails(&row)));
         for row in readouts.iter().filter(fails) {

@@ -6,7 +6,7 @@ use super::render::{Renderer, headline};
 use super::run::{Run, Setting};
 use super::session::{Session, SessionStop};
 use crate::controls::Control;
-use crate::interp::inspect::{Change, Entered, Level, What};
+use crate::interp::inspect::{CallLevel, Change, ChangeSubject, Entered};
 use crate::motion::{Action, RunEnd};
 use crate::msg;
 use crate::text::catalog::{number_text, sentence, words};
@@ -87,15 +87,15 @@ fn value_text(value: Option<f64>, control: &Control) -> String {
 
 /// A change as a line: `#105 vacant -> 15072`, `G0 -> G1`.
 fn change_text(change: &Change, control: &Control) -> String {
-    let side = |value: Option<f64>| match (change.what, value) {
-        (What::Variable(_) | What::Local(_), value) => value_text(value, control),
+    let side = |value: Option<f64>| match (change.subject, value) {
+        (ChangeSubject::Variable(_) | ChangeSubject::Local(_), value) => value_text(value, control),
         (_, None) => words("console.none").to_owned(),
-        (What::Code, value) => format!("G{}", value_text(value, control)),
-        (What::Feed, value) => format!("F{}", value_text(value, control)),
+        (ChangeSubject::Code, value) => format!("G{}", value_text(value, control)),
+        (ChangeSubject::Feed, value) => format!("F{}", value_text(value, control)),
     };
-    let name = match change.what {
-        What::Variable(number) | What::Local(number) => control.variable(number) + " ",
-        What::Code | What::Feed => String::new(),
+    let name = match change.subject {
+        ChangeSubject::Variable(number) | ChangeSubject::Local(number) => control.variable(number) + " ",
+        ChangeSubject::Code | ChangeSubject::Feed => String::new(),
     };
     format!("{name}{} -> {}", side(change.before), side(change.after))
 }
@@ -184,12 +184,12 @@ impl<'f> Console<'f> {
     }
 
     /// A program and how it was entered: `O9101, macro at level 1`.
-    fn level(&self, level: &Level) -> String {
+    fn level(&self, level: &CallLevel) -> String {
         let program = if level.name.is_empty() { self.program(level.program) } else { level.name.clone() };
         let entered = match level.entered {
             Entered::Start => program,
             Entered::Subprogram => sentence(&msg!("console.subprogram", program)),
-            Entered::Macro => sentence(&msg!("console.macro", program, level = level.level as u32)),
+            Entered::Macro => sentence(&msg!("console.macro", program, level = level.local_level as u32)),
         };
         if level.again == 0 {
             entered
@@ -272,7 +272,7 @@ impl<'f> Console<'f> {
             return String::new();
         };
         let locals = locals_text(level);
-        let number = level.level as u32;
+        let number = level.local_level as u32;
         if locals.is_empty() {
             line(&msg!("console.locals-vacant", level = number))
         } else {
@@ -370,7 +370,7 @@ fn no_such(number: &str, list: &str) -> String {
     line(&msg!("console.no-such", number, command = list))
 }
 
-fn locals_text(level: &Level) -> String {
+fn locals_text(level: &CallLevel) -> String {
     level.locals().map(|(number, value)| format!("  #{number}={}", number_text(value, DECIMALS))).collect()
 }
 

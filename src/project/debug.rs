@@ -6,7 +6,7 @@
 use super::breakpoints::Breakpoints;
 pub use super::breakpoints::Stop;
 use super::run::Run;
-use crate::interp::inspect::{Change, Level};
+use crate::interp::inspect::{CallLevel, Change};
 use crate::interp::{Interp, World};
 use crate::motion::{Event, Gate, GatedProgress};
 use crate::nc::{self, Stmt};
@@ -180,7 +180,7 @@ impl Debugger {
     }
 
     /// The call stack, innermost first.
-    pub fn levels(&self) -> Vec<Level> {
+    pub fn levels(&self) -> Vec<CallLevel> {
         self.run.program().levels()
     }
 

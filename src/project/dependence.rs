@@ -19,7 +19,7 @@ pub fn fields_by_result(project: &Project) -> BTreeMap<&'static str, Vec<&'stati
         for value in others(project, field) {
             let mut values = project.values.clone();
             values.insert(field.id.to_owned(), value);
-            let after = project.machine.prepare(&values, project.on()).results().readouts;
+            let after = project.machine.prepare(&values, project.control_context()).results().readouts;
             for old in &before {
                 let differs = after.iter().find(|new| new.id == old.id).is_some_and(|new| differ(old, new));
                 let fields = found.entry(old.id).or_default();

@@ -109,7 +109,7 @@ pub struct Words<'a> {
 impl<'a> Words<'a> {
     /// The words of a project.
     pub fn of(project: &'a Project) -> Words<'a> {
-        Words { on: project.on(), project: Some(project) }
+        Words { on: project.control_context(), project: Some(project) }
     }
 
     /// The words of programs without a machine.

@@ -202,7 +202,7 @@ impl Project {
     }
 
     /// The control with the settings of the project.
-    pub fn on(&self) -> ControlContext<'_> {
+    pub fn control_context(&self) -> ControlContext<'_> {
         ControlContext { control: self.control, switches: &self.switches }
     }
 
@@ -268,7 +268,7 @@ impl Project {
 
     /// The machine with the project's values on its control, prepared once per change.
     pub fn prepared(&self) -> Arc<PreparedMachine> {
-        self.memo.prepared(self.machine, &self.values, self.on())
+        self.memo.prepared(self.machine, &self.values, self.control_context())
     }
 
     /// Results, verdicts and invalid fields.

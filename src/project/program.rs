@@ -29,18 +29,18 @@ pub struct Written {
 impl Project {
     /// Characters that comments can have on the control, with its settings.
     pub fn characters(&self) -> CommentCharacters {
-        self.on().dialect().comment_characters()
+        self.control_context().dialect().comment_characters()
     }
 
     /// The language of the comments that are written: Chinese where that is chosen and the control can show it.
-    pub fn speaks(&self) -> Language {
+    fn comment_language(&self) -> Language {
         if self.characters() == CommentCharacters::Ascii { Language::English } else { self.comments }
     }
 
     /// The program: the machine's own, or the edited text.
     pub fn written(&self) -> Written {
         let mut own = self.prepared().program();
-        if self.speaks() == Language::Chinese {
+        if self.comment_language() == Language::Chinese {
             comments::put_in_chinese(&mut own.deck, self.control);
         }
         let (files, mut diagnostics) = match &self.edited {

@@ -48,7 +48,7 @@ impl Project {
     /// The report about these programs of the project.
     pub fn report(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Report {
         let values = (&self.values, &self.provenance);
-        let report = report(self.machine, prepared, &self.name, values, self.on(), options.advice);
+        let report = report(self.machine, prepared, &self.name, values, self.control_context(), options.advice);
         let files = &written.files.0;
         let program = |file: &File| PrintedProgram {
             name: file.name.clone(),

@@ -52,7 +52,7 @@ impl Sensitivity {
             let after = FACTORS.into_iter().filter_map(|factor| {
                 let mut values = project.values.clone();
                 values.insert(field.id.to_owned(), Value::Number(changed(project, &field, factor)?));
-                Some((factor, project.machine.prepare(&values, project.on()).results().readouts))
+                Some((factor, project.machine.prepare(&values, project.control_context()).results().readouts))
             });
             TriedFact { field: field.id, label: field.label, after: after.collect() }
         };

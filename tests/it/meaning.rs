@@ -91,7 +91,7 @@ fn every_row_of_a_control_has_a_meaning_and_a_source() {
         control.axes.iter().for_each(|row| known(&row.letter.to_string(), Table::Program));
         control.params.iter().for_each(|row| known(row.number, Table::Parameters));
         control.alarms.iter().for_each(|row| known(row.number, Table::Alarms));
-        let dialect = project.on().dialect();
+        let dialect = project.control_context().dialect();
         for row in control.interface {
             known(&dialect.device(control, row.role).unwrap().0, Table::Interface);
         }
@@ -140,7 +140,7 @@ fn live_value_is_that_of_the_moment() {
     assert_eq!(value(&name, at).value, run::shown(&run, project.control, number, at));
     assert!(live("G01", Table::Program, at).is_none() && live("#1", Table::Program, at).is_none());
     let role = macroline::controls::interface::SignalRole::FeedOverride;
-    let (device, _) = project.on().dialect().device(project.control, role).unwrap();
+    let (device, _) = project.control_context().dialect().device(project.control, role).unwrap();
     assert_eq!(live(&device, Table::Interface, 1.0).unwrap().value, Some(100.0));
     assert_eq!(live(&device, Table::Interface, at).unwrap().value, Some(80.0));
 }

@@ -114,7 +114,7 @@ fn readouts(project: &Project) -> Vec<Readout> {
     let machine = project.machine;
     let mut all = project.prepared().results().readouts;
     let mut add = |other: &Project| {
-        for readout in machine.prepare(&other.values, other.on()).results().readouts {
+        for readout in machine.prepare(&other.values, other.control_context()).results().readouts {
             match all.iter_mut().find(|known| known.id == readout.id) {
                 Some(known) => known.limit = known.limit.or(readout.limit),
                 None => all.push(readout),

@@ -5,7 +5,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::refusal::{error, refused};
 use super::requests::{RunArguments, read, read_request};
-use crate::interp::inspect::{Change, Entered, Level, What};
+use crate::interp::inspect::{CallLevel, Change, Entered};
 use crate::motion::{Action, Retention, RunEnd};
 use crate::msg;
 use crate::project::debug::{Goal, Stop};
@@ -181,7 +181,7 @@ impl StepAnswers {
         })
     }
 
-    fn level(&self, level: &Level, renderer: &Renderer) -> Json {
+    fn level(&self, level: &CallLevel, renderer: &Renderer) -> Json {
         let entered = match level.entered {
             Entered::Start => "start",
             Entered::Subprogram => "subprogram",
@@ -197,12 +197,7 @@ impl StepAnswers {
     }
 
     fn change(&self, change: &Change) -> Json {
-        let name = match change.what {
-            What::Variable(number) | What::Local(number) => self.session.control().variable(number),
-            What::Code => "G".to_owned(),
-            What::Feed => "F".to_owned(),
-        };
-        json!({ "name": name, "before": change.before, "after": change.after })
+        json!({ "name": change.subject.name(self.session.control()), "before": change.before, "after": change.after })
     }
 }
 

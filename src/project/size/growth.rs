@@ -119,7 +119,7 @@ impl Trial<'_> {
     fn results(&self, entry: f64) -> Vec<Readout> {
         let mut values = self.project.values.clone();
         values.insert(self.field.id.to_owned(), Value::Number(entry));
-        self.project.machine.prepare(&values, self.project.on()).results().readouts
+        self.project.machine.prepare(&values, self.project.control_context()).results().readouts
     }
 
     /// The first result that fails with an entry, without the ignored ones.

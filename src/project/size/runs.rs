@@ -191,7 +191,7 @@ impl SizingRuns {
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
         let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
-        let Steps { low, high, .. } = project.on().dialect().spindle().knob;
+        let Steps { low, high, .. } = project.control_context().dialect().spindle().knob;
         let other = |percent: f64| Some(percent).filter(|_| now.is_some_and(|now| now != percent));
         let (lowest, highest) = (other(low.max(LOWEST)), other(high));
         let at = |knob: Option<f64>, feed: Option<f64>| WholeRun::new(&prepared, begun.clone(), knob, feed);

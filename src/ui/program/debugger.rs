@@ -3,7 +3,7 @@
 use leptos::prelude::*;
 
 use crate::controls::Control;
-use crate::interp::inspect::What;
+use crate::interp::inspect::Change;
 use crate::project::program::Written;
 use crate::text::LineIndex;
 use crate::ui::parts::input::EntryField;
@@ -91,14 +91,8 @@ impl State {
 fn changes(stepper: &Stepper, control: &Control) -> Vec<Row> {
     let Some(debugger) = stepper.stopped() else { return Vec::new() };
     let shown = |value| value_of(control, value, 6);
-    let row = |change: crate::interp::inspect::Change| {
-        let name = match change.what {
-            What::Variable(number) | What::Local(number) => control.variable(number),
-            What::Code => "G".to_owned(),
-            What::Feed => "F".to_owned(),
-        };
-        (name, format!("{} → {}", shown(change.before), shown(change.after)))
-    };
+    let row =
+        |change: Change| (change.subject.name(control), format!("{} → {}", shown(change.before), shown(change.after)));
     debugger.changes().into_iter().map(row).collect()
 }
 

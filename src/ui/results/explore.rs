@@ -24,7 +24,7 @@ use crate::view::{Explorer, Knob, Readout};
 /// The machine with dragged values, or with those of the form.
 fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
     match draft {
-        Some(values) => Arc::new(project.machine.prepare(values, project.on())),
+        Some(values) => Arc::new(project.machine.prepare(values, project.control_context())),
         None => project.prepared(),
     }
 }

@@ -11,7 +11,7 @@ use super::put::put;
 use super::stepper::Stepper;
 use super::work_spans::WorkSpans;
 use crate::controls::Control;
-use crate::interp::inspect::What;
+use crate::interp::inspect::ChangeSubject;
 use crate::machines::{Frame, PreparedMachine};
 use crate::math;
 use crate::motion::{Action, Event, Mode, RunEnd, Snapshot, Timeline};
@@ -299,7 +299,7 @@ impl Player {
         // At a stop the block to be read at this exact time has not been read.
         let stopped = self.stepper.with(|stepper| {
             let debugger = stepper.stopped()?;
-            let changed = debugger.changes().iter().any(|change| change.what == What::Variable(number));
+            let changed = debugger.changes().iter().any(|change| change.subject == ChangeSubject::Variable(number));
             Some((run::shown(debugger.run(), control, number, f64::INFINITY), changed))
         });
         stopped

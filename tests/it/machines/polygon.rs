@@ -470,7 +470,7 @@ fn dropped_program_restores_the_form() {
 #[test]
 fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
-        let design = machine().prepare(&values(changes), project(&[]).on()).design(&Origins::default());
+        let design = machine().prepare(&values(changes), project(&[]).control_context()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
             let advice: Vec<_> = row.advice.iter().map(|advice| sentence(&advice.message)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))

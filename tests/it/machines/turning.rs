@@ -221,7 +221,9 @@ fn cut_part_never_grows() {
 #[test]
 fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
-        let design = machine().prepare(&values(changes), project("gsk-980tdc", &[]).on()).design(&Origins::default());
+        let design = machine()
+            .prepare(&values(changes), project("gsk-980tdc", &[]).control_context())
+            .design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
             let advice: Vec<_> = row.advice.iter().map(|advice| sentence(&advice.message)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
