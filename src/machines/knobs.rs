@@ -94,8 +94,8 @@ pub(super) fn torque_remedy(
     let (feed, spindle, torque, limit) = ((at.feed, 0), (at.spindle, 0), (torque, 1), (limit, 1));
     Some(if all.iter().all(|of| of.torque <= of.forced) {
         let speed = (motor_speed, 0);
-        let said = msg!("lathe.shaft-fan-at-knobs", feed, spindle, speed, torque, limit);
-        TorqueRemedy::Cooling(forced_cooling_advice(cooling, said))
+        let message = msg!("lathe.shaft-fan-at-knobs", feed, spindle, speed, torque, limit);
+        TorqueRemedy::Cooling(forced_cooling_advice(cooling, message))
     } else {
         TorqueRemedy::Feed(slower(msg!("lathe.torque-at-knobs", feed, spindle, torque, limit)))
     })

@@ -193,10 +193,10 @@ pub(super) fn judge_ramp<P>(
             return warn(limit, [msg!("lathe.friction-stalls-at-knob", percent = (percent, 0)).into()]);
         }
         let set = up(fields, id, shortest);
-        let said =
+        let advice =
             Advice::from(msg!("lathe.ramp-at-knob", percent = (percent, 0), needed = (shortest, 2), ramp = (ramp, 2)));
         let button = msg!("advice.set-ramp", time = set.text.as_str());
-        return warn(limit, [if shortest <= maximum(fields, id) { said.setting(button, [set]) } else { said }]);
+        return warn(limit, [if shortest <= maximum(fields, id) { advice.setting(button, [set]) } else { advice }]);
     }
     if shortest == f64::INFINITY {
         let gives = spindle.driving_motor().torque(highest);

@@ -53,7 +53,7 @@ impl SevereSite {
 
     /// Remark on the results.
     pub fn remark(&self) -> Diagnostic {
-        let said = match self.at {
+        let message = match self.at {
             None => msg!("form.site-amplifiers", percent = (100.0 * self.share, 1)),
             Some(Site { height, temperature }) => msg!(
                 "form.site-amplifiers-at",
@@ -63,6 +63,6 @@ impl SevereSite {
                 most_temperature = (DATA_SHEET.temperature, 0)
             ),
         };
-        Diagnostic::info(said).about(self.field)
+        Diagnostic::info(message).about(self.field)
     }
 }

@@ -74,14 +74,14 @@ impl EncoderParams {
         let number = |value: f64| vec![("", ParamValue::Number(value))];
         let yes = |on: bool| vec![("", ParamValue::Answer(on))];
         let [high, low] = self.bits().unwrap_or_default();
-        let told = |values: AxisValues<'static>| if self.is_known(control) { values } else { Vec::new() };
+        let if_known = |values: AxisValues<'static>| if self.is_known(control) { values } else { Vec::new() };
         vec![
             (ParamRole::SpindleEncoderLines, number(self.lines)),
             (ParamRole::SpindleEncoderDirect, yes(true)),
             (ParamRole::SpindleEncoderTurns, number(self.turns)),
             (ParamRole::SpindleEncoderSpindleTurns, number(self.spindle_turns)),
-            (ParamRole::SpindleEncoderHigh, told(yes(high))),
-            (ParamRole::SpindleEncoderLow, told(yes(low))),
+            (ParamRole::SpindleEncoderHigh, if_known(yes(high))),
+            (ParamRole::SpindleEncoderLow, if_known(yes(low))),
         ]
     }
 

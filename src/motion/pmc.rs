@@ -12,7 +12,7 @@ const DEGREES: f64 = 6.0;
 
 impl Timeline {
     /// Commanded angles (°) of the PMC axes at `t`, before acceleration.
-    fn pmc_told(&self, t: f64) -> [f64; AXES] {
+    fn pmc_commanded(&self, t: f64) -> [f64; AXES] {
         self.pmc
             .segments
             .at(t)
@@ -23,8 +23,8 @@ impl Timeline {
 impl<P: RunningProgram> Sim<'_, P> {
     /// Writes the commanded turns of the PMC axes to the PLC interface.
     pub(super) fn show_pmc(&mut self, t: f64) {
-        let told = self.out.timeline.pmc_told(t);
-        self.s.plc.signals.pmc_turns = core::array::from_fn(|k| told[k] / 360.0);
+        let angles = self.out.timeline.pmc_commanded(t);
+        self.s.plc.signals.pmc_turns = core::array::from_fn(|k| angles[k] / 360.0);
     }
 
     /// Turns the PMC axes at the speeds from the PLC.
@@ -33,7 +33,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let asked = |k: usize| speed.get(k).copied().filter(|rpm| rpm.is_finite()).unwrap_or(0.0) * DEGREES;
         let velocity: [f64; AXES] = core::array::from_fn(asked);
         if velocity != self.out.timeline.pmc.segments.last().map_or([0.0; AXES], |last| last.velocity) {
-            let from = self.out.timeline.pmc_told(t);
+            let from = self.out.timeline.pmc_commanded(t);
             self.out.timeline.pmc.segments.put(Segment { t, from, velocity, circle: 0 });
         }
     }

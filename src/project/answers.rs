@@ -12,22 +12,22 @@ use super::{Project, list, origins};
 /// Results of a project with limits and verdicts, the changes with which failing ones hold, origins of its values and diagnostics; `file` has the diagnostics about its file.
 pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>) {
     let design = project.design();
-    let mut told = origins::json(project);
-    told["readouts"] = list::readouts_json(&design.readouts);
-    told["repairs"] = list::repairs_json(&repairs(project));
+    let mut answer = origins::json(project);
+    answer["readouts"] = list::readouts_json(&design.readouts);
+    answer["repairs"] = list::repairs_json(&repairs(project));
     let mut list = design.diagnostics;
     origins::shorten(project, &mut list);
     let all = vec![file, FileFindings { sources: Sources::default(), list }];
-    told["diagnostics"] = list_json(&all);
-    (told, all)
+    answer["diagnostics"] = list_json(&all);
+    (answer, all)
 }
 
 /// A sizing with its diagnostics, and the chance that every verdict holds, if requested.
 pub fn sizing(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings]) -> Json {
-    let mut told = sizing.json();
-    told["chance"] = json!(chance.map(Chance::json));
-    told["diagnostics"] = list_json(all);
-    told
+    let mut answer = sizing.json();
+    answer["chance"] = json!(chance.map(Chance::json));
+    answer["diagnostics"] = list_json(all);
+    answer
 }
 
 /// A project sized by runs of its program; `file` has the diagnostics about its file.

@@ -99,8 +99,9 @@ impl Chance {
     /// The chance as a table: the sentence, then the results that fail.
     pub fn sheet(&self) -> Sheet {
         let cite = Citation::new("assumed facts drawn evenly within a tenth", Grade::Inferred);
-        let told = msg!("chance.hold", percent = (self.share(self.hold), 1), machines = self.draws, facts = self.facts);
-        let first = row([sentence(&told), String::new()], cite);
+        let message =
+            msg!("chance.hold", percent = (self.share(self.hold), 1), machines = self.draws, facts = self.facts);
+        let first = row([sentence(&message), String::new()], cite);
         let fails = self.failing.iter().map(|(_, label, count)| {
             row([say(label), sentence(&msg!("chance.share", percent = (self.share(*count), 1)))], cite)
         });

@@ -29,16 +29,16 @@ pub fn changes(before: &Project, after: &Project) -> Vec<String> {
         return vec![sentence(&msg!("changes.machine", machine = words(after.machine.name())))];
     }
     let mut out = Vec::new();
-    let mut told = |differs: bool, message: Message| {
+    let mut note = |differs: bool, message: Message| {
         if differs {
             out.push(sentence(&message));
         }
     };
-    told(before.control.id != after.control.id, msg!("changes.control", control = after.control.name));
-    told(before.name != after.name && !after.name.is_empty(), msg!("changes.name", name = after.name.as_str()));
-    told(before.name != after.name && after.name.is_empty(), msg!("changes.no-name"));
-    told(before.edited != after.edited && after.edited.is_some(), msg!("changes.edited"));
-    told(before.edited != after.edited && after.edited.is_none(), msg!("changes.written"));
+    note(before.control.id != after.control.id, msg!("changes.control", control = after.control.name));
+    note(before.name != after.name && !after.name.is_empty(), msg!("changes.name", name = after.name.as_str()));
+    note(before.name != after.name && after.name.is_empty(), msg!("changes.no-name"));
+    note(before.edited != after.edited && after.edited.is_some(), msg!("changes.edited"));
+    note(before.edited != after.edited && after.edited.is_none(), msg!("changes.written"));
     if before.values != after.values {
         out.extend(side_by_side(&[entries(before), entries(after)]).iter().filter_map(phrase));
     }
@@ -65,14 +65,14 @@ pub fn changes(before: &Project, after: &Project) -> Vec<String> {
 fn phrase(row: &ComparedRow) -> Option<String> {
     match row.cells.as_slice() {
         [Some((before, _)), Some((after, _))] if row.differs => {
-            let told = msg!(
+            let message = msg!(
                 "changes.value",
                 field = row.label.as_str(),
                 before = before.as_str(),
                 after = after.as_str(),
                 unit = row.unit
             );
-            Some(sentence(&told).trim_end().to_owned())
+            Some(sentence(&message).trim_end().to_owned())
         }
         _ => None,
     }

@@ -23,10 +23,10 @@ fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
     let mut found = interp::precheck(parsed);
     let mut warnings = nc::warnings(parsed, start, set);
     // One mistake, one finding.
-    let said = |warning: &Diagnostic| {
+    let has_alarm = |warning: &Diagnostic| {
         found.iter().any(|alarm| warning.place.zip(alarm.place).is_some_and(|(a, b)| a.meets(b)))
     };
-    warnings.retain(|warning| warning.severity == Severity::Info || !said(warning));
+    warnings.retain(|warning| warning.severity == Severity::Info || !has_alarm(warning));
     found.append(&mut warnings);
     found
 }

@@ -230,11 +230,11 @@ impl<'f> Console<'f> {
 
     /// A watch: its expression with its value, or the reason why it has none.
     fn shown(&self, number: u32, text: &str) -> String {
-        let told = match self.debugger().evaluate(text) {
+        let watch = match self.debugger().evaluate(text) {
             Ok(value) => format!("{text} = {}", value_text(value, self.control())),
             Err(why) => headed(text, headline(&why)),
         };
-        line(&msg!("console.watch", number, text = told))
+        line(&msg!("console.watch", number, text = watch))
     }
 
     fn changed(&self) -> String {
@@ -302,8 +302,8 @@ impl<'f> Console<'f> {
             let condition = if point.condition.is_empty() { String::new() } else { format!(" if {}", point.condition) };
             let block = point.place.map_or_else(String::new, |place| self.renderer.block(place));
             let hits = sentence(&msg!("console.hits", breakpoint = format!("{block}{condition}"), hits = point.hits));
-            let told = if point.on { hits } else { sentence(&msg!("console.off", breakpoint = hits)) };
-            out += &format!("{}  {told}\n", point.number);
+            let state = if point.on { hits } else { sentence(&msg!("console.off", breakpoint = hits)) };
+            out += &format!("{}  {state}\n", point.number);
         }
         if out.is_empty() { line(&msg!("console.no-breakpoints")) } else { out }
     }

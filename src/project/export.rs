@@ -149,12 +149,12 @@ impl Project {
     /// The files beside the programs.
     fn documents_of(&self, prepared: &PreparedMachine, written: &Written, options: &ExportOptions) -> Vec<ExportFile> {
         let file = |name: String, text, meaning| ExportFile::document(File { name, text }, meaning);
-        let told = self.report(prepared, written, options);
+        let report = self.report(prepared, written, options);
         let mut files = vec![
-            file(SUMMARY.to_owned(), report::summary(&told), "page.file.summary"),
-            file(REPORT.to_owned(), report::html(&told), "page.file.report"),
-            file("report.md".to_owned(), report::markdown(&told), "page.file.report-text"),
-            file("drawing.svg".to_owned(), told.run.drawing.clone(), "page.file.machine"),
+            file(SUMMARY.to_owned(), report::summary(&report), "page.file.summary"),
+            file(REPORT.to_owned(), report::html(&report), "page.file.report"),
+            file("report.md".to_owned(), report::markdown(&report), "page.file.report-text"),
+            file("drawing.svg".to_owned(), report.run.drawing.clone(), "page.file.machine"),
         ];
         let of_sizing = options.sizing.map(|sizing| [sizing.bill_sheet(), sizing.terminal_sheet()]);
         // Files that other programs read are in millimetres.

@@ -74,14 +74,14 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
         Some((mut project, from)) => {
             let (given, left_aside) = without_documents(given);
             project.edited = differing(&project, &given);
-            let told = if project.edited.is_some() {
+            let message = if project.edited.is_some() {
                 msg!("project.form-restored-edited", file = from)
             } else {
                 msg!("project.form-restored", file = from)
             };
             Opened {
                 project: Some(project),
-                diagnostics: core::iter::once(Diagnostic::info(told)).chain(left_aside).collect(),
+                diagnostics: core::iter::once(Diagnostic::info(message)).chain(left_aside).collect(),
             }
         }
         None => {
@@ -95,8 +95,9 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
 /// The programs without the documents of an export beside them, and a finding about the documents.
 fn without_documents(given: Files) -> (Files, Option<Diagnostic>) {
     let (left, programs): (Vec<File>, Vec<File>) = given.0.into_iter().partition(is_document);
-    let told = (!left.is_empty()).then(|| Diagnostic::info(msg!("project.documents-left", count = left.len() as u32)));
-    (Files(programs), told)
+    let remark =
+        (!left.is_empty()).then(|| Diagnostic::info(msg!("project.documents-left", count = left.len() as u32)));
+    (Files(programs), remark)
 }
 
 /// A text without the byte order mark and the space before it.

@@ -26,24 +26,24 @@ const SYNTAX: [(&str, &str); 16] = [
 ];
 
 /// Our sentence for a message of serde, without the place; serde's own text for an unknown message.
-pub(super) fn reason(said: &str) -> String {
-    let known = SYNTAX.iter().find(|(text, _)| *text == said).map(|(_, id)| words(id).to_owned());
-    known.or_else(|| marks(said)).or_else(|| shape(said)).unwrap_or_else(|| said.to_owned())
+pub(super) fn reason(message: &str) -> String {
+    let known = SYNTAX.iter().find(|(text, _)| *text == message).map(|(_, id)| words(id).to_owned());
+    known.or_else(|| marks(message)).or_else(|| shape(message)).unwrap_or_else(|| message.to_owned())
 }
 
 /// Marks that are missing, and characters that do not belong into a text.
-fn marks(said: &str) -> Option<String> {
-    if said.starts_with("control character ") {
+fn marks(message: &str) -> Option<String> {
+    if message.starts_with("control character ") {
         return Some(words("project.json.control-character").to_owned());
     }
-    let marks = said.strip_prefix("expected `")?.strip_suffix('`')?;
+    let marks = message.strip_prefix("expected `")?.strip_suffix('`')?;
     let marks: Vec<String> = marks.split("` or `").map(|mark| format!("`{mark}`")).collect();
     Some(sentence(&msg!("project.json.expected", marks = either(&marks))))
 }
 
 /// Sentence about a key or a kind of value that does not fit the expected shape.
-fn shape(said: &str) -> Option<String> {
-    let key = |kind: &str| said.strip_prefix(kind).and_then(|key| key.strip_suffix('`'));
+fn shape(message: &str) -> Option<String> {
+    let key = |kind: &str| message.strip_prefix(kind).and_then(|key| key.strip_suffix('`'));
     if let Some(key) = key("missing field `") {
         return Some(sentence(&msg!("project.json.missing-key", key = clip(key))));
     }
@@ -51,12 +51,12 @@ fn shape(said: &str) -> Option<String> {
         return Some(sentence(&msg!("project.json.key-twice", key = clip(key))));
     }
     for kind in ["unknown field `", "unknown variant `"] {
-        if let Some((name, known)) = said.strip_prefix(kind).and_then(|rest| rest.rsplit_once("`, expected ")) {
+        if let Some((name, known)) = message.strip_prefix(kind).and_then(|rest| rest.rsplit_once("`, expected ")) {
             let known = listed(known.split('`').skip(1).step_by(2));
             return Some(sentence(&msg!("project.json.unknown", name = clip(name), known)));
         }
     }
-    let (found, expected) = said.strip_prefix("invalid type: ")?.rsplit_once(", expected ")?;
+    let (found, expected) = message.strip_prefix("invalid type: ")?.rsplit_once(", expected ")?;
     Some(sentence(&msg!("project.json.other-kind", found = found_kind(found), expected = expected_kind(expected))))
 }
 

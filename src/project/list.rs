@@ -71,8 +71,8 @@ pub fn text() -> String {
         });
         let full = bench.gears.first().copied().unwrap_or(0.0);
         let (volts, ramp) = (control.analog_output.volts, bench.ramp);
-        let told = msg!("project.list.bench", axes = listed(axes), speed = full, volts, ramp);
-        out += &format!("  {:<20} {}\n", "", sentence(&told));
+        let message = msg!("project.list.bench", axes = listed(axes), speed = full, volts, ramp);
+        out += &format!("  {:<20} {}\n", "", sentence(&message));
         out += &format!("  {:<20} {}\n", "", words("project.list.switches"));
         for switch in control.switches {
             out += &format!("  {:<20}   {:<23} {}\n", "", switch.id(), switch.text());

@@ -154,12 +154,12 @@ impl<'a> Words<'a> {
             Table::Interface => of_register(self, word).or_else(|| of_program(self, word)),
             Table::Parameters => {
                 let row = control.params.iter().find(|row| row.number == word)?;
-                let says = vec![told(row.text), msg!("meaning.parameter", parameter = row.name)];
+                let says = vec![row_meaning(row.text), msg!("meaning.parameter", parameter = row.name)];
                 Some(meaning(word, Subject::Parameter, says, row.unit.text(), row.cite))
             }
             Table::Alarms => {
                 let row = control.alarms.iter().find(|row| row.number == word)?;
-                let says = vec![told(row.text), msg!("meaning.alarm", control = control.name)];
+                let says = vec![row_meaning(row.text), msg!("meaning.alarm", control = control.name)];
                 Some(meaning(word, Subject::Alarm, says, "", row.cite))
             }
         }
@@ -190,7 +190,7 @@ fn beside_code(control: &Control, line: &str, meaning: &Meaning) -> Option<Messa
 }
 
 /// The text of a row as a sentence.
-fn told(text: Phrase) -> Message {
+fn row_meaning(text: Phrase) -> Message {
     msg!("meaning.row", meaning = text)
 }
 
@@ -225,7 +225,7 @@ fn of_program(all: &Words, word: &str) -> Option<Meaning> {
 
 /// Sentences about the row of a code.
 pub(super) fn code_says(row: &CodeDef) -> Vec<Message> {
-    let mut says = vec![told(row.text)];
+    let mut says = vec![row_meaning(row.text)];
     says.extend(match (row.code, row.group) {
         (Code::Auxiliary, _) => Some(msg!("meaning.to-plc")),
         (code, _) if code.is_left_out() || code == Code::Tapping => Some(msg!("meaning.not-simulated")),
@@ -248,7 +248,7 @@ fn of_code(control: &Control, text: &str) -> Option<Meaning> {
 
 /// Sentences about the row of a range of variables.
 pub(super) fn variable_says(row: &VarRange) -> Vec<Message> {
-    let mut says = vec![told(row.text)];
+    let mut says = vec![row_meaning(row.text)];
     if !row.device.is_empty() {
         says.push(msg!("meaning.register", register = row.device));
     }
@@ -397,7 +397,7 @@ fn address_words(address: Address) -> Option<Message> {
 
 /// Sentences about the row of a register.
 pub(super) fn signal_says(control: &Control, row: &Signal) -> Vec<Message> {
-    let mut says = vec![told(row.text)];
+    let mut says = vec![row_meaning(row.text)];
     says.push(if row.plc_writes { msg!("meaning.plc-writes") } else { msg!("meaning.control-writes") });
     if let Some(variable) = variable_of(row.role) {
         says.push(msg!("meaning.as-variable", variable = control.variable(variable)));

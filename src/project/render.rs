@@ -209,7 +209,7 @@ pub fn summary(diagnostics: &[Diagnostic]) -> String {
         (count(Severity::Info), msg!("project.remarks", count = count(Severity::Info))),
     ];
     let counts: Vec<String> =
-        counts.into_iter().filter(|(count, _)| *count > 0).map(|(_, told)| sentence(&told)).collect();
+        counts.into_iter().filter(|(count, _)| *count > 0).map(|(_, message)| sentence(&message)).collect();
     if counts.is_empty() { words("project.nothing-to-say").to_owned() } else { listed(counts) }
 }
 

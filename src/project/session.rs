@@ -181,12 +181,12 @@ impl Session {
         let over = matches!(stop, Stop::Ended(_)).then(|| (self.debugger.t(), self.debugger.run().blocks()));
         let again = over.is_some() && over == self.over;
         self.over = over;
-        let mut said: Vec<Diagnostic> = self.debugger.run().diagnostics().to_vec();
+        let mut reported: Vec<Diagnostic> = self.debugger.run().diagnostics().to_vec();
         if let Stop::Ended(RunEnd::Alarm(alarm)) = &stop {
-            said.push((**alarm).clone());
+            reported.push((**alarm).clone());
         }
         let mut found = Vec::new();
-        for diagnostic in said {
+        for diagnostic in reported {
             if !self.diagnostics.contains(&diagnostic) {
                 self.diagnostics.push(diagnostic.clone());
                 found.push(diagnostic);

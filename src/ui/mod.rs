@@ -61,10 +61,10 @@ pub fn open(sentences: String) {
 /// Shows in plain DOM that the page has stopped: after a panic no signal works any more.
 fn broken(reason: &str) {
     let Some(body) = web_sys::window().and_then(|window| window.document()?.body()) else { return };
-    let Ok(told) = document().create_element("p") else { return };
-    told.set_class_name("broken");
-    told.set_text_content(Some(&words::sentence(&crate::msg!("page.broken", reason))));
-    let _ = body.prepend_with_node_1(&told);
+    let Ok(paragraph) = document().create_element("p") else { return };
+    paragraph.set_class_name("broken");
+    paragraph.set_text_content(Some(&words::sentence(&crate::msg!("page.broken", reason))));
+    let _ = body.prepend_with_node_1(&paragraph);
 }
 
 #[cfg(test)]

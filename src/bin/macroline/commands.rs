@@ -131,9 +131,9 @@ fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<()
 fn design(path: &Path, json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let (told, all) = answers::design(&project, file);
+    let (answer, all) = answers::design(&project, file);
     if json {
-        print_json(&told)?;
+        print_json(&answer)?;
     } else {
         let readouts = list::readouts_text(&project.design().readouts);
         let repairs = list::repairs_text(&repairs(&project));
@@ -173,9 +173,9 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
         _ => variants::compare(&variants),
     };
     if json {
-        let mut told = variants::comparison_json(&comparison);
-        told["diagnostics"] = list_json(&all);
-        print_json(&told)?;
+        let mut answer = variants::comparison_json(&comparison);
+        answer["diagnostics"] = list_json(&all);
+        print_json(&answer)?;
     } else {
         print(&variants::comparison_text(&comparison))?;
         print_findings(&all)?;

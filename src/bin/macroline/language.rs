@@ -122,7 +122,7 @@ fn command_in_words(mut command: Command) -> Command {
 
 /// An argument with translated help, to which its default and its possible values are added.
 fn argument_in_words(argument: Arg) -> Arg {
-    let mut told = match argument.get_id().as_str() {
+    let mut text = match argument.get_id().as_str() {
         "help" => words("Print help").to_owned(),
         "version" => words("Print version").to_owned(),
         _ => argument.get_help().map(help_words).unwrap_or_default().to_owned(),
@@ -134,14 +134,14 @@ fn argument_in_words(argument: Arg) -> Arg {
             None => value.get_name().to_owned(),
         };
         if !values.is_empty() {
-            told += &sentence(&msg!("cli.possible-values", values = clauses(values.iter().map(value))));
+            text += &sentence(&msg!("cli.possible-values", values = clauses(values.iter().map(value))));
         }
         let default: Vec<_> = argument.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
         if default.iter().any(|value| !value.is_empty()) {
-            told += &sentence(&msg!("cli.default", values = listed(default)));
+            text += &sentence(&msg!("cli.default", values = listed(default)));
         }
     }
-    argument.help(told.clone()).long_help(told).hide_default_value(true).hide_possible_values(true)
+    argument.help(text.clone()).long_help(text).hide_default_value(true).hide_possible_values(true)
 }
 
 /// Prints the requested help, or the error of the arguments; returns the exit status.
@@ -163,15 +163,15 @@ fn refused(error: Error) -> ExitCode {
 /// Error of clap in the chosen language: message, similar names, and the usage.
 fn error_text(error: &Error) -> String {
     let mut lines = vec![sentence(&msg!("cli.error", reason = sentence(&error_message(error))))];
-    let known = told(error, ContextKind::ValidValue);
+    let known = context(error, ContextKind::ValidValue);
     if !known.is_empty() {
         lines.push(format!("  {}", sentence(&msg!("cli.possible-values", values = known)).trim_start()));
     }
     let similar = [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue];
-    for similar in similar.map(|kind| told(error, kind)).iter().filter(|similar| !similar.is_empty()) {
+    for similar in similar.map(|kind| context(error, kind)).iter().filter(|similar| !similar.is_empty()) {
         lines.push(format!("\n  {}", sentence(&msg!("cli.similar", similar = similar.as_str()))));
     }
-    let usage = told(error, ContextKind::Usage);
+    let usage = context(error, ContextKind::Usage);
     if !usage.is_empty() {
         lines.push(format!("\n{}{}", words("Usage:"), without_heading(&usage)));
     }
@@ -180,7 +180,7 @@ fn error_text(error: &Error) -> String {
 }
 
 /// Part of an error's context; empty if it has none.
-fn told(error: &Error, kind: ContextKind) -> String {
+fn context(error: &Error, kind: ContextKind) -> String {
     match error.get(kind) {
         Some(ContextValue::Strings(list)) => listed(list),
         Some(value) => value.to_string(),
@@ -190,17 +190,19 @@ fn told(error: &Error, kind: ContextKind) -> String {
 
 /// Message for an error in the arguments.
 fn error_message(error: &Error) -> Message {
-    let told = |kind| told(error, kind);
-    let (argument, value) = (told(ContextKind::InvalidArg), told(ContextKind::InvalidValue));
+    let context = |kind| context(error, kind);
+    let (argument, value) = (context(ContextKind::InvalidArg), context(ContextKind::InvalidValue));
     match error.kind() {
-        ErrorKind::ArgumentConflict if told(ContextKind::PriorArg) == argument => msg!("cli.error.repeated", argument),
-        ErrorKind::ArgumentConflict => msg!("cli.error.conflict", argument, other = told(ContextKind::PriorArg)),
+        ErrorKind::ArgumentConflict if context(ContextKind::PriorArg) == argument => {
+            msg!("cli.error.repeated", argument)
+        }
+        ErrorKind::ArgumentConflict => msg!("cli.error.conflict", argument, other = context(ContextKind::PriorArg)),
         ErrorKind::InvalidValue if value.is_empty() => msg!("cli.error.no-value", argument),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => msg!("cli.error.invalid-value", value, argument),
-        ErrorKind::InvalidSubcommand => msg!("cli.error.no-command", command = told(ContextKind::InvalidSubcommand)),
+        ErrorKind::InvalidSubcommand => msg!("cli.error.no-command", command = context(ContextKind::InvalidSubcommand)),
         ErrorKind::MissingRequiredArgument => msg!("cli.error.missing", arguments = argument),
         ErrorKind::MissingSubcommand => {
-            msg!("cli.error.missing-command", command = told(ContextKind::InvalidSubcommand))
+            msg!("cli.error.missing-command", command = context(ContextKind::InvalidSubcommand))
         }
         ErrorKind::TooManyValues => msg!("cli.error.unexpected-value", value, argument),
         ErrorKind::UnknownArgument => msg!("cli.error.unexpected", argument),

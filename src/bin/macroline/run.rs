@@ -86,10 +86,10 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
         let line = line?;
         // On a terminal an empty line repeats the last command.
         let line = if terminal && line.trim().is_empty() { last } else { line };
-        let (said, answer) = console.line(&line);
+        let (outcome, answer) = console.line(&line);
         out.text(&answer)?;
         out.flush()?;
-        match said {
+        match outcome {
             Outcome::Quit => break,
             Outcome::Wrong => wrong += 1,
             Outcome::Done => {}

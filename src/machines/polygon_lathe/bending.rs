@@ -81,15 +81,15 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
         return match fed.filter(|(_, _, bending)| *bending > p.flatness) {
             Some((percent, fed, bending)) => {
                 let (percent, bending, limit_there) = ((percent, 0), (bending, 3), (p.flatness, 4));
-                let told = msg!("polygon.bends-at-feed-knob", percent, bending, limit = limit_there);
+                let message = msg!("polygon.bends-at-feed-knob", percent, bending, limit = limit_there);
                 let sets = lathe.feeds_below(fed, fed.force_bending_by(p.flatness));
-                warn(limit, [knobs::setting_feeds(told.into(), sets)])
+                warn(limit, [knobs::setting_feeds(message.into(), sets)])
             }
             None => ok(limit),
         };
     }
     let (free, needed) = (lathe.free_length(), up(FIELDS, "free-length", lathe.length_to_jaws()));
-    let told = Advice::from(msg!(
+    let fact = Advice::from(msg!(
         "polygon.work-bends",
         bending = (bending, 3),
         limit = (p.flatness, 4),
@@ -99,12 +99,12 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
     let fed = lathe.with_most_feed();
     let is_short_enough = needed.value < free && fed.bending_of(needed.value) <= p.flatness;
     let advice = if is_short_enough {
-        told.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
+        fact.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
     } else if let Some(depth) = fed.shallower(p.flatness / fed.bending()) {
         let set = down(FIELDS, "depth", depth);
-        told.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
+        fact.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
     } else {
-        told
+        fact
     };
     fail(limit, [advice])
 }

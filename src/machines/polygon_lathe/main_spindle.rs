@@ -123,8 +123,8 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let (shown, limit) = ((torque, 1), (most, 1));
     let mut advice = Vec::new();
     if torque <= curve.with_shaft_fan(false).torque(speed) {
-        let said = msg!("lathe.shaft-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
-        advice.push(forced_cooling_advice("main-forced-cooling", said));
+        let message = msg!("lathe.shaft-fan", speed = (speed * p.main_gear(), 0), torque = shown, limit);
+        advice.push(forced_cooling_advice("main-forced-cooling", message));
     }
     let weak = Advice::from(msg!("polygon.main-spindle-weak", torque = shown, speed = (speed, 0), limit));
     let share = (most - p.main.friction) / (torque - p.main.friction);
@@ -168,9 +168,9 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
         let share = shares.fold(1.0, f64::min);
         (share < 1.0).then(|| down(FIELDS, field, end.feed * cutting::feed_share(share, p.specific().exponent)))
     };
-    let slower = |said: Message| {
+    let slower = |message: Message| {
         let ends = p.turned_ends.iter().zip(END_FEEDS).filter(|(end, _)| end.on);
-        knobs::setting_feeds(Advice::from(said), ends.filter_map(lower).collect())
+        knobs::setting_feeds(Advice::from(message), ends.filter_map(lower).collect())
     };
     match knobs::torque_remedy(&all, "main-forced-cooling", slower) {
         Some(TorqueRemedy::Cooling(advice) | TorqueRemedy::Feed(advice)) => warn(AtMost(limit), [advice]),
@@ -187,8 +187,8 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let fields = ["before-speed", "after-speed"].into_iter().zip(&lathe.p.turned_ends);
     let fast = fields.filter(|(_, end)| end.on && end.speed > most);
     let sets: Vec<_> = fast.map(|(field, _)| down(FIELDS, field, most)).collect();
-    let said = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
-    fail(AtMost(most), [said.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
+    let advice = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
+    fail(AtMost(most), [advice.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
 }
 
 /// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.

@@ -56,7 +56,7 @@ pub(super) fn results(lathe: &PolygonLathe) -> Vec<Readout> {
             let row = ROWS.iter().find(|row| row.id == *first).filter(|row| (row.shown)(other));
             let (Some(row), Some((id, label))) = (row, others.get(at)) else { continue };
             let judged = judge(row, other, RULES);
-            let advice = judged.advice.into_iter().map(|told| advice(told, at)).collect();
+            let advice = judged.advice.into_iter().map(|first| advice(first, at)).collect();
             let mut readout = Readout { id, label, headline: false, advice, ..judged };
             if *first == ANGLE {
                 let pitch = 360.0 / other.d.sides.max(1.0);

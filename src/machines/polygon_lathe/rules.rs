@@ -433,16 +433,16 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
     if limit.holds(needed) {
         return ok(limit);
     }
-    let said = msg!("polygon.short-run-in", needed = (needed, 2), clearance = (p.clearance, 2));
+    let message = msg!("polygon.short-run-in", needed = (needed, 2), clearance = (p.clearance, 2));
     let mut advice = Vec::new();
     let set = up(FIELDS, "clearance", needed);
     let wider = Params { clearance: set.value, ..p.clone() };
     if wider.clearance <= maximum(FIELDS, "clearance") && wider.has_room(lathe.length_to_jaws() - p.clearance) {
         let button = msg!("advice.set-clearance", clearance = set.text.as_str());
-        advice.push(Advice::from(said.clone()).setting(button, [set]));
+        advice.push(Advice::from(message.clone()).setting(button, [set]));
     }
     let set = down(FIELDS, speed, end.speed * p.clearance / needed);
-    let slower = Advice::from(if advice.is_empty() { said } else { msg!("polygon.slower-thread") });
+    let slower = Advice::from(if advice.is_empty() { message } else { msg!("polygon.slower-thread") });
     advice.push(if set.value >= 1.0 {
         slower.setting(msg!("advice.set-speed", speed = set.text.as_str()), [set])
     } else {
@@ -475,8 +475,8 @@ fn run_out(lathe: &PolygonLathe, end: &TurnedEnd, field: &'static str) -> Option
         return fail(limit, [msg!("polygon.no-run-out", needed, length = (end.length, 3)).into()]);
     }
     let length = set.text.as_str();
-    let said = msg!("polygon.short-run-out", needed, room = (limit.value().max(0.0), 2), length);
-    fail(limit, [Advice::from(said).setting(msg!("advice.set-length", length), [set.clone()])])
+    let message = msg!("polygon.short-run-out", needed, room = (limit.value().max(0.0), 2), length);
+    fail(limit, [Advice::from(message).setting(msg!("advice.set-length", length), [set.clone()])])
 }
 
 /// The feed of a field in mm/min against the clamp of the slide.

@@ -106,7 +106,8 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let time = seconds(line, line.fast.actual_speed);
-    let said = msg!("ribbon.coasts-too-long", time = (time, 2), needed = (needed.ceil(), 0), capacity = (capacity, 0));
+    let message =
+        msg!("ribbon.coasts-too-long", time = (time, 2), needed = (needed.ceil(), 0), capacity = (capacity, 0));
     let mut advice = Vec::new();
     // The brake that stops the unwinder in the time in which the loop fills up, less the time in which it closes.
     let speed = line.fast.line_speed / 60.0;
@@ -118,12 +119,12 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
         if brake <= STRONGEST * line.p.unwinding.torque {
             let set = up(FIELDS, "unwinder-motor-brake", brake);
             let button = msg!("advice.set-motor-brake", torque = set.text.as_str());
-            advice.push(Advice::from(said.clone()).setting(button, [set]));
+            advice.push(Advice::from(message.clone()).setting(button, [set]));
         }
     }
     // The first advice says what happens.
     if advice.is_empty() {
-        advice.push(slack::with_loop(said.into(), needed, Vec::new()));
+        advice.push(slack::with_loop(message.into(), needed, Vec::new()));
     } else if needed <= slack::LONGEST_LOOP {
         let also = msg!("ribbon.coasting-fills", needed = (needed.ceil(), 0));
         advice.push(slack::with_loop(also.into(), needed, Vec::new()));

@@ -64,24 +64,24 @@ pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(room) {
         return ok(limit);
     }
-    let said = msg!(
+    let message = msg!(
         "ribbon.stop-slips",
         way = (way, 1),
         stretch = (way + room, 1),
         tension = (line.mechanics.slip_or_break_tension, 0)
     );
-    fail(limit, [with_pinch(line, said, -TIGHT)])
+    fail(limit, [with_pinch(line, message, -TIGHT)])
 }
 
 /// An advice to press so hard that the switch opens where at least so much ribbon (mm) is missing; alone where the ribbon would break.
-pub(super) fn with_pinch(line: &RibbonLine, said: Message, missing: f64) -> Advice {
+pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> Advice {
     let (p, half) = (&line.p, line.d.tension_limit);
     let (allowed, holds) = (tension(line, missing), tension(line, missing + way_to_the_stop(line)));
     if allowed > half || holds > 2.0 * half {
-        return said.into();
+        return message.into();
     }
     // Half of what the nip holds is allowed.
     let grip = (2.0 * (allowed - p.web.tension_behind)).max(holds - p.web.tension_behind);
     let set = up(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
-    Advice::from(said).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])
+    Advice::from(message).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])
 }

@@ -237,10 +237,10 @@ fn at_knobs(
     lathe: &TurningSpindle,
     limit: f64,
     demand: Demand,
-    told: impl Fn(&CutAtKnobs, (f64, f64)) -> Message,
+    message: impl Fn(&CutAtKnobs, (f64, f64)) -> Message,
 ) -> Option<Judgement> {
     match knobs::worst(lathe.cuts_at_knobs(), demand) {
-        Some((cut, numbers)) => warn(AtMost(limit), [with_slower_feed(lathe, demand, told(&cut, numbers))]),
+        Some((cut, numbers)) => warn(AtMost(limit), [with_slower_feed(lathe, demand, message(&cut, numbers))]),
         None => ok(AtMost(limit)),
     }
 }

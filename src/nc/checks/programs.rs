@@ -122,8 +122,8 @@ impl Check<'_> {
         let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.known.number(number).is_some());
         let (repeats, called) = (number.mantissa / 10_000, number.mantissa % 10_000);
         let call = self.number_word(block, Address::M).is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
-        let told = self.number_word(block, Address::L).is_some();
-        if !call || told || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {
+        let has_count = self.number_word(block, Address::L).is_some();
+        if !call || has_count || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {
             return;
         }
         let place = Place { file: self.program.file, span };

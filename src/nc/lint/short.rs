@@ -37,7 +37,7 @@ pub(super) struct Short {
     in_loop: bool,
     /// First block of the present row with its seconds, and the same for the first reported row.
     first: (u32, Span, f64),
-    told: (u32, Span, f64),
+    reported: (u32, Span, f64),
     count: u32,
 }
 
@@ -57,7 +57,7 @@ impl Short {
             run,
             in_loop,
             first: none,
-            told: none,
+            reported: none,
             count,
         }
     }
@@ -83,7 +83,7 @@ impl Short {
     fn end_run(&mut self, repeated: bool) {
         if self.run > u32::from(self.control.timing.preread) || repeated && self.run > 0 {
             if self.count == 0 {
-                self.told = self.first;
+                self.reported = self.first;
             }
             self.count += self.run;
         }
@@ -149,7 +149,7 @@ impl Short {
     pub(super) fn report(mut self, lint: &mut Lint) {
         self.end_run(false);
         if self.count > 0 {
-            let (block, span, time) = self.told;
+            let (block, span, time) = self.reported;
             let (place, _) = lint.written(block, span);
             let (time, needed) = ((time * 1e3, 1), (self.control.timing.block * 1e3, 1));
             if let Some(finding) = lint.warn(place, msg!("lint.short-blocks", time, needed, count = self.count)) {

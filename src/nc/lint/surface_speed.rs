@@ -79,7 +79,7 @@ impl Check<'_, '_, '_> {
         let deck = self.lint.deck;
         let Some(program) = deck.programs.get(program) else { return };
         let mut course = Course { surface: false, cuts: false, at: None, shift: Some(0.0), shifted: None };
-        let mut told = None;
+        let mut reported = None;
         let reader = PositionReader::new(self.lint);
         for (index, block) in (program.first..).zip(deck.blocks_of(program)) {
             if !matches!(block.stmt, Stmt::Words { .. }) {
@@ -94,7 +94,7 @@ impl Check<'_, '_, '_> {
             let across =
                 words.iter().find(|word| word.letter == self.cross.letter).map(|word| (word, reader.position(word)));
             self.offset(&mut course, words, across.map(|(word, value)| ((index, word.span(block)), value)));
-            told = told.max(self.tell_offset(&course, told));
+            reported = reported.max(self.tell_offset(&course, reported));
             course.cuts = (course.cuts || bits & (LINEAR | CURVED) != 0) && bits & RAPID == 0;
             if bits & INCREMENTAL != 0 || bits & UNKNOWN & !CURVED != 0 {
                 course.at = None;
@@ -146,13 +146,13 @@ impl Check<'_, '_, '_> {
     }
 
     /// Reports work zero off the centre, as a remark if the offset is small: the first of each size. Returns the size of the reported
-    /// offset; `told` is the largest size reported so far.
-    fn tell_offset(&mut self, course: &Course, told: Option<OffsetSize>) -> Option<OffsetSize> {
+    /// offset; `reported` is the largest size reported so far.
+    fn tell_offset(&mut self, course: &Course, reported: Option<OffsetSize>) -> Option<OffsetSize> {
         let offset = course.shift?.abs() / self.words;
         let (index, span) = course.shifted.filter(|_| course.surface && offset > 1e-9)?;
         let small = offset <= self.lint.parsed.dialect().spindle().small_offset + 1e-9;
         let size = Some(if small { OffsetSize::Small } else { OffsetSize::Large });
-        if size <= told {
+        if size <= reported {
             return None;
         }
         let (place, word) = self.lint.written(index, span);

@@ -163,7 +163,7 @@ impl Vars<'_> {
     /// Reports divisors that can be 0, each variable once per program; returns the reported variables.
     fn divisors(&self, lint: &mut Lint) -> BTreeSet<u32> {
         let alarm = self.control.alarm_number(Alarm::DivisionByZero).unwrap_or("");
-        let mut told: BTreeSet<(usize, u32)> = BTreeSet::new();
+        let mut reported: BTreeSet<(usize, u32)> = BTreeSet::new();
         for site in &self.divisors {
             let Some(id) = self.can_be_zero(*site) else { continue };
             let (place, divisor) = lint.written(site.block, lint.part(site.block, id));
@@ -174,13 +174,13 @@ impl Vars<'_> {
                 (_, Some(_)) => (None, msg!("nc.hint.difference-named", divisor)),
             };
             let program = self.deck.programs.partition_point(|program| program.end <= site.block);
-            if variable.is_none_or(|number| told.insert((program, number)))
+            if variable.is_none_or(|number| reported.insert((program, number)))
                 && let Some(finding) = lint.warn(place, msg!("lint.zero-divisor", divisor, alarm))
             {
                 finding.hints.push(hint);
             }
         }
-        told.into_iter().map(|key| key.1).collect()
+        reported.into_iter().map(|key| key.1).collect()
     }
 
     /// Reports comparisons without brackets around them, and decimals compared for equality.

@@ -35,7 +35,7 @@ impl<'a> Reader<'a> {
         // Whether a `%` opens the record (only comments so far) or closes it.
         let mut opened = false;
         let mut closed = None;
-        let mut told = false;
+        let mut reported = false;
         if let Some(record) = self.leader(at) {
             let place = self.place(Span::new(at as u32, record as u32));
             self.add_finding(Diagnostic::info(msg!("nc.leader")).at(place));
@@ -61,13 +61,13 @@ impl<'a> Reader<'a> {
                 _ => {
                     // After the end of the record only programs are read.
                     let begins = closed.is_some() && self.begins_program(from);
-                    if let Some(percent) = closed.filter(|_| !told) {
-                        let said = if begins { msg!("nc.next-record") } else { msg!("nc.behind-end") };
-                        self.warn(percent, percent + 1, said);
-                        told = true;
+                    if let Some(percent) = closed.filter(|_| !reported) {
+                        let message = if begins { msg!("nc.next-record") } else { msg!("nc.behind-end") };
+                        self.warn(percent, percent + 1, message);
+                        reported = true;
                     }
                     if closed.is_none() || begins {
-                        (closed, told) = (None, false);
+                        (closed, reported) = (None, false);
                         self.blocks(from, to);
                     }
                 }

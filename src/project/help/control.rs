@@ -105,7 +105,7 @@ fn alarms(control: &Control, texts: &Texts) -> HelpSection {
     section
 }
 
-fn said(says: &[Message]) -> String {
+fn in_words(says: &[Message]) -> String {
     sentences(says.iter().map(sentence))
 }
 
@@ -114,7 +114,7 @@ fn codes(control: &Control, texts: &Texts) -> HelpSection {
     for row in control.codes {
         let word = control.code_name(row.id);
         let mut entry = HelpEntry::new(HelpKind::Code, format!("code.{word}"), word, row.text.words());
-        entry.text.extend(code_says(row).get(1..).filter(|more| !more.is_empty()).map(|more| plain(said(more))));
+        entry.text.extend(code_says(row).get(1..).filter(|more| !more.is_empty()).map(|more| plain(in_words(more))));
         entry.cite = Some(row.cite);
         section.entries.push(entry);
     }
@@ -127,7 +127,9 @@ fn variables(control: &Control, texts: &Texts) -> HelpSection {
         let first = control.variable(row.first);
         let word = if row.first == row.last { first } else { format!("{first} … {}", control.variable(row.last)) };
         let mut entry = HelpEntry::new(HelpKind::Variable, format!("var.{}", row.first), word, row.text.words());
-        entry.text.extend(variable_says(row).get(1..).filter(|more| !more.is_empty()).map(|more| plain(said(more))));
+        entry
+            .text
+            .extend(variable_says(row).get(1..).filter(|more| !more.is_empty()).map(|more| plain(in_words(more))));
         entry.cite = Some(row.cite);
         entry.numbers = Some((row.first, row.last));
         section.entries.push(entry);
@@ -156,7 +158,7 @@ fn signals(control: &Control, texts: &Texts) -> HelpSection {
     for row in control.interface {
         let mut entry =
             HelpEntry::new(HelpKind::Signal, format!("signal.{}", row.device), row.device, row.text.words());
-        entry.text.push(plain(said(signal_says(control, row).get(1..).unwrap_or_default())));
+        entry.text.push(plain(in_words(signal_says(control, row).get(1..).unwrap_or_default())));
         entry.fact(texts.words("fact.unit"), row.unit);
         entry.also.push(format!("signal.{}", id_of(&format!("{:?}", row.role))));
         entry.cite = Some(row.cite);

@@ -61,10 +61,10 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
 /// Separator of the cells, by the first line, and the text from that line on. Some spreadsheets name it in a line of its own, `sep=;`.
 fn delimiter(text: &str) -> (u8, &str) {
     let first = text.trim_start().lines().next().unwrap_or_default();
-    if let Some(&[said @ (b',' | b';' | b'\t')]) = first.trim_end().strip_prefix("sep=").map(str::as_bytes)
+    if let Some(&[separator @ (b',' | b';' | b'\t')]) = first.trim_end().strip_prefix("sep=").map(str::as_bytes)
         && let Some((_, rest)) = text.split_once('\n')
     {
-        return (said, rest);
+        return (separator, rest);
     }
     let count = |delimiter: u8| first.bytes().filter(|byte| *byte == delimiter).count();
     // At equal counts the comma is taken; a head of one column has no separator.

@@ -29,15 +29,15 @@ pub fn log(results: Vec<Json>) -> Json {
 /// Rule of an id, shown by code hosts beside all of its results: the sentence with an ellipsis at each value, and how to silence the
 /// warning.
 fn rule(id: &str, level: &Json) -> Json {
-    let said = catalog::id(id).map(|id| open(words(id))).unwrap_or_else(|| id.to_owned());
+    let description = catalog::id(id).map(|id| open(words(id))).unwrap_or_else(|| id.to_owned());
     let silence = (level != "error").then(|| sentence(&msg!("project.sarif-silence", id)));
-    let help: Vec<&str> = core::iter::once(said.as_str()).chain(silence.as_deref()).collect();
+    let help: Vec<&str> = core::iter::once(description.as_str()).chain(silence.as_deref()).collect();
     let marked: Vec<String> = help.iter().map(|text| markdown(text)).collect();
     json!({
         "id": id,
         "name": pascal(id),
-        "shortDescription": { "text": first_sentence(&said) },
-        "fullDescription": { "text": said },
+        "shortDescription": { "text": first_sentence(&description) },
+        "fullDescription": { "text": description },
         "help": { "text": help.join("\n\n"), "markdown": marked.join("\n\n") },
         "defaultConfiguration": { "level": level },
     })
@@ -75,11 +75,11 @@ impl Renderer<'_> {
     /// is separate. Lines and columns count from 1; the end column is after the last character. A diagnostic without a place is put at the
     /// first line, because code hosts refuse a result without one.
     pub fn sarif(&self, diagnostic: &Diagnostic) -> Json {
-        let said = sentence(&diagnostic.message);
+        let message = sentence(&diagnostic.message);
         let alarm = diagnostic.alarm.iter().map(|alarm| format!("[{alarm}]"));
         let hints = diagnostic.hints.iter().map(sentence);
         let field = diagnostic.field.iter().map(|field| sentence(&msg!("project.sarif-field", field = *field)));
-        let text = sentences(alarm.chain([said]).chain(hints).chain(field));
+        let text = sentences(alarm.chain([message]).chain(hints).chain(field));
         let mut result = json!({
             "ruleId": diagnostic.message_id(),
             "level": match diagnostic.severity {

@@ -207,12 +207,12 @@ pub fn panel_to_json(panel: &Panel) -> String {
 
 /// The sentence of a finding about a file, with its line where there is no excerpt beside it.
 pub fn with_line(finding: &Diagnostic, text: &str) -> String {
-    let said = sentence(&finding.message);
+    let message = sentence(&finding.message);
     match finding.place {
-        None => said,
+        None => message,
         Some(place) => {
             let at = LineIndex::new(text).position(text, place.span.start);
-            sentence(&msg!("project.at-line", line = at.line, column = at.column, text = said))
+            sentence(&msg!("project.at-line", line = at.line, column = at.column, text = message))
         }
     }
 }

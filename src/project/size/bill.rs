@@ -119,20 +119,20 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     // Inverters and the relay of the emergency stop have rows of their own.
     let others = |item: BillItem| !matches!(item, BillItem::Inverter | BillItem::SafetyRelay);
     for (item, device) in wired(prepared.ladder().as_ref()).into_iter().filter(|(item, _)| others(*item)) {
-        let (quantity, told) = meanings.entry(item).or_default();
+        let (quantity, texts) = meanings.entry(item).or_default();
         let meaning = say(device.meaning);
         // The turret is one device with several wires.
         *quantity = if item == BillItem::Turret { 1 } else { *quantity + 1 };
-        if !told.contains(&meaning) {
-            told.push(meaning);
+        if !texts.contains(&meaning) {
+            texts.push(meaning);
         }
     }
-    for (item, (quantity, told)) in meanings {
+    for (item, (quantity, texts)) in meanings {
         if let Some(row) = devices.iter_mut().find(|row| row.item == item) {
             row.quantity = quantity;
             continue;
         }
-        let meaning = listed(&told);
+        let meaning = listed(&texts);
         let asked = match item {
             BillItem::OverrideSwitch => msg!("size.bill.override-switch", meaning),
             BillItem::GearValve => msg!("size.bill.gear-valve", meaning),
@@ -159,14 +159,14 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
 fn resistor(asked: &ResistorDemand) -> BillRow {
     let (power, energy, percent) = ((asked.power(), 1), (asked.greatest(), 0), (asked.percent, 0));
     let count = asked.energies.len() as f64;
-    let told = sentence(&msg!("size.bill.inverter-resistor", power, energy, count, percent));
-    described(BillItem::Resistor, Some(asked.name), told, PartGrade::Open)
+    let text = sentence(&msg!("size.bill.inverter-resistor", power, energy, count, percent));
+    described(BillItem::Resistor, Some(asked.name), text, PartGrade::Open)
 }
 
 /// The brake resistor of an amplifier whose own braking is not known: the energy that comes back.
 fn unknown_resistor(axis: &'static str, returned: &ResistorLoad) -> BillRow {
-    let told = msg!("size.bill.resistor-unknown", energy = (returned.stop, 1), power = (returned.mean, 1));
-    described(BillItem::Resistor, Some(axis), sentence(&told), PartGrade::Open)
+    let message = msg!("size.bill.resistor-unknown", energy = (returned.stop, 1), power = (returned.mean, 1));
+    described(BillItem::Resistor, Some(axis), sentence(&message), PartGrade::Open)
 }
 
 /// The encoder of a spindle: as a proposal the one with the least sufficient top speed, else the demand.
@@ -181,9 +181,9 @@ fn encoder(project: &Project, asked: SpindleEncoder) -> BillRow {
     let least = goes.min_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.model.cmp(&b.0.model)));
     // Lines that pass in a millisecond at its highest speed: what its receiver in the control has to count.
     let frequency = asked.lines * asked.speed / 60_000.0;
-    let told =
+    let text =
         msg!("size.bill.encoder", speed = (asked.speed, 0), lines = (asked.lines, 0), frequency = (frequency, 1));
-    part_or_open((item, asked.name), least.map(|(part, _)| part), true, &told)
+    part_or_open((item, asked.name), least.map(|(part, _)| part), true, &text)
 }
 
 /// The row of an item for an axis: its part, else an open row with the demand.
@@ -246,8 +246,8 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
         return Some(described(format!("{} Nm", number_text(axis.brake, 2))));
     }
     let torque = (HUNDREDTHS * axis.brake - ROUNDING).ceil() / HUNDREDTHS;
-    let told = sentence(&msg!("size.bill.brake", torque = (torque, 2), factor = (SERVICE_FACTOR, 1)));
-    Some(BillRow { source: SERVICE.source.words().to_owned(), ..described(told) })
+    let text = sentence(&msg!("size.bill.brake", torque = (torque, 2), factor = (SERVICE_FACTOR, 1)));
+    Some(BillRow { source: SERVICE.source.words().to_owned(), ..described(text) })
 }
 
 /// Steps per Nm of a printed torque.
@@ -351,8 +351,8 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
                 return rows;
             }
             let MotorDemand { peak, effective, speed } = axis.asked;
-            let told = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
-            let motor = described(BillItem::Motor, Some(axis.name), sentence(&told), PartGrade::Open);
+            let duty = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
+            let motor = described(BillItem::Motor, Some(axis.name), sentence(&duty), PartGrade::Open);
             let motor = BillRow { open: message.into_iter().collect(), ..motor };
             [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()
         }

@@ -213,12 +213,12 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let entry = FieldEntry::new(speed.field, number_text(speed.value, decimals));
     let results = project.with_entries(core::slice::from_ref(&entry))?.prepared().results().readouts;
     let result = project.machine.info().speed_result?;
-    let told = results.iter().find(|row| row.id == result)?;
+    let readout = results.iter().find(|row| row.id == result)?;
     Some(Fastest {
-        result: ResultName::from(told),
-        value: told.value,
-        unit: told.unit,
-        decimals: told.decimals,
+        result: ResultName::from(readout),
+        value: readout.value,
+        unit: readout.unit,
+        decimals: readout.decimals,
         binding,
         failing_anyway: speed.failing_anyway.clone(),
         entry,

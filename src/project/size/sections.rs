@@ -67,8 +67,8 @@ impl Sizing {
     fn envelope_answer(&self) -> (Verdict, String) {
         let failing: Vec<&EnvelopeRow> = self.worst().into_iter().filter(|row| row.verdict == Verdict::Fail).collect();
         if !failing.is_empty() {
-            let told = failing.iter().map(|row| headed(row.quantity(), say(row.event.name())));
-            return (Verdict::Fail, sentence(&msg!("size.answer.beyond", quantities = listed(told))));
+            let beyond = failing.iter().map(|row| headed(row.quantity(), say(row.event.name())));
+            return (Verdict::Fail, sentence(&msg!("size.answer.beyond", quantities = listed(beyond))));
         }
         let share = |row: &EnvelopeRow| match row.limit {
             Some(Limit::AtMost(limit)) if limit > 0.0 => Some(row.value / limit),

@@ -317,8 +317,8 @@ impl Sizing {
         let text = |limit: &HoldingLimit| at_least(limit.is_cut, units::text(limit.value, limit.decimals, limit.unit));
         let cells = watched.iter().map(|of| holding(of).map_or(String::new(), text));
         let entries = watched.iter().filter_map(|of| holding(of)?.entry.clone()).collect();
-        let told = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
-        (!self.holding_limits.is_empty()).then_some(Row { entries, ..told })
+        let would_hold = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
+        (!self.holding_limits.is_empty()).then_some(Row { entries, ..would_hold })
     }
 }
 
@@ -337,7 +337,7 @@ impl Sizing {
     /// Values beyond their limits in operation, as warnings, because the verdicts of a design cover the work alone. A cut run comes first.
     pub fn findings(&self) -> Vec<Diagnostic> {
         let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
-        let told = |row: &EnvelopeRow| {
+        let warning = |row: &EnvelopeRow| {
             let quantity = row.quantity();
             let limit = limit(row).unwrap_or_default();
             let value = at_least(row.is_cut, units::text(row.value, row.decimals, row.unit));
@@ -354,7 +354,7 @@ impl Sizing {
             let (axis, reason) = (say(row.axis?), sentence(row.refusal.as_ref()?));
             Some(Diagnostic::warning(msg!("size.named-refused", axis, motor = row.part(), reason)))
         });
-        cut.chain(refused).chain(beyond.map(told)).collect()
+        cut.chain(refused).chain(beyond.map(warning)).collect()
     }
 }
 
@@ -561,7 +561,7 @@ fn answer(of: &Candidate) -> String {
     if let Some(refusal) = &of.refusal {
         return sentence(&refusal.message);
     }
-    let told = match (&of.amplifier, &of.resistor, of.regenerative) {
+    let message = match (&of.amplifier, &of.resistor, of.regenerative) {
         (Some(amplifier), Some(resistor), _) => {
             let (amplifier, power) = (amplifier.model.as_str(), (resistor.asked.mean, 1));
             match &resistor.part {
@@ -580,5 +580,5 @@ fn answer(of: &Candidate) -> String {
         (Some(amplifier), None, None) => msg!("size.passes-with", amplifier = amplifier.model.as_str()),
         (None, ..) => msg!("size.passes"),
     };
-    sentence(&told)
+    sentence(&message)
 }

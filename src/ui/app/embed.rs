@@ -160,10 +160,11 @@ mod tests {
     async fn unknown_language_and_units_in_the_address_are_said() {
         let bench = embedded_by("embed&machine=turning-spindle&lang=fr&lengths=feet").await;
         assert_eq!(bench.text("h1"), t(machines::ALL[1].name()));
-        let said: Vec<String> = bench.all(".notice").iter().filter_map(|notice| notice.text_content()).collect();
+        let notices: Vec<String> = bench.all(".notice").iter().filter_map(|notice| notice.text_content()).collect();
         assert!(
-            said.iter().any(|text| text.contains("lang=zh")) && said.iter().any(|text| text.contains("lengths=inch")),
-            "{said:?}"
+            notices.iter().any(|text| text.contains("lang=zh"))
+                && notices.iter().any(|text| text.contains("lengths=inch")),
+            "{notices:?}"
         );
     }
 }

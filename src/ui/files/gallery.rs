@@ -118,8 +118,8 @@ fn ExampleCard(
         page.view.gallery.set(false);
         // The first change may mend a result: it takes the count away.
         if count > 0 {
-            let said = crate::msg!("page.example-fails", example = t(example.name), count = count);
-            page.notices.confirm_as(Tone::Warn, sentence(&said));
+            let message = crate::msg!("page.example-fails", example = t(example.name), count = count);
+            page.notices.confirm_as(Tone::Warn, sentence(&message));
         } else {
             page.notices.confirm(t("page.fresh").to_owned());
         }
@@ -267,8 +267,8 @@ mod tests {
         let faults = bench.page.project.with_untracked(Project::faults);
         let told = bench.page.notices.list.get_untracked().pop().unwrap();
         assert_eq!((told.tone, faults.len() >= everywhere().count()), (Tone::Warn, true));
-        let said = crate::msg!("page.example-fails", example = t(paper.name), count = faults.len() as u32);
-        assert_eq!(told.text, sentence(&said));
+        let message = crate::msg!("page.example-fails", example = t(paper.name), count = faults.len() as u32);
+        assert_eq!(told.text, sentence(&message));
         // The tab of the results lists the failed verdicts.
         let design = bench.page.results.design.get_untracked();
         let fails =

@@ -132,13 +132,13 @@ fn Findings(
     /// The report of the worker.
     report: TextReport,
 ) -> impl IntoView {
-    let mut told = format!("{} {}  {}", figure(report.lines.into(), 0), t("page.lines"), report.counts);
+    let mut counts = format!("{} {}  {}", figure(report.lines.into(), 0), t("page.lines"), report.counts);
     if report.lines > SHOWN {
-        told.push_str(&format!("  {} {SHOWN}", t("page.first-lines")));
+        counts.push_str(&format!("  {} {SHOWN}", t("page.first-lines")));
     }
     let rows = report.rows.into_iter().map(|(tone, text)| view! { <li class=tone.class()>{text}</li> });
     view! {
-        <p>{told}</p>
+        <p>{counts}</p>
         <ul class="remarks tall">{rows.collect_view()}</ul>
         <pre class="raw" tabindex="0" aria-label=t("page.listing")>{report.head}</pre>
     }

@@ -86,8 +86,8 @@ fn read(page: Page, worker: Client, files: Vec<nc::File>) {
 fn read_programs(page: Page, files: &[nc::File]) -> bool {
     let opened = page.project.with_untracked(|project| open(project, files));
     let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
-    for told in &opened.diagnostics {
-        page.notices.notify(Tone::from(told.severity), with_line(told, text));
+    for finding in &opened.diagnostics {
+        page.notices.notify(Tone::from(finding.severity), with_line(finding, text));
     }
     let Some(project) = opened.project else { return false };
     if project.edited.is_none() || !text.is_empty() {
@@ -96,7 +96,7 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
     }
     match files.iter().find(|file| !is_program(project.control, file)) {
         Some(prose) => {
-            let told = sentence(&crate::msg!("page.no-program", file = prose.name.as_str()));
+            let message = sentence(&crate::msg!("page.no-program", file = prose.name.as_str()));
             let files = files.to_vec();
             // Read again at the click: the project may have changed since.
             let anyway = Callback::new(move |()| {
@@ -105,7 +105,7 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
                 }
             });
             let offer = Some(("page.open-anyway", anyway));
-            page.notices.show(Notice { offer, of_project: true, ..Notice::new(Tone::Warn, told) });
+            page.notices.show(Notice { offer, of_project: true, ..Notice::new(Tone::Warn, message) });
             false
         }
         None => {

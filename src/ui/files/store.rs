@@ -136,8 +136,8 @@ fn last_visit() -> LastVisit {
         dom::forget(STEPS);
     }
     let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
-    let said = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
-    let notice = Notice::new(Tone::Warn, said).with_file(set_aside::FILE, text);
+    let message = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
+    let notice = Notice::new(Tone::Warn, message).with_file(set_aside::FILE, text);
     LastVisit { project: fresh(), notices: vec![notice], stored: Stored { occupied: !aside, replaced: None } }
 }
 

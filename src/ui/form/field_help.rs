@@ -135,9 +135,9 @@ mod tests {
     #[wasm_bindgen_test]
     async fn help_says_label_purpose_range_and_default() {
         let bench = about("pitch").await;
-        let said = bench.text("#about");
+        let text = bench.text("#about");
         for part in [t(field("pitch").label), t(field("pitch").help), "0.01 … 10000 mm", "10 mm"] {
-            assert!(said.contains(part), "{part}: {said}");
+            assert!(text.contains(part), "{part}: {text}");
         }
     }
 
@@ -145,9 +145,9 @@ mod tests {
     async fn help_in_inches_says_what_the_program_has() {
         assert!(!about("pitch").await.text("#about").contains(t("page.in-program")));
         let _inches = InInches::new();
-        let said = about("pitch").await.text("#about");
+        let text = about("pitch").await.text("#about");
         for part in ["0.0004 … 393.7008 in", "0.3937 in", t("page.in-program"), "8 mm"] {
-            assert!(said.contains(part), "{part}: {said}");
+            assert!(text.contains(part), "{part}: {text}");
         }
     }
 

@@ -194,17 +194,17 @@ fn Tools(
         page.edit(|project| project.edited = project.listing());
         page.view.file.set(0);
         page.view.program.set(ProgramView::Listing);
-        let told = t("page.paper-shown");
+        let shown = t("page.paper-shown");
         let undo = Callback::new(move |()| {
             page.undo();
-            page.notices.dismiss(told);
+            page.notices.dismiss(shown);
         });
         let offer = Some(("page.undo", undo));
         page.notices.show(Notice {
             offer,
             of_project: true,
             confirms: true,
-            ..Notice::new(Tone::Info, told.to_owned())
+            ..Notice::new(Tone::Info, shown.to_owned())
         });
     };
     let unpublished = move || {

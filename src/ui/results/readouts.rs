@@ -17,7 +17,7 @@ pub(crate) fn ResultsTab() -> impl IntoView {
     let design = page.results.design;
     let remarks = move || {
         let design = design.get();
-        design.diagnostics.iter().map(|told| view! { <Remark told=told.clone() /> }).collect_view()
+        design.diagnostics.iter().map(|finding| view! { <Remark finding=finding.clone() /> }).collect_view()
     };
     let rows = move || {
         let design = design.get();
@@ -34,13 +34,13 @@ pub(crate) fn ResultsTab() -> impl IntoView {
 #[component]
 fn Remark(
     /// The remark.
-    told: Diagnostic,
+    finding: Diagnostic,
 ) -> impl IntoView {
-    let tone = Tone::from(told.severity);
+    let tone = Tone::from(finding.severity);
     let mark = view! { <i aria-hidden="true">{tone.sign()}</i> };
-    let body = match told.kind {
+    let body = match finding.kind {
         DiagnosticKind::AssumedFacts => {
-            let message = Message { id: "page.assumed-facts", ..told.message.clone() };
+            let message = Message { id: "page.assumed-facts", ..finding.message.clone() };
             view! {
                 <details>
                     <summary>{mark}<span>{sentence(&message)}</span></summary>
@@ -49,7 +49,7 @@ fn Remark(
             }
             .into_any()
         }
-        _ => view! { <p class="hangs">{mark}<span>{sentence_with_hints(&told)}</span></p> }.into_any(),
+        _ => view! { <p class="hangs">{mark}<span>{sentence_with_hints(&finding)}</span></p> }.into_any(),
     };
     view! { <li class=tone.class()>{body}</li> }
 }

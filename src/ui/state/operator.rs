@@ -116,14 +116,14 @@ pub(crate) fn place_after(at: usize, (from, to): (usize, usize)) -> usize {
 /// Takes the actions of panel files in place of the present ones; none where one of the files has an error.
 pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     let mut events = Vec::new();
-    let mut told = Vec::new();
+    let mut notices = Vec::new();
     for file in files {
         let (panel, found) = panel_from_json(&file.text);
-        told.extend(found.iter().map(|finding| (Tone::from(finding.severity), with_line(finding, &file.text))));
+        notices.extend(found.iter().map(|finding| (Tone::from(finding.severity), with_line(finding, &file.text))));
         events.extend_from_slice(panel.events());
     }
-    let broken = told.iter().any(|(tone, _)| *tone == Tone::Fail);
-    told.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
+    let broken = notices.iter().any(|(tone, _)| *tone == Tone::Fail);
+    notices.into_iter().for_each(|(tone, text)| page.notices.notify(tone, text));
     if !broken {
         let names = listed(files.iter().map(|file| file.name.clone()));
         let taken = sentence(&msg!("operator.taken", files = names, count = events.len() as u32));

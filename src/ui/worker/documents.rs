@@ -63,7 +63,7 @@ pub(in crate::ui) fn parts(mut project: Project, name: &str, text: &str) -> Read
     let (read, found) = parts::read(text, name);
     let added = read.len() as u32;
     project.add_parts(read);
-    let remark = |told: &Diagnostic| (told.severity == Severity::Error, with_line(told, text));
+    let remark = |finding: &Diagnostic| (finding.severity == Severity::Error, with_line(finding, text));
     ReadParts { project: project.to_json(), added, remarks: found.iter().map(remark).collect() }
 }
 

@@ -140,8 +140,8 @@ fn run(out: &mut String, report: &Report) {
     for program in &report.programs {
         let _ = writeln!(out, "- {}, CRC-32 {}", escape::markdown(&program.name), program.checksum);
     }
-    for told in &report.loading {
-        let _ = writeln!(out, "- {}", escape::markdown(&sentence(told)));
+    for step in &report.loading {
+        let _ = writeln!(out, "- {}", escape::markdown(&sentence(step)));
     }
 }
 

@@ -273,7 +273,7 @@ fn slender_bar_asks_for_the_tailstock_that_holds_it() {
     assert_eq!((slender.verdict, slender.advice[0].message.id), (Verdict::Fail, "turning.work-gives-way"));
     let held = bends("300", "true");
     near_share(held.value, slender.value / 34.0, 1e-9);
-    assert_eq!(slender.advice[0].entries, [("tailstock", "true".to_owned())]);
+    assert_eq!(slender.advice[0].entries, [FieldEntry::new("tailstock", "true")]);
     assert_eq!(held.verdict, Verdict::Ok);
     let less = bends("110", "false");
     assert!((0.1..1.0).contains(&less.value), "{}", less.value);

@@ -38,8 +38,8 @@ pub(super) fn read(input: &mut impl BufRead) -> io::Result<MessageRead> {
         match (header.as_str(), length) {
             ("", Some(length)) => return body(input, length),
             (header, _) => {
-                let told = header.strip_prefix(LENGTH).and_then(|digits| digits.trim().parse::<u64>().ok());
-                length = told.or(length);
+                let bytes = header.strip_prefix(LENGTH).and_then(|digits| digits.trim().parse::<u64>().ok());
+                length = bytes.or(length);
             }
         }
     }

@@ -62,31 +62,31 @@ fn cut(
     lathe: &PolygonLathe,
     axis: PolygonAxis,
     kind: DemandKind,
-    told: impl Fn(f64, f64) -> Message,
+    message: impl Fn(f64, f64) -> Message,
 ) -> Option<Judgement> {
     let (asked, limit) = lathe.demand(axis, kind);
     if asked > limit {
-        return fail(AtMost(limit), [with_feeds(lathe, lathe, axis, kind, told(asked, limit))]);
+        return fail(AtMost(limit), [with_feeds(lathe, lathe, axis, kind, message(asked, limit))]);
     }
     let fed = lathe.at_highest_feed().map(|(percent, fed)| (percent, fed, fed.demand(axis, kind)));
     match fed.filter(|(_, _, (asked, limit))| asked > limit) {
         Some((percent, fed, (asked, limit_there))) => {
-            let said = at_knob(kind, percent, asked, limit_there);
-            warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, said)])
+            let warning = at_knob(kind, percent, asked, limit_there);
+            warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, warning)])
         }
         None => ok(AtMost(limit)),
     }
 }
 
 /// The heat of the cut against the drive: a warning where only the strikes exceed its continuous torque, for a short cut may do that.
-fn heat(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+fn heat(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
     let kind = DemandKind::Effective;
     let ((asked, limit), (mean, continuous)) = (lathe.demand(axis, kind), lathe.demand(axis, DemandKind::Mean));
     if asked > limit && mean <= continuous {
         let fed = lathe.with_most_feed();
-        return warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, told(asked, limit))]);
+        return warn(AtMost(limit), [with_feeds(lathe, fed, axis, kind, message(asked, limit))]);
     }
-    cut(lathe, axis, kind, told)
+    cut(lathe, axis, kind, message)
 }
 
 pub(in super::super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -126,7 +126,7 @@ pub(in super::super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
 }
 
 /// The run-up against the drive. Both axes get the same ramp, so that they keep their ratio on it.
-fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
     let p = &lathe.p;
     let (asked, limit) = lathe.demand(axis, DemandKind::RunUp);
     if asked <= limit {
@@ -138,7 +138,7 @@ fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, told: impl Fn(f64, f64) -> Me
         return fail(AtMost(limit), [msg!("lathe.friction-stalls", friction = (drive.friction, 1), torque).into()]);
     }
     let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
-    let advice = Advice::from(told(asked, limit));
+    let advice = Advice::from(message(asked, limit));
     let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));
     let button = msg!("advice.set-ramps", time = sets[0].text.as_str());
     fail(

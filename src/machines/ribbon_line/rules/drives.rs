@@ -70,8 +70,8 @@ fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     }
     // No ramp takes the tension from a taut ribbon.
     let tension = (line.mechanics.tautest, 0);
-    let said = msg!("ribbon.taut-torque", tension, torque = (fast.taut.abs(), 2), limit = (most, 2));
-    fail(AtMost(here(most, now.duty.peak, fast.duty.peak)), [slack::advice_against_taut(line, said)])
+    let message = msg!("ribbon.taut-torque", tension, torque = (fast.taut.abs(), 2), limit = (most, 2));
+    fail(AtMost(here(most, now.duty.peak, fast.duty.peak)), [slack::advice_against_taut(line, message)])
 }
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
@@ -141,12 +141,12 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     let force = set.value;
     let tautest = line.mechanics.tautest;
     let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.p.web.tension_before;
-    let said = if is_taut {
+    let message = if is_taut {
         msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (fast, 1), force = (force, 1))
     } else {
         msg!("ribbon.nip-slips", percent = (fast, 1), force = (force, 1))
     };
-    let mut advice = vec![Advice::from(said).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
+    let mut advice = vec![Advice::from(message).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
     if is_taut {
         let tension = (tautest, 0);
         let way = if slack::is_drawn_taut(line) {
@@ -170,14 +170,14 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     if at_fast < most {
-        let said = msg!("ribbon.field-weakening", frequency = (fast, 1), torque = (torque, 2), limit = (at_fast, 2));
-        return fail(limit, [said.into()]);
+        let message = msg!("ribbon.field-weakening", frequency = (fast, 1), torque = (torque, 2), limit = (at_fast, 2));
+        return fail(limit, [message.into()]);
     }
     let frequency = slow;
     let mut advice = Vec::new();
     if most < p.unwinding.continuous(RATED_FREQUENCY) {
-        let said = msg!("ribbon.shaft-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
-        advice.push(forced_cooling_advice("unwinder-forced-cooling", said));
+        let message = msg!("ribbon.shaft-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
+        advice.push(forced_cooling_advice("unwinder-forced-cooling", message));
     }
     // The reel brake that the motor's torque leaves after gear losses and friction.
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
@@ -202,11 +202,11 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let mut advice = Vec::new();
-    let said = msg!("ribbon.unwinder-brakes", torque = (torque, 2), limit = (most, 2), percent = (percent, 0));
+    let message = msg!("ribbon.unwinder-brakes", torque = (torque, 2), limit = (most, 2), percent = (percent, 0));
     let ramp = p.inverter_ramp * (torque + steady) / (most + steady);
     if ramp <= maximum(FIELDS, "inverter-ramp") {
         let set = up(FIELDS, "inverter-ramp", ramp);
-        advice.push(Advice::from(said.clone()).setting(msg!("advice.set-ramp", time = (set.value, 2)), [set]));
+        advice.push(Advice::from(message.clone()).setting(msg!("advice.set-ramp", time = (set.value, 2)), [set]));
     }
     let asked = 100.0 * torque / p.unwinding.short_time(1.0, line.fast.frequency);
     if asked <= 100.0 * SHORT_TIME {
@@ -215,7 +215,7 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
         advice.push(Advice::from(msg!("ribbon.brake-resistor", percent = (asked, 0))).setting(button, [set]));
     }
     if advice.is_empty() {
-        advice.push(said.into());
+        advice.push(message.into());
     }
     fail(limit, advice)
 }

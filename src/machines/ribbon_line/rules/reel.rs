@@ -112,11 +112,11 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
         return ok(limit);
     }
     let needed = (line.d.product_length + left_at_reel_end(line)) / 1e3;
-    let said = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
+    let advice = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
     let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
     let fits = set.value <= maximum(FIELDS, "reel-diameter");
     let button = || msg!("advice.set-reel", diameter = set.text.as_str());
-    fail(limit, [if fits { said.setting(button(), [set.clone()]) } else { said }])
+    fail(limit, [if fits { advice.setting(button(), [set.clone()]) } else { advice }])
 }
 
 /// The pull at the start against the tension limit of the ribbon.
@@ -127,15 +127,15 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(brake + extra) {
         return ok(limit);
     }
-    let said = msg!("ribbon.reel-pull", tension = (brake + extra, 1), limit = (most, 1), brake = (brake, 1));
+    let message = msg!("ribbon.reel-pull", tension = (brake + extra, 1), limit = (most, 1), brake = (brake, 1));
     let ramp = p.inverter_ramp * extra / (most - brake);
     let advice = if most > brake && ramp <= maximum(FIELDS, "inverter-ramp") {
-        with_ramp(ramp, said.into())
+        with_ramp(ramp, message.into())
     } else if most > extra {
         let set = down(FIELDS, "reel-brake", most - extra);
-        Advice::from(said).setting(msg!("advice.set-brake", force = set.text.as_str()), [set])
+        Advice::from(message).setting(msg!("advice.set-brake", force = set.text.as_str()), [set])
     } else {
-        said.into()
+        message.into()
     };
     fail(limit, [advice])
 }
@@ -153,9 +153,9 @@ fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// An advice with a longer ramp of the inverter, s.
-fn with_ramp(seconds: f64, said: Advice) -> Advice {
+fn with_ramp(seconds: f64, advice: Advice) -> Advice {
     let set = up(FIELDS, "inverter-ramp", seconds);
-    said.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])
+    advice.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])
 }
 
 /// Whether the brake slows the reel down as fast as the unwinder stops: otherwise the reel runs on and the ribbon goes slack.
@@ -166,16 +166,16 @@ fn holds(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(needed) {
         return ok(limit);
     }
-    let said = || Advice::from(msg!("ribbon.reel-runs-on", needed = (needed, 2), brake = (brake, 2)));
+    let runs_on = || Advice::from(msg!("ribbon.reel-runs-on", needed = (needed, 2), brake = (brake, 2)));
     // More brake also stops the unwinder sooner: the pull without current grows linearly with it.
     let reel = wound(p);
     let with = |brake: f64| reel.pull(reel.worst(), coasting_acceleration(p, brake));
     let (without, growth) = (with(0.0), with(1.0) - with(0.0));
     let set = up(FIELDS, "reel-brake", ramp.max(without / (1.0 - growth)));
-    let mut advice = vec![said().setting(msg!("advice.set-brake", force = set.text.as_str()), [set])];
+    let mut advice = vec![runs_on().setting(msg!("advice.set-brake", force = set.text.as_str()), [set])];
     let seconds = p.inverter_ramp * ramp / brake;
     if coasting <= brake && seconds <= maximum(FIELDS, "inverter-ramp") {
-        advice.push(with_ramp(seconds, said()));
+        advice.push(with_ramp(seconds, runs_on()));
     }
     warn(limit, advice)
 }

@@ -129,27 +129,27 @@ pub(in super::super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
     let after = |form: &Params| greatest(&line.with(form), |d| d.loop_needed);
     // An advice with changes of the waiting and the ramp, and the loop that they still ask; none where no such loop is built.
-    let mut offer = |said: Message, left: f64, changes: Vec<FormChange>| {
+    let mut offer = |message: Message, left: f64, changes: Vec<FormChange>| {
         if left <= p.loop_capacity {
-            advice.push(taking(said.into(), changes));
+            advice.push(taking(message.into(), changes));
         } else if left <= LONGEST_LOOP {
-            advice.push(with_loop(said.into(), left, changes));
+            advice.push(with_loop(message.into(), left, changes));
         }
     };
     let dwelt = with_matching_dwell(line, p.clone());
     let left = after(&dwelt.form);
     if left < d.loop_needed {
-        let said = msg!("ribbon.matching-dwell", time = dwelt.typed.as_str(), capacity = (left.ceil(), 0));
-        offer(said, left, vec![dwelt.change]);
+        let message = msg!("ribbon.matching-dwell", time = dwelt.typed.as_str(), capacity = (left.ceil(), 0));
+        offer(message, left, vec![dwelt.change]);
     }
     let ramp = up(FIELDS, "inverter-ramp", shortest_ramp(line));
     if ramp.value < p.inverter_ramp {
         let steep = with_matching_dwell(line, Params { inverter_ramp: ramp.value, ..p.clone() });
         let shortest = after(&steep.form);
         if shortest < left.min(d.loop_needed) {
-            let said = msg!("ribbon.shorter-ramp", time = ramp.text.as_str(), capacity = (shortest.ceil(), 0));
+            let message = msg!("ribbon.shorter-ramp", time = ramp.text.as_str(), capacity = (shortest.ceil(), 0));
             let button = msg!("advice.set-ramp", time = ramp.text.as_str());
-            offer(said, shortest, vec![FormChange { button, entries: vec![ramp.into()] }, steep.change]);
+            offer(message, shortest, vec![FormChange { button, entries: vec![ramp.into()] }, steep.change]);
         }
     }
     if d.slack_run != 0.0 && !p.dancer {
@@ -225,16 +225,16 @@ pub(in super::super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     if up > low {
         let laid = queued * (highest / low - 1.0);
         let (of_queue, all) = ((queued, 0), (laid, 0));
-        let said = if up < highest {
+        let message = if up < highest {
             msg!("ribbon.knob-queue", queued = of_queue, low = ends.0, high = ends.1, laid = all, least = (up, 1))
         } else {
             msg!("ribbon.knob-queue-never", queued = of_queue, low = ends.0, high = ends.1, laid = all)
         };
-        advice.push(with_loop(said.into(), laid_so_far(line) + laid, Vec::new()));
+        advice.push(with_loop(message.into(), laid_so_far(line) + laid, Vec::new()));
     }
     if down > low {
         let missing = queued * (1.0 - low / highest);
-        let said = msg!(
+        let message = msg!(
             "ribbon.knob-starves",
             queued = (queued, 0),
             low = ends.0,
@@ -243,7 +243,7 @@ pub(in super::super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
             kept = (missing - may_go_missing(line), 0),
             least = (down, 1)
         );
-        advice.push(with_pinch(line, said, missing - least_laid(line)));
+        advice.push(with_pinch(line, message, missing - least_laid(line)));
     }
     if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
 }
@@ -389,7 +389,7 @@ pub(in super::super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let mut advice = Vec::new();
     if started.start_tension > most {
         let (dwell, percent) = (matching_dwell(line, p), (started.knob(p), 1));
-        let said = msg!(
+        let message = msg!(
             "ribbon.start-stretches",
             percent,
             missing = (started.missing, 1),
@@ -398,11 +398,11 @@ pub(in super::super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
             limit = (most, 0)
         );
         let button = msg!("advice.set-dwell", time = dwell.text.as_str());
-        advice.push(Advice::from(said).setting(button, [dwell]));
+        advice.push(Advice::from(message).setting(button, [dwell]));
     }
     if drawn.draw_tension > most {
-        let said = msg!("ribbon.stiff-web", tension = (drawn.draw_tension, 0), limit = (most, 0));
-        advice.push(with_dancer(said));
+        let message = msg!("ribbon.stiff-web", tension = (drawn.draw_tension, 0), limit = (most, 0));
+        advice.push(with_dancer(message));
     }
     if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
 }
@@ -413,13 +413,13 @@ pub(in super::super) fn is_drawn_taut(line: &RibbonLine) -> bool {
 }
 
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
-pub(in super::super) fn advice_against_taut(line: &RibbonLine, said: Message) -> Advice {
+pub(in super::super) fn advice_against_taut(line: &RibbonLine, message: Message) -> Advice {
     if is_drawn_taut(line) {
-        return with_dancer(said);
+        return with_dancer(message);
     }
     let dwell = matching_dwell(line, &line.p);
     let button = msg!("advice.set-dwell", time = dwell.text.as_str());
-    Advice::from(said).setting(button, [dwell])
+    Advice::from(message).setting(button, [dwell])
 }
 
 /// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.

@@ -87,7 +87,7 @@ impl ProjectActions {
     fn then(self, work: impl Future<Output = Result<String, String>> + 'static) {
         spawn_local(async move {
             match work.await {
-                Ok(said) if !said.is_empty() => self.announce(said),
+                Ok(notice) if !notice.is_empty() => self.announce(notice),
                 Ok(_) => {}
                 Err(reason) => self.refused(&reason),
             }
@@ -259,7 +259,8 @@ impl ProjectActions {
     pub(super) fn delete(self, state: ShelfState) {
         let name = Project::from_json(&state.text).project.map(|project| project.name).filter(|name| !name.is_empty());
         let name = name.unwrap_or_else(|| t("page.untitled").to_owned());
-        let said = if state.of.is_empty() { msg!("projects.deleted", name) } else { msg!("projects.version-deleted") };
+        let message =
+            if state.of.is_empty() { msg!("projects.deleted", name) } else { msg!("projects.version-deleted") };
         spawn_local(async move {
             let gone = if set_aside::is_key(&state.id) {
                 dom::forget(&state.id);
@@ -269,7 +270,7 @@ impl ProjectActions {
             };
             match gone {
                 Ok(gone) => {
-                    self.announce(sentence(&said));
+                    self.announce(sentence(&message));
                     let _ = self.deleted.try_set(Some(gone));
                     // The pressed button disappears with its project.
                     dom::soon(move || self.focus_restore());
@@ -315,8 +316,8 @@ impl ProjectActions {
                 Err(reason) => {
                     // The list itself is unchanged, and stays.
                     if !self.page.view.kept.is_disposed() {
-                        let told = sentence(&msg!("projects.not-unpacked", file = name, reason));
-                        self.page.notices.notify(Tone::Fail, told);
+                        let text = sentence(&msg!("projects.not-unpacked", file = name, reason));
+                        self.page.notices.notify(Tone::Fail, text);
                     }
                     Ok(String::new())
                 }

@@ -85,15 +85,15 @@ impl ReportHtml<'_> {
     pub(super) fn findings(&mut self) {
         let report = self.report;
         let all = report.diagnostics.iter().chain(&report.sizing.exceeded);
-        let told = all.filter(|found| found.severity != Severity::Info);
-        let mut said: Vec<String> = told.map(|found| sentence(&found.message)).collect();
+        let findings = all.filter(|found| found.severity != Severity::Info);
+        let mut sentences: Vec<String> = findings.map(|found| sentence(&found.message)).collect();
         for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
             let label = self.words(readout.label);
-            said.extend(readout.advice.iter().map(|advice| headed(label, sentence(&advice.message))));
+            sentences.extend(readout.advice.iter().map(|advice| headed(label, sentence(&advice.message))));
         }
-        if !said.is_empty() {
+        if !sentences.is_empty() {
             self.title("form.report.findings");
-            self.list(said);
+            self.list(sentences);
         }
     }
 
