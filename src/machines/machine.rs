@@ -7,25 +7,23 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
-use super::devices::AskedDevice;
-use super::driven::{
-    CoastedAxes, DrivenAxis, FormMotor, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, SpindleRun,
-};
+use super::drawn_machine::DrawnMachine;
+use super::driven::FormMotor;
+use super::driven_machine::DrivenMachine;
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
 use super::ladder::Ladder;
 use super::left_out::LeftOut;
-use super::site::SevereSite;
+use super::samples::Samples;
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
-use crate::math;
-use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Stretch, Visit};
+use crate::motion::{Plant, Plc};
 use crate::msg;
 use crate::nc::{Deck, File, Newline};
 use crate::text::catalog::words;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity, listed};
-use crate::view::{Advice, Chart, DrawnPart, Explorer, FieldEntry, Pose, Readout, Scene, Sheet, Verdict};
+use crate::view::{Advice, Explorer, FieldEntry, Readout, Sheet, Verdict};
 
 /// The control of a machine, with the settings of its open points.
 #[derive(Debug, Clone, Copy)]
@@ -134,66 +132,6 @@ impl MachineVariable {
     }
 }
 
-/// Executions of a block of the program up to a time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Executions {
-    /// Number of executions begun.
-    pub begun: u32,
-    /// The block executes at this time.
-    pub executes: bool,
-}
-
-/// Samples of a run, for charts and poses.
-pub trait Samples {
-    /// The machine at time `t`.
-    fn at(&self, t: f64) -> Snapshot;
-    /// Executions up to time `t` of the block with this sequence number in the started program.
-    fn executions(&self, sequence: u32, t: f64) -> Executions;
-    /// Spans (s) up to time `t` in which that block executes.
-    fn execution_spans(&self, sequence: u32, t: f64) -> Vec<(f64, f64)>;
-    /// Visits of the commands of two axes (by index) to the region where both are below their limits, up to time `t`.
-    fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit>;
-}
-
-impl<P: RunningProgram> Samples for Planner<P> {
-    fn at(&self, t: f64) -> Snapshot {
-        self.timeline().at(t)
-    }
-
-    fn executions(&self, sequence: u32, t: f64) -> Executions {
-        let Some(place) = self.program().numbered(sequence) else { return Executions::default() };
-        let timeline = self.timeline();
-        Executions { begun: timeline.times(place, t), executes: timeline.block_at(t) == Some(place) }
-    }
-
-    fn execution_spans(&self, sequence: u32, t: f64) -> Vec<(f64, f64)> {
-        let Some(place) = self.program().numbered(sequence) else { return Vec::new() };
-        let timeline = self.timeline();
-        let end = |begin: f64| timeline.next_block(begin).map_or(t, |end| end.min(t));
-        timeline.begins(place).take_while(|begin| *begin < t).map(|begin| (begin, end(begin))).collect()
-    }
-
-    fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit> {
-        self.timeline().visits(below, t)
-    }
-}
-
-/// The viewing conditions of a frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
-    /// Machine time (s) between two frames: parts that turn far in it blur.
-    pub step: f64,
-    /// Whether the drawing's own option is on; see [`Scene::drawing_option`].
-    pub drawing_option: bool,
-}
-
-impl Frame {
-    /// Visibility (0 to 1) of a part that turns `step` degrees per frame: 1 up to `limit`, falling linearly to 0 at `1.5 · limit`.
-    pub fn seen(step: f64, limit: f64) -> f64 {
-        math::clamp((1.5 * limit - step) / (0.5 * limit), 0.0, 1.0)
-    }
-}
-
 /// State of the operator's panel at the start of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PanelSetup {
@@ -209,8 +147,8 @@ impl Default for PanelSetup {
     }
 }
 
-/// A machine with its values on a control. All functions are total.
-pub trait Prepared: Send + Sync {
+/// A machine with its values on a control: its results, its program and what runs it. All functions are total.
+pub trait Prepared: DrawnMachine + DrivenMachine + Send + Sync {
     /// Results with verdicts, and the machine's own findings.
     fn results(&self) -> Design;
     /// Opening sentence of the report: the machine's work with these results; none if the machine does not work.
@@ -251,92 +189,6 @@ pub trait Prepared: Send + Sync {
     fn explorer(&self, _shape: usize) -> Option<Explorer> {
         None
     }
-    /// The drawing at rest.
-    fn scene(&self) -> Scene;
-    /// The parts list, with the places of the parts in the drawing.
-    fn parts(&self) -> Vec<DrawnPart>;
-    /// The drawing at a moment.
-    fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
-    /// Speed (r/min) of the spindle on the position page of the control, signed.
-    fn spindle_speed(&self, now: &Snapshot) -> f64 {
-        now.spindle.actual
-    }
-    /// Catalog id of the name of the first contact with the work, `first dot`; none before that contact.
-    fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
-        None
-    }
-    /// Present operation on the work, for instance `Cutting, pass 2 / 4`; none between operations.
-    fn activity(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<Message> {
-        None
-    }
-    /// Times (s) up to `until` at which the tool begins its passes over the work.
-    fn pass_starts(&self, _run: &dyn Samples, _until: f64) -> Vec<f64> {
-        Vec::new()
-    }
-    /// The servo motors for the sizing.
-    fn driven_axes(&self) -> Vec<DrivenAxis> {
-        Vec::new()
-    }
-    /// The motor on the inverter, for the sizing; none if the machine has none, or if its demand is unknown.
-    fn inverter_drive(&self) -> Option<InverterDrive> {
-        None
-    }
-    /// The motor of a main spindle in these stretches of a run, with the torques of its cut; none for other drives.
-    fn spindle_run(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<SpindleRun> {
-        None
-    }
-    /// The brake resistor of the spindle's inverter in these stretches of a run, if the form's braking torque needs one that no sized drive
-    /// has.
-    fn resistor_demand(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<ResistorDemand> {
-        None
-    }
-    /// The machine as it cuts with the feed override at its highest position (%), and that position; none where the knob does not act on the
-    /// cut, or ends at 100 %.
-    fn with_highest_feed(&self) -> Option<(f64, &dyn Prepared)> {
-        None
-    }
-    /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.
-    fn spindle_encoder(&self) -> Option<SpindleEncoder> {
-        None
-    }
-    /// Abilities that the inverter of the spindle needs beside its ratings, for the open points of its order.
-    fn inverter_abilities(&self) -> Vec<Message> {
-        Vec::new()
-    }
-    /// Devices that the form's options need, and sensors with a known place, with their requirements.
-    fn devices(&self) -> Vec<AskedDevice> {
-        Vec::new()
-    }
-    /// The site of the drives, where it is beyond the data sheets of amplifiers and inverters.
-    fn severe_site(&self) -> Option<SevereSite> {
-        None
-    }
-    /// The axes that coast at a power failure by the formulas of the machine, beside a spindle that coasts in the run.
-    fn without_supply(&self) -> Option<CoastedAxes> {
-        None
-    }
-    /// Whether an emergency stop leaves the axes that the PLC turns to coast without current.
-    fn coasts_at_emergency_stop(&self) -> bool {
-        false
-    }
-    /// Spans (s) of a run in which the motors of the axes carry the torque of their work; none if they always do.
-    fn working(&self, _run: &dyn Samples, _until: f64) -> Option<Vec<(f64, f64)>> {
-        None
-    }
-    /// Pause (s) from the end of a run to the next start, in the pattern of the shift.
-    fn pause(&self) -> f64 {
-        0.0
-    }
-    /// Variable and present value of the product's size, if the program accepts another size while the machine runs.
-    fn product_size(&self) -> Option<ProductSize> {
-        None
-    }
-    /// Quantities checked during operation: their worst values in a part of a run, sampled at `points` times.
-    fn gauges(&self, _run: &dyn Samples, _span: (f64, f64), _points: usize) -> Vec<Gauge> {
-        Vec::new()
-    }
-    /// Charts from `from` to `to` seconds with `points` points each.
-    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
 
 /// Constants of a type of machine.

@@ -4,6 +4,12 @@ pub mod form;
 
 pub mod examples;
 
+mod samples;
+
+mod drawn_machine;
+
+mod driven_machine;
+
 pub mod machine;
 
 pub mod driven;
@@ -58,8 +64,11 @@ pub mod settings;
 
 pub mod report;
 
+pub use drawn_machine::{DrawnMachine, Frame};
+pub use driven_machine::DrivenMachine;
 pub use list::{ALL, find};
 pub use machine::{
-    AnyMachine, ControlContext, Defaults, Design, Erased, Executions, Frame, Machine, MachineFile, MachineInfo,
-    MachineProgram, MachineVariable, PanelSetup, Prepared, PreparedMachine, Samples,
+    AnyMachine, ControlContext, Defaults, Design, Erased, Machine, MachineFile, MachineInfo, MachineProgram,
+    MachineVariable, PanelSetup, Prepared, PreparedMachine,
 };
+pub use samples::{Executions, Samples};

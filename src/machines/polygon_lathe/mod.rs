@@ -80,15 +80,17 @@ use resolved::WORK;
 
 use crate::machines::chart_rows;
 use crate::machines::devices::AskedDevice;
+use crate::machines::drawn_machine::{DrawnMachine, Frame};
 use crate::machines::driven::{
     CoastedAxes, DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read,
 };
+use crate::machines::driven_machine::DrivenMachine;
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
-    ControlContext, Design, Frame, Machine, MachineFile, MachineInfo, MachineProgram, MachineVariable, Prepared,
-    Samples,
+    ControlContext, Design, Machine, MachineFile, MachineInfo, MachineProgram, MachineVariable, Prepared,
 };
+use crate::machines::samples::Samples;
 use crate::machines::site::SevereSite;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
@@ -173,7 +175,9 @@ impl Prepared for PolygonLathe {
     fn explorer(&self, shape: usize) -> Option<Explorer> {
         Some(explore::explorer(self.polygons().nth(shape)?, shape))
     }
+}
 
+impl DrawnMachine for PolygonLathe {
     fn parts(&self) -> Vec<DrawnPart> {
         parts_list::parts(self)
     }
@@ -195,6 +199,26 @@ impl Prepared for PolygonLathe {
         progress::progress(self, run, now).now().map(|_| "polygon.first-contact")
     }
 
+    fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
+        let (_, end) = progress::cuts(self, run, now.t).pop()?;
+        let pass = (end >= now.t).then(|| pose::pass(self, &progress::progress(self, run, now)))?;
+        Some(msg!("polygon.cutting", pass))
+    }
+
+    fn pass_starts(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
+        progress::cuts(self, run, until).into_iter().map(|(begin, _)| begin).collect()
+    }
+
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
+        all.extend(charts::deviation(self, points));
+        all.extend(charts::over_radius(self, points));
+        all.extend(main_spindle::charts(self, points));
+        all
+    }
+}
+
+impl DrivenMachine for PolygonLathe {
     fn inverter_drive(&self) -> Option<InverterDrive> {
         main_spindle::inverter(self)
     }
@@ -207,7 +231,7 @@ impl Prepared for PolygonLathe {
         self.spindle_run(run, stretches)?.resistor(self.p.main.braking, self.p.pause)
     }
 
-    fn with_highest_feed(&self) -> Option<(f64, &dyn Prepared)> {
+    fn with_highest_feed(&self) -> Option<(f64, &dyn DrivenMachine)> {
         let (percent, lathe) = self.at_highest_feed()?;
         Some((percent, lathe))
     }
@@ -228,16 +252,6 @@ impl Prepared for PolygonLathe {
         driven::axes(self)
     }
 
-    fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
-        let (_, end) = progress::cuts(self, run, now.t).pop()?;
-        let pass = (end >= now.t).then(|| pose::pass(self, &progress::progress(self, run, now)))?;
-        Some(msg!("polygon.cutting", pass))
-    }
-
-    fn pass_starts(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
-        progress::cuts(self, run, until).into_iter().map(|(begin, _)| begin).collect()
-    }
-
     fn working(&self, run: &dyn Samples, until: f64) -> Option<Vec<(f64, f64)>> {
         Some(progress::cuts(self, run, until))
     }
@@ -256,13 +270,5 @@ impl Prepared for PolygonLathe {
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
-    }
-
-    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
-        all.extend(charts::deviation(self, points));
-        all.extend(charts::over_radius(self, points));
-        all.extend(main_spindle::charts(self, points));
-        all
     }
 }

@@ -64,14 +64,16 @@ use crate::controls::Control;
 use crate::controls::options::{Diameter, SpeedReached};
 use crate::machines::chart_rows;
 use crate::machines::devices::AskedDevice;
+use crate::machines::drawn_machine::{DrawnMachine, Frame};
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, read};
+use crate::machines::driven_machine::DrivenMachine;
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
-    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup,
-    Prepared, Samples,
+    ControlContext, Defaults, Design, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup, Prepared,
 };
+use crate::machines::samples::Samples;
 use crate::machines::site::SevereSite;
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
@@ -185,7 +187,9 @@ impl Prepared for RibbonLine {
     fn sheets(&self) -> Vec<Sheet> {
         sheets::sheets(self)
     }
+}
 
+impl DrawnMachine for RibbonLine {
     fn parts(&self) -> Vec<DrawnPart> {
         parts_list::parts(self)
     }
@@ -207,6 +211,12 @@ impl Prepared for RibbonLine {
         (pose::dots_printed(self, now) > 0.0).then_some("ribbon.first-dot")
     }
 
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        chart_rows::charts(charts::ROWS, self, run, from, to, points)
+    }
+}
+
+impl DrivenMachine for RibbonLine {
     fn driven_axes(&self) -> Vec<DrivenAxis> {
         driven::axes(self)
     }
@@ -242,9 +252,5 @@ impl Prepared for RibbonLine {
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
-    }
-
-    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        chart_rows::charts(charts::ROWS, self, run, from, to, points)
     }
 }

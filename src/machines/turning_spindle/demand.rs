@@ -10,7 +10,7 @@ use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::load::through_gear;
 use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::driven::{SpindleRun, turns};
-use crate::machines::machine::Samples;
+use crate::machines::samples::Samples;
 use crate::math::RPM;
 use crate::motion::Stretch;
 

@@ -7,7 +7,7 @@ use crate::controls::CodeId;
 use crate::controls::interface::SignalRole;
 use crate::machines::devices::{AskedDevice, BillItem};
 use crate::machines::ladder::book::LAST_FUNCTION_BIT;
-use crate::machines::machine::Samples;
+use crate::machines::samples::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::msg;

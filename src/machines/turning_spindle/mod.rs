@@ -54,13 +54,15 @@ pub(crate) use resolved::TurningSpindle;
 use crate::controls::Control;
 use crate::machines::chart_rows;
 use crate::machines::devices::AskedDevice;
+use crate::machines::drawn_machine::{DrawnMachine, Frame};
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
+use crate::machines::driven_machine::DrivenMachine;
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
-    ControlContext, Defaults, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup,
-    Prepared, Samples,
+    ControlContext, Defaults, Design, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup, Prepared,
 };
+use crate::machines::samples::Samples;
 use crate::machines::site::SevereSite;
 use crate::machines::slides;
 use crate::machines::verdict::results;
@@ -145,7 +147,9 @@ impl Prepared for TurningSpindle {
     fn sheets(&self) -> Vec<Sheet> {
         sheets::sheets(self)
     }
+}
 
+impl DrawnMachine for TurningSpindle {
     fn parts(&self) -> Vec<DrawnPart> {
         parts_list::parts(self)
     }
@@ -172,6 +176,15 @@ impl Prepared for TurningSpindle {
         run.execution_spans(program::PASS_BEGIN, until).into_iter().map(|(begin, _)| begin).collect()
     }
 
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
+        all.extend(charts::over_diameter(self, points));
+        all.extend(charts::charts_by_speed(self, points));
+        all
+    }
+}
+
+impl DrivenMachine for TurningSpindle {
     fn driven_axes(&self) -> Vec<DrivenAxis> {
         slides::axes(self)
     }
@@ -196,7 +209,7 @@ impl Prepared for TurningSpindle {
         driven::inverter_abilities(self)
     }
 
-    fn with_highest_feed(&self) -> Option<(f64, &dyn Prepared)> {
+    fn with_highest_feed(&self) -> Option<(f64, &dyn DrivenMachine)> {
         let (percent, lathe) = self.at_highest_feed()?;
         Some((percent, lathe))
     }
@@ -219,12 +232,5 @@ impl Prepared for TurningSpindle {
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
-    }
-
-    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
-        all.extend(charts::over_diameter(self, points));
-        all.extend(charts::charts_by_speed(self, points));
-        all
     }
 }

@@ -8,7 +8,7 @@ use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::drives::duty::OperatingPoint;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, ProductSize};
 use crate::machines::sheets::say;
-use crate::machines::{Prepared, PreparedMachine};
+use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::math;
 use crate::motion::{Action, Event, Mover, RunEnd, Stretch};
 use crate::msg;
@@ -144,7 +144,7 @@ pub struct EnvelopeRow {
 /// The rows of all events that apply to the machine; `done` is called after each.
 pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
     let prepared = &*project.prepared();
-    let cutting = |machine: &dyn Prepared| {
+    let cutting = |machine: &dyn DrivenMachine| {
         let with_current = |axis: DrivenAxis| (axis, ampere_per_torque(project, &axis));
         machine.driven_axes().into_iter().map(with_current).collect()
     };
@@ -233,7 +233,7 @@ fn acted(whole: &WholeRun, actions: Vec<(f64, Action)>) -> Run {
 
 /// The machine as it cuts at a position of the feed override.
 struct Cutting<'a> {
-    machine: &'a dyn Prepared,
+    machine: &'a dyn DrivenMachine,
     /// The axes, each with the current (A) of its motor for 1 Nm, if it is known.
     axes: Vec<(DrivenAxis, Option<f64>)>,
 }

@@ -3,7 +3,7 @@
 use crate::drives::duty::Motion;
 use crate::drives::speed::Steps;
 use crate::machines::driven::{DrivenAxis, SpindleRun};
-use crate::machines::{Prepared, PreparedMachine};
+use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, Stretch};
 use crate::msg;
 use crate::project::Project;
@@ -132,7 +132,7 @@ impl WholeRun {
     }
 
     /// The motor of the main spindle in it; none for other drives.
-    pub(super) fn spindle(&self, machine: &dyn Prepared) -> Option<SpindleRun> {
+    pub(super) fn spindle(&self, machine: &dyn DrivenMachine) -> Option<SpindleRun> {
         machine.spindle_run(&self.run, &self.stretches(Mover::Spindle))
     }
 

@@ -11,8 +11,8 @@ mod scene;
 use macroline::machines::form::Field;
 use macroline::machines::verdict::results;
 use macroline::machines::{
-    ControlContext, Design, Frame, Machine, MachineInfo, MachineProgram, MachineVariable, Prepared, Samples,
-    chart_rows, sheets,
+    ControlContext, Design, DrawnMachine, DrivenMachine, Frame, Machine, MachineInfo, MachineProgram, MachineVariable,
+    Prepared, Samples, chart_rows, sheets,
 };
 use macroline::motion::{BenchPlc, Plant, Plc, Snapshot};
 use macroline::view::{Chart, DrawnPart, Pose, Scene, Sheet};
@@ -70,7 +70,9 @@ impl Prepared for CutToLength {
         let units = sheets::AxisUnits { in_diameters: &[], rotary: &[] };
         vec![sheets::parameters(self.control, &units, plant::parameters(self))]
     }
+}
 
+impl DrawnMachine for CutToLength {
     fn parts(&self) -> Vec<DrawnPart> {
         scene::parts()
     }
@@ -87,3 +89,5 @@ impl Prepared for CutToLength {
         chart_rows::charts(scene::CHARTS, self, run, from, to, points)
     }
 }
+
+impl DrivenMachine for CutToLength {}

@@ -1,0 +1,76 @@
+//! The drives of a prepared machine as the sizing asks for them: motors and their demand in a run, devices, and the pattern of the shift.
+
+use super::devices::AskedDevice;
+use super::driven::{
+    CoastedAxes, DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, SpindleRun,
+};
+use super::samples::Samples;
+use super::site::SevereSite;
+use crate::motion::Stretch;
+use crate::text::Message;
+
+/// The drives of a machine. Without an answer of its own a machine has none. All functions are total.
+pub trait DrivenMachine {
+    /// The servo motors for the sizing.
+    fn driven_axes(&self) -> Vec<DrivenAxis> {
+        Vec::new()
+    }
+    /// The motor on the inverter, for the sizing; none if the machine has none, or if its demand is unknown.
+    fn inverter_drive(&self) -> Option<InverterDrive> {
+        None
+    }
+    /// The motor of a main spindle in these stretches of a run, with the torques of its cut; none for other drives.
+    fn spindle_run(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<SpindleRun> {
+        None
+    }
+    /// The brake resistor of the spindle's inverter in these stretches of a run, if the form's braking torque needs one that no sized drive
+    /// has.
+    fn resistor_demand(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<ResistorDemand> {
+        None
+    }
+    /// The machine as it cuts with the feed override at its highest position (%), and that position; none where the knob does not act on the
+    /// cut, or ends at 100 %.
+    fn with_highest_feed(&self) -> Option<(f64, &dyn DrivenMachine)> {
+        None
+    }
+    /// The encoder of the spindle, if it has one of its own; a servo motor includes its encoder.
+    fn spindle_encoder(&self) -> Option<SpindleEncoder> {
+        None
+    }
+    /// Abilities that the inverter of the spindle needs beside its ratings, for the open points of its order.
+    fn inverter_abilities(&self) -> Vec<Message> {
+        Vec::new()
+    }
+    /// Devices that the form's options need, and sensors with a known place, with their requirements.
+    fn devices(&self) -> Vec<AskedDevice> {
+        Vec::new()
+    }
+    /// The site of the drives, where it is beyond the data sheets of amplifiers and inverters.
+    fn severe_site(&self) -> Option<SevereSite> {
+        None
+    }
+    /// The axes that coast at a power failure by the formulas of the machine, beside a spindle that coasts in the run.
+    fn without_supply(&self) -> Option<CoastedAxes> {
+        None
+    }
+    /// Whether an emergency stop leaves the axes that the PLC turns to coast without current.
+    fn coasts_at_emergency_stop(&self) -> bool {
+        false
+    }
+    /// Spans (s) of a run in which the motors of the axes carry the torque of their work; none if they always do.
+    fn working(&self, _run: &dyn Samples, _until: f64) -> Option<Vec<(f64, f64)>> {
+        None
+    }
+    /// Pause (s) from the end of a run to the next start, in the pattern of the shift.
+    fn pause(&self) -> f64 {
+        0.0
+    }
+    /// Variable and present value of the product's size, if the program accepts another size while the machine runs.
+    fn product_size(&self) -> Option<ProductSize> {
+        None
+    }
+    /// Quantities checked during operation: their worst values in a part of a run, sampled at `points` times.
+    fn gauges(&self, _run: &dyn Samples, _span: (f64, f64), _points: usize) -> Vec<Gauge> {
+        Vec::new()
+    }
+}
