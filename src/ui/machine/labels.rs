@@ -5,16 +5,20 @@ use std::collections::BTreeMap;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement};
 
+use crate::math;
 use crate::text::number::filled;
 use crate::ui::dom;
 
-/// Pixels between two labels.
+/// Pixels between two labels, and between a label and the hairline of another.
 const GAP: f64 = 10.0;
+const GAP_TO_HAIRLINE: f64 = 3.0;
+/// Length in pixels of the pieces of a hairline that labels keep clear of.
+const PIECE: f64 = 6.0;
 /// Shifts to the side in pixels, tried in this order.
 const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0, 52.0, -52.0, 68.0, -68.0];
 
 /// Greatest shift in pixels of a label without a hairline: further away it would seem to name another part.
-const NEAR: f64 = 26.0;
+const NEAR: f64 = 38.0;
 /// Share of a text's box above and below that its letters leave free.
 const FREE: f64 = 0.12;
 
@@ -27,12 +31,20 @@ const LED: &str = "data-led";
 /// A rectangle in pixels: left, top, right, bottom.
 type Area = [f64; 4];
 
+/// A place in pixels.
+type Place = (f64, f64);
+
+/// An area that labels keep clear of, and how many pixels.
+type Obstacle = (Area, f64);
+
 /// The lines of a label: name first, then values. The hairline to the part is no line.
 #[derive(Debug, Clone, PartialEq)]
 struct Label {
     lines: Vec<Area>,
-    /// Whether a hairline leads from it to its part.
+    /// Whether it belongs to a part that a hairline leads to, or keeps its place.
     leads: bool,
+    /// Start, as it was laid out, and end of its hairline.
+    hairline: Option<[Place; 2]>,
     /// The lens around it, in which it stays.
     lens: Option<Area>,
 }
@@ -62,10 +74,39 @@ fn aside([left, top, right, bottom]: Area, by: f64) -> Area {
     [left + by, top, right + by, bottom]
 }
 
-/// Whether an area is within a frame, and free of others.
-fn is_free(own: Area, frame: Area, taken: &[Area]) -> bool {
+/// Whether an area is within a frame, and free of obstacles.
+fn is_free(own: Area, frame: Area, taken: &[Obstacle]) -> bool {
     let within = own[0] >= frame[0] && own[1] >= frame[1] && own[2] <= frame[2] && own[3] <= frame[3];
-    within && taken.iter().all(|a| own[0] >= a[2] + GAP || own[2] <= a[0] - GAP || own[1] >= a[3] || own[3] <= a[1])
+    let is_beside = |(a, gap): &Obstacle| own[0] >= a[2] + gap || own[2] <= a[0] - gap;
+    within && taken.iter().all(|obstacle| is_beside(obstacle) || own[1] >= obstacle.0[3] || own[3] <= obstacle.0[1])
+}
+
+/// The area around all lines; `None` without a line.
+fn around(lines: impl Iterator<Item = Area>) -> Option<Area> {
+    lines.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])])
+}
+
+/// Where a hairline begins at a text: below or above it, and as it was laid out where the text reaches there. `None` where the text has come
+/// to the part itself.
+fn begin([(x, y), end]: [Place; 2], text: Area) -> Option<Place> {
+    let (clear, inset) = CLEAR;
+    let is_below = y <= end.1;
+    let edge = if is_below { text[3] + clear } else { text[1] - clear };
+    let has_length = if is_below { edge < end.1 } else { edge > end.1 };
+    has_length.then(|| (x.min(text[2] - inset).max(text[0] + inset), edge))
+}
+
+/// The pieces of a hairline from a text.
+fn pieces(hairline: [Place; 2], text: Area) -> Vec<Area> {
+    let Some(from) = begin(hairline, text) else { return Vec::new() };
+    let end = hairline[1];
+    let count = (math::hypot(end.0 - from.0, end.1 - from.1) / PIECE).ceil().max(1.0);
+    let at = |share: f64| (from.0 + (end.0 - from.0) * share, from.1 + (end.1 - from.1) * share);
+    let piece = |k: u32| {
+        let (a, b) = (at(f64::from(k) / count), at(f64::from(k + 1) / count));
+        [a.0.min(b.0), a.1.min(b.1), a.0.max(b.0), a.1.max(b.1)]
+    };
+    (0..count as u32).map(piece).collect()
 }
 
 /// Lines of a label in a lens that are within it and not on the lines above.
@@ -78,12 +119,12 @@ fn seen_in(label: &Label, lens: Area) -> usize {
 /// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others. A label without room loses
 /// lines from its end, the name last.
 fn placed(labels: &[Label], frame: Area) -> Vec<LabelPlacement> {
-    let mut taken: Vec<Area> = Vec::new();
+    let mut taken: Vec<Obstacle> = Vec::new();
     let mut placements = vec![(0.0, 0); labels.len()];
     for (label, placement) in labels.iter().zip(&mut placements) {
         if let Some(lens) = label.lens {
             *placement = (0.0, seen_in(label, lens));
-            taken.extend(rectangles(lens));
+            taken.extend(rectangles(lens).map(|area| (area, GAP)));
         }
     }
     for leads in [true, false] {
@@ -100,8 +141,11 @@ fn placed(labels: &[Label], frame: Area) -> Vec<LabelPlacement> {
             let mut tries = (1..=label.lines.len()).rev().flat_map(|lines| ways.clone().map(move |by| (lines, *by)));
             if let Some((lines, by)) = tries.find(fits) {
                 *placement = (by, lines);
-                let seen = label.lines.iter().take(lines).filter(|line| line[0] < line[2]);
-                taken.extend(seen.map(|line| aside(*line, by)));
+                let seen = label.lines.iter().take(lines).filter(|line| line[0] < line[2]).map(|line| aside(*line, by));
+                taken.extend(seen.clone().map(|line| (line, GAP)));
+                let hairline =
+                    label.hairline.zip(around(seen)).map_or_else(Vec::new, |(ends, text)| pieces(ends, text));
+                taken.extend(hairline.into_iter().map(|piece| (piece, GAP_TO_HAIRLINE)));
             }
         }
     }
@@ -119,7 +163,7 @@ fn ends(path: &str) -> Option<[(f64, f64); 2]> {
 }
 
 /// Where a hairline ends in pixels, by the area that it is drawn in.
-fn end_of(path: &str, drawn: Area) -> Option<(f64, f64)> {
+fn end_of(path: &str, drawn: Area) -> Option<Place> {
     let [from, to] = ends(path)?;
     let x = if from.0 <= to.0 { drawn[2] } else { drawn[0] };
     let y = if from.1 <= to.1 { drawn[3] } else { drawn[1] };
@@ -128,17 +172,48 @@ fn end_of(path: &str, drawn: Area) -> Option<(f64, f64)> {
 
 /// A hairline of the drawing that ends at a place in pixels, made to begin at the edge of its text. Letters keep their size in a larger
 /// drawing, so that a text reaches less far there than it was laid out for. `None` where the text has come to the part itself.
-fn led(path: &str, end: (f64, f64), text: Area, unit: f64) -> Option<String> {
+fn led(path: &str, end: Place, text: Area, unit: f64) -> Option<String> {
     let [from, to] = ends(path)?;
-    let (x, y) = (end.0 - (to.0 - from.0) / unit, end.1 - (to.1 - from.1) / unit);
-    let (clear, inset) = CLEAR;
-    let is_below = from.1 <= to.1;
-    let edge = if is_below { text[3] + clear } else { text[1] - clear };
-    if (is_below && edge >= end.1) || (!is_below && edge <= end.1) {
-        return None;
+    let [(x, y), end] = in_pixels(path, end, unit)?;
+    let start = begin([(x, y), end], text)?;
+    Some(filled("M# #L# #", &[from.0 + (start.0 - x) * unit, from.1 + (start.1 - y) * unit, to.0, to.1]))
+}
+
+/// Start and end in pixels of a hairline that ends at a place in pixels.
+fn in_pixels(path: &str, end: Place, unit: f64) -> Option<[Place; 2]> {
+    let [from, to] = ends(path)?;
+    Some([(end.0 - (to.0 - from.0) / unit, end.1 - (to.1 - from.1) / unit), end])
+}
+
+/// A hairline in the document: its element, its path as the drawing has it, and where it ends in pixels.
+struct Hairline {
+    element: Element,
+    path: String,
+    end: Option<Place>,
+}
+
+impl Hairline {
+    /// The hairline among the elements of a label. Its path in the drawing is kept: it must not depend on the sizes that the drawing had
+    /// before.
+    fn among(elements: &[Element]) -> Option<Hairline> {
+        let element = elements.iter().find(|element| element.tag_name() == "path")?.clone();
+        let present = element.get_attribute("d").unwrap_or_default();
+        let end = end_of(&present, area(&element));
+        let path = element.get_attribute(LED).unwrap_or(present);
+        Some(Hairline { element, path, end })
     }
-    let start = x.min(text[2] - inset).max(text[0] + inset);
-    Some(filled("M# #L# #", &[from.0 + (start - x) * unit, from.1 + (edge - y) * unit, to.0, to.1]))
+
+    /// Makes it begin at the edge of its text, and hides it where there is none.
+    fn lead_from(&self, text: Option<Area>, unit: f64) {
+        let Some(text) = text else {
+            let _ = self.element.class_list().add_1("crowded");
+            return;
+        };
+        if let Some(end) = self.end {
+            dom::set(&self.element, LED, &self.path);
+            dom::set(&self.element, "d", &led(&self.path, end, text, unit).unwrap_or_else(|| self.path.clone()));
+        }
+    }
 }
 
 /// Moves and hides labels of a drawing so that none overlaps; `unit` is the number of drawing units per pixel.
@@ -156,24 +231,21 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
         }
     }
     let is_text = |element: &&Element| element.tag_name() == "text";
-    let label = |elements: &Vec<Element>| Label {
+    let hairlines: Vec<Option<Hairline>> = parts.values().map(|elements| Hairline::among(elements)).collect();
+    let label = |(elements, hairline): (&Vec<Element>, &Option<Hairline>)| Label {
         lines: elements.iter().filter(is_text).map(letters).collect(),
         leads: elements.iter().any(|element| !is_text(&element)),
+        hairline: hairline.as_ref().and_then(|line| in_pixels(&line.path, line.end?, unit)),
         lens: elements.iter().find(|element| element.tag_name() == "circle").map(area),
     };
     // Elements over the drawing keep their place.
     let over = picture.closest(".drawing").ok().flatten();
     let over = over.map_or(Vec::new(), |drawing| dom::all(&drawing, ".state, .band .icon"));
-    let fixed = over.iter().map(|element| Label { lines: vec![area(element)], leads: true, lens: None });
-    let labels: Vec<Label> = fixed.chain(parts.values().map(label)).collect();
-    let leader = |elements: &Vec<Element>| {
-        let leader = elements.iter().find(|element| element.tag_name() == "path")?.clone();
-        let drawn = area(&leader);
-        Some((leader, drawn))
-    };
-    let leaders: Vec<Option<(Element, Area)>> = parts.values().map(leader).collect();
+    let fixed =
+        over.iter().map(|element| Label { lines: vec![area(element)], leads: true, hairline: None, lens: None });
+    let labels: Vec<Label> = fixed.chain(parts.values().zip(&hairlines).map(label)).collect();
     let placements = placed(&labels, area(picture)).into_iter().zip(&labels).skip(over.len());
-    for ((elements, leader), ((by, lines), label)) in parts.values().zip(leaders).zip(placements) {
+    for ((elements, hairline), ((by, lines), label)) in parts.values().zip(&hairlines).zip(placements) {
         for (at, text) in elements.iter().filter(is_text).enumerate() {
             if at >= lines {
                 let _ = text.class_list().add_1("crowded");
@@ -181,19 +253,9 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
                 let _ = style.set_property("translate", &format!("{:.2}px", by * unit));
             }
         }
-        let Some((leader, drawn)) = leader else { continue };
         let shown = label.lines.iter().take(lines).filter(|line| line[0] < line[2]).map(|line| aside(*line, by));
-        let text = shown.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]);
-        let Some(text) = text else {
-            let _ = leader.class_list().add_1("crowded");
-            continue;
-        };
-        // The path of the drawing is kept: a hairline must not depend on the sizes that the drawing had before.
-        let present = leader.get_attribute("d").unwrap_or_default();
-        let path = leader.get_attribute(LED).unwrap_or_else(|| present.clone());
-        if let Some(end) = end_of(&present, drawn) {
-            dom::set(&leader, LED, &path);
-            dom::set(&leader, "d", &led(&path, end, text, unit).unwrap_or(path));
+        if let Some(hairline) = hairline {
+            hairline.lead_from(around(shown), unit);
         }
     }
 }
@@ -213,7 +275,7 @@ mod tests {
     fn label(left: f64, top: f64, letters: &[f64], leads: bool) -> Label {
         let line =
             |(at, width): (usize, &f64)| [left, top + 18.0 * at as f64, left + width, top + 18.0 * at as f64 + 15.0];
-        Label { lines: letters.iter().enumerate().map(line).collect(), leads, lens: None }
+        Label { lines: letters.iter().enumerate().map(line).collect(), leads, hairline: None, lens: None }
     }
 
     #[wasm_bindgen_test]
@@ -243,7 +305,18 @@ mod tests {
     fn label_without_a_hairline_stays_near_its_part() {
         let beside = |left| placed(&[label(10.0, 10.0, &[80.0], true), label(left, 10.0, &[80.0], false)], FRAME)[1];
         assert_eq!(beside(80.0), (26.0, 1));
-        assert_eq!(beside(60.0), (0.0, 0));
+        assert_eq!(beside(50.0), (0.0, 0));
+    }
+
+    #[wasm_bindgen_test]
+    fn label_keeps_clear_of_the_hairline_of_another() {
+        // From the text in the corner down to the right, through the place of the other label.
+        let led = Label { hairline: Some([(80.0, 29.0), (140.0, 89.0)]), ..label(10.0, 10.0, &[80.0], true) };
+        let other = |left| placed(&[led.clone(), label(left, 50.0, &[40.0], false)], FRAME)[1];
+        assert_eq!(other(140.0), (0.0, 1));
+        assert_eq!(other(90.0), (38.0, 1));
+        // Between both sides there is no room near its part.
+        assert_eq!(placed(&[led, label(70.0, 50.0, &[120.0], false)], FRAME)[1], (0.0, 0));
     }
 
     #[wasm_bindgen_test]
