@@ -248,12 +248,13 @@ mod tests {
     use crate::machines::sheets::row;
     use crate::text::Citation;
     use crate::ui::testing::project;
+    use crate::view::FieldEntry;
 
     fn choice(products: usize) -> String {
         let cite = Citation::new("catalogue", Grade::Manual);
         let asked = row(["asked".to_owned(), "1 Nm".to_owned()], cite);
         let product = |at: usize| Row {
-            entries: vec![("motor-x", format!("M{at}"))],
+            entries: vec![FieldEntry::new("motor-x", format!("M{at}"))],
             ..row([format!("M{at}"), format!("{at} Nm")], cite)
         };
         let sheet = Sheet {
