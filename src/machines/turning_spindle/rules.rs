@@ -343,9 +343,10 @@ fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
     // A face has no place for the tailstock.
     let takes_tailstock = !p.tailstock && p.path != Path::Facing;
     if p.path != Path::Facing && value > p.depth {
-        let advice = match takes_tailstock {
-            true if bending::held(p) <= p.depth => fit_tailstock(msg!("turning.work-gives-way", bending, depth, held)),
-            _ => Advice::from(msg!("turning.held-work-gives-way", depth, held)),
+        let advice = if takes_tailstock && bending::held(p) <= p.depth {
+            fit_tailstock(msg!("turning.work-gives-way", bending, depth, held))
+        } else {
+            Advice::from(msg!("turning.held-work-gives-way", depth, held))
         };
         return fail(AtMost(p.depth), [advice]);
     }
