@@ -99,13 +99,8 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         (FieldKindInfo::Number { unit, decimals, .. }, Value::Number(number)) => {
             (units::exact(number, *decimals, unit), units::unit(unit))
         }
-        (FieldKindInfo::Choice(options), Value::Text(id)) => {
-            let label = options.iter().find(|(option, _)| *option == id).map(|(_, label)| *label);
-            (label.map_or(id, |label| words(label).to_owned()), "")
-        }
-        (_, Value::Flag(flag)) => (words(if flag { "form.report.yes" } else { "form.report.no" }).to_owned(), ""),
         (_, Value::Number(number)) => (number_text(number, 6), ""),
-        (_, Value::Text(text)) => (text, ""),
+        (_, value) => (field.word(&value).map_or_else(|| field.text(&value), str::to_owned), ""),
     };
     let origin = origins.get(field.id).copied().unwrap_or_default();
     Input {

@@ -1,7 +1,7 @@
 //! Fields in the units that are shown.
 
 use super::{FieldInfo, FieldKindInfo, Value};
-use crate::text::catalog::number_text;
+use crate::text::catalog::{number_text, words};
 use crate::text::{number, units};
 
 /// Decimals of a number that is shown as typed.
@@ -46,6 +46,17 @@ impl FieldInfo {
     /// Formats a value with its unit.
     pub fn text_with_unit(&self, value: &Value) -> String {
         format!("{} {}", self.text(value), self.unit())
+    }
+
+    /// The word for a value of a choice or a flag: the label of the option, yes or no.
+    pub fn word(&self, value: &Value) -> Option<&'static str> {
+        match (&self.kind, value) {
+            (FieldKindInfo::Choice(options), Value::Text(id)) => {
+                options.iter().find(|(option, _)| option == id).map(|(_, label)| words(label))
+            }
+            (_, Value::Flag(flag)) => Some(words(if *flag { "form.report.yes" } else { "form.report.no" })),
+            _ => None,
+        }
     }
 
     /// A number with its unit in files and programs, if another unit is shown.

@@ -19,12 +19,13 @@ use super::view::{ProgramView, Tab, View};
 use crate::machines::form::{Provenance, Value};
 use crate::machines::{Design, MachineVariable};
 use crate::motion::Event;
+use crate::msg;
 use crate::nc;
 use crate::project::Project;
 use crate::project::check::{FixChoice, with_run};
 use crate::project::dependence::fields_by_result;
 use crate::project::silence::silence;
-use crate::text::{Diagnostic, LineIndex, Place, Severity};
+use crate::text::{Diagnostic, LineIndex, Place, Severity, clauses};
 use crate::ui::dom;
 use crate::ui::words::{sentence, t};
 use crate::view::{FieldEntry, Readout, Scene, Verdict};
@@ -234,7 +235,7 @@ impl Page {
         let (files, count) = self.project.with_untracked(|project| project.with_fixes(&written.files, &found, choice));
         if count > 0 {
             self.edit(|project| project.edited = Some(files));
-            self.notices.confirm(sentence(&crate::msg!("page.mended-all", count = count as u32)));
+            self.notices.confirm(sentence(&msg!("page.mended-all", count = count as u32)));
         }
     }
 
@@ -300,7 +301,7 @@ impl Page {
         self.program.written.with(|written| {
             let file = written.files.get(place.file)?;
             let line = LineIndex::new(&file.text).line_of(place.span.start);
-            Some(sentence(&crate::msg!("page.at-line", file = file.name.as_str(), line)))
+            Some(sentence(&msg!("page.at-line", file = file.name.as_str(), line)))
         })
     }
 
@@ -441,7 +442,7 @@ impl Page {
         });
     }
 
-    /// Takes entries of the form in one step.
+    /// Takes entries of the form in one step, and names them where there are several: the words of a button have room for one.
     pub(crate) fn take_entries(self, entries: &[FieldEntry]) {
         self.edit(|project| {
             if let Some(after) = project.with_entries(entries) {
@@ -450,7 +451,23 @@ impl Page {
         });
         entries.iter().for_each(|entry| self.entries.accept(entry.field));
         self.entries.show_again();
-        self.notices.announce(t("page.taken"));
+        match entries {
+            [] | [_] => self.notices.announce(t("page.taken")),
+            _ => self.notices.confirm(sentence(&msg!("page.taken-fields", fields = self.in_words(entries)))),
+        }
+    }
+
+    /// The fields of these entries as a list of labels with the values that the project has.
+    fn in_words(self, entries: &[FieldEntry]) -> String {
+        self.project.with_untracked(|project| {
+            let fields = project.machine.fields();
+            clauses(entries.iter().filter_map(|entry| {
+                let field = fields.iter().find(|field| field.id == entry.field)?;
+                let value = project.values.get(field.id)?;
+                let text = field.word(value).map_or_else(|| field.text_with_unit(value), str::to_owned);
+                Some(format!("{} {}", t(field.label), text.trim_end()))
+            }))
+        })
     }
 
     /// Notes where the value of a field comes from.
@@ -584,6 +601,8 @@ mod tests {
         let page = bench.page;
         page.take_entries(&[FieldEntry::new("pitch", "9"), FieldEntry::new("heads", "7")]);
         assert_eq!((number(page, "pitch"), number(page, "heads")), (Value::Number(9.0), Value::Number(7.0)));
+        let told = page.notices.list.with_untracked(|list| list.last().map(|notice| notice.text.clone()));
+        assert_eq!(told.as_deref(), Some("Changed: Pitch 9 mm; Print heads 7."));
         page.undo();
         assert_eq!((number(page, "pitch"), number(page, "heads")), (Value::Number(8.0), Value::Number(6.0)));
     }
