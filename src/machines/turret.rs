@@ -4,10 +4,10 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 /// The error of a turret that turns into the work: at `start` (X as a diameter and Z, mm) its other tools reach `room` (mm) beyond the tip
-/// of the tool, and the stock has this diameter (mm) and ends at Z 0. `None` where it has room beside the work or in front of it.
-pub(super) fn hits_work(start: (f64, f64), stock_diameter: f64, room: f64) -> Option<Diagnostic> {
+/// of the tool, and the stock has this diameter and ends at this Z (mm). `None` where it has room beside the work or in front of it.
+pub(super) fn hits_work(start: (f64, f64), (diameter, end): (f64, f64), room: f64) -> Option<Diagnostic> {
     let (x, z) = start;
-    let hits = x < stock_diameter + 2.0 * room && z < room;
+    let hits = x < diameter + 2.0 * room && z < end + room;
     let message = msg!("lathe.turret-hits-work", x = (x, 3), z = (z, 3), room = (room, 1));
-    hits.then(|| Diagnostic::error(message).about("start-z").mended_by(room.ceil()))
+    hits.then(|| Diagnostic::error(message).about("start-z").mended_by((end + room).ceil()))
 }

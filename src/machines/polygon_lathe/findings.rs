@@ -200,7 +200,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             found.push(Diagnostic::error(fault).about(field).mended_by(least.ceil()));
         }
     }
-    found.extend(turret::hits_work((p.start_x, p.start_z), p.stock_diameter, p.turret_room));
+    found.extend(turret::hits_work((p.start_x, p.start_z), (p.stock_diameter, 0.0), p.turret_room));
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }

@@ -11,8 +11,10 @@ use crate::math;
 /// Greatest number of passes.
 pub(super) const PASSES: f64 = 2000.0;
 
-/// Longest time (s) in which a motor may give its overload without a pause. Source: duty S6-40 % of IEC 60034-1, 4 minutes in 10.
+/// Longest time (s) in which a motor may give its overload without a pause, and the share of the time that it is in all. Source: duty S6-40 %
+/// of IEC 60034-1, 4 minutes in 10.
 const OVERLOAD_TIME: f64 = 240.0;
+const OVERLOAD_SHARE: f64 = 0.4;
 
 /// Speed of the spindle over the diameter, as the control limits it.
 #[derive(Debug, Clone, Default)]
@@ -101,9 +103,15 @@ impl Derived {
         if p.speed_mode == SpeedMode::Fixed { self.fixed_speed } else { self.held.at(diameter).0 }
     }
 
-    /// Rating over the cutting time: `rated · overload` up to 240 s, else `rated`.
+    /// Rating over the cutting time: `rated · overload` up to 240 s where the cuts are two fifths of the time with the pause, else `rated`.
     pub(super) fn for_the_cut(&self, p: &Params, rated: f64) -> f64 {
-        if self.cutting_time <= OVERLOAD_TIME { rated * p.motor_overload / 100.0 } else { rated }
+        let is_rare = self.cutting_time <= OVERLOAD_TIME && p.pause >= self.pause_for_overload();
+        if is_rare { rated * p.motor_overload / 100.0 } else { rated }
+    }
+
+    /// Pause (s) to the next part with which the cuts take two fifths of the time (S6-40 %), whatever the rest of the part takes.
+    pub(super) fn pause_for_overload(&self) -> f64 {
+        self.cutting_time * (1.0 / OVERLOAD_SHARE - 1.0)
     }
 
     /// Diameters (mm) one of which asks most of a motor with the base speed `base` at the spindle, r/min. Above base speed the demand of

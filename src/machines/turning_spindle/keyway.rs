@@ -35,6 +35,16 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         found.push(Diagnostic::warning(why).about(field));
         return;
     };
+    if p.driven_number == p.tool {
+        let message = msg!("turning.driven-tool-is-tool", tool = (p.tool, 0));
+        found.push(Diagnostic::error(message).about("driven-number"));
+    }
+    for (field, feed, clamp) in feeds(p) {
+        if feed > clamp {
+            let message = msg!("turning.keyway-above-clamp", feed = (feed, 0), clamp = (clamp, 0));
+            found.push(Diagnostic::warning(message).about(field).mended_by(clamp));
+        }
+    }
     if p.driven_code > 0.0 && p.driven_stop <= 0.0 {
         let code = f64::from(p.driven_code as u32);
         found.push(Diagnostic::error(msg!("turning.driven-tool-turns-on", code)).about("driven-stop"));
@@ -102,11 +112,17 @@ pub(super) fn sign_for_angle(lathe: &TurningSpindle) -> Option<Advice> {
     (!has_sign).then(|| advice.setting(msg!("advice.signed-output"), [("output", "+-10".to_owned())]))
 }
 
+/// The feeds of the keyway, with the clamps of their slides: into the work, and along it.
+fn feeds(p: &Params) -> [(&'static str, f64, f64); 2] {
+    [("keyway-infeed", p.keyway_infeed, p.slides.x.clamp), ("keyway-feed", p.keyway_feed, p.slides.z.clamp)]
+}
+
 /// Time (s) of the tool at feed: `60 ((c + t) / f_x + (L - w) / f_z)`, from the clearance c to the depth t, then along the length L less
-/// the width w.
+/// the width w; no feed is above the clamp of its slide.
 pub(super) fn time(p: &Params) -> f64 {
     let along = (p.keyway_length - p.keyway_width).max(0.0);
-    60.0 * ((p.clearance + p.keyway_depth) / p.keyway_infeed + along / p.keyway_feed)
+    let [infeed, feed] = feeds(p).map(|(_, feed, clamp)| feed.min(clamp));
+    60.0 * ((p.clearance + p.keyway_depth) / infeed + along / feed)
 }
 
 /// Cutting speed of the driven tool in m/min: `π w n / 1000`.

@@ -37,7 +37,9 @@ fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
     let part = [CUTTING_SPEED, FEED, STOCK].into_iter().chain(end);
     let all = part.chain([way(lathe), DEPTH, SPEED_LIMIT, CLEARANCE, START_X, START_Z]);
     let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
-    let keyway = lathe.keyway().map(|_| [KEYWAY_DEPTH, KEYWAY_LENGTH, DRIVEN_SPEED, KEYWAY_FEED]).into_iter().flatten();
+    let keyway =
+        lathe.keyway().map(|_| [KEYWAY_DEPTH, KEYWAY_LENGTH, KEYWAY_WIDTH, DRIVEN_SPEED, KEYWAY_FEED, KEYWAY_INFEED]);
+    let keyway = keyway.into_iter().flatten();
     all.chain(limits).chain(keyway).chain([ROOM]).map(OperatorVariable::any).collect()
 }
 
@@ -218,11 +220,10 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some((_, text)) = core_guard(lathe) {
         writing::alarm(b, lathe.control, core_alarm(lathe), &text);
     }
-    let [way, start, long, reach] =
-        [way(lathe), KEYWAY_START, KEYWAY_LENGTH, REACH].map(|number| lathe.control.variable(number));
+    let [way, reach] = [way(lathe), REACH].map(|number| lathe.control.variable(number));
     writing::alarm(b, lathe.control, length_alarm(lathe), &format!("{way} IS MORE THAN {reach}"));
-    if lathe.keyway().is_some() {
-        writing::alarm(b, lathe.control, keyway_alarm(lathe), &format!("{start}+{long} IS MORE THAN {reach}"));
+    for (at, (_, text)) in (keyway_alarm(lathe)..).zip(keyway_guards(lathe)) {
+        writing::alarm(b, lathe.control, at, &text);
     }
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
@@ -236,8 +237,8 @@ fn guards(b: &mut Builder, lathe: &TurningSpindle) {
         b.if_goto(guard, alarm_block(core_alarm(lathe)));
     }
     b.if_goto(v(way(lathe)).gt(v(REACH)), alarm_block(length_alarm(lathe)));
-    if lathe.keyway().is_some() {
-        b.if_goto((v(KEYWAY_START) + v(KEYWAY_LENGTH)).gt(v(REACH)), alarm_block(keyway_alarm(lathe)));
+    for (at, (guard, _)) in (keyway_alarm(lathe)..).zip(keyway_guards(lathe)) {
+        b.if_goto(guard, alarm_block(at));
     }
 }
 
@@ -247,7 +248,9 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
         Some(place) => {
             writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
             let beside = size(lathe, v(STOCK) + v(ROOM) * 2);
-            writing::turret_has_room(b, place, (beside, v(ROOM)), 18, alarm_block(away_alarm(lathe)));
+            // The stock of a face stands out in front of it.
+            let before = if lathe.p.path == Path::Facing { v(ROOM) + v(ALLOWANCE) } else { v(ROOM) };
+            writing::turret_has_room(b, place, (beside, before), 18, alarm_block(away_alarm(lathe)));
         }
         None => {
             b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
@@ -348,9 +351,25 @@ fn length_alarm(lathe: &TurningSpindle) -> u32 {
     away_alarm(lathe) + 2
 }
 
-/// Number of the alarm of a keyway that is longer than the work.
+/// Number of the first alarm of a keyway.
 fn keyway_alarm(lathe: &TurningSpindle) -> u32 {
     away_alarm(lathe) + 3
+}
+
+/// Conditions of a keyway that the work or its tool does not have, with the texts of their alarms: beyond its cylinder, shorter than the tool,
+/// to its centre.
+fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
+    if lathe.keyway().is_none() {
+        return Vec::new();
+    }
+    let (end, surface) = if lathe.p.path == Path::Facing { (REACH, STOCK) } else { (way(lathe), FINISHED) };
+    let [start, length, width, depth, end_name, surface_name] =
+        [KEYWAY_START, KEYWAY_LENGTH, KEYWAY_WIDTH, KEYWAY_DEPTH, end, surface].map(|at| lathe.control.variable(at));
+    vec![
+        ((v(KEYWAY_START) + v(KEYWAY_LENGTH)).gt(v(end)), format!("{start}+{length} IS MORE THAN {end_name}")),
+        (v(KEYWAY_LENGTH).lt(v(KEYWAY_WIDTH)), format!("{length} IS LESS THAN {width}")),
+        ((v(KEYWAY_DEPTH) * 2).ge(v(surface)), format!("{depth}*2 IS NOT BELOW {surface_name}")),
+    ]
 }
 
 /// Condition of a finished diameter that leaves nothing of the work, and the text of its alarm. A face ends at the centre or behind it, and a

@@ -14,7 +14,7 @@ use crate::controls::ParamRole;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::cutting::LEAST_DEPTH;
-use crate::drives::speed::surface_speed;
+use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
@@ -228,6 +228,20 @@ fn overloaded(lathe: &TurningSpindle, limit: f64, at_knobs: Option<Judgement>) -
     warn(AtMost(limit), core::iter::once(overload).chain(at_knobs).collect::<Vec<_>>())
 }
 
+/// A demand above the continuous rating that the motor's overload would cover if the pause to the next part were longer.
+fn overload_without_pause(lathe: &TurningSpindle, demand: f64, rated: f64) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
+    let set = up(FIELDS, "pause", d.pause_for_overload());
+    let with_pause = Params { pause: set.value, ..p.clone() };
+    if demand <= d.for_the_cut(p, rated) || demand > d.for_the_cut(&with_pause, rated) {
+        return None;
+    }
+    let (percent, time, pause) = ((p.motor_overload, 0), (d.cutting_time, 1), (set.value, 1));
+    let advice = Advice::from(msg!("turning.overload-without-pause", percent, time, pause))
+        .setting(msg!("advice.set-pause", time = set.text.as_str()), [set]);
+    fail(AtMost(rated), [advice])
+}
+
 /// Demand of the cut at positions of the knobs, and its limit.
 type Demand = fn(&CutAtKnobs) -> (f64, f64);
 
@@ -276,6 +290,9 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
         return None;
     }
     let (rated, most) = (d.power_available, d.for_the_cut(p, d.power_available));
+    if let Some(judgement) = overload_without_pause(lathe, d.power, rated) {
+        return Some(judgement);
+    }
     if d.power <= most {
         let at_knobs = at_knobs(lathe, rated, power_demand, |cut, (power, limit)| {
             let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
@@ -374,6 +391,9 @@ fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         return None;
     }
     let (rated, most) = (d.torque_available, d.for_the_cut(p, d.torque_available));
+    if let Some(judgement) = overload_without_pause(lathe, d.torque, rated) {
+        return Some(judgement);
+    }
     let cooled = cooling::remedy(lathe);
     if d.torque <= most {
         let slower = |message| with_slower_feed(lathe, torque_demand, message);
@@ -470,8 +490,10 @@ fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
 /// Travels of the slides: from the start of the tool to its last cut.
 fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
+    let keyway = lathe.keyway().map(|surface| surface - 2.0 * p.keyway_depth);
+    let smallest = keyway.map_or(lathe.d.smallest, |bottom| lathe.d.smallest.min(bottom));
     let (cross, along) =
-        (0.5 * (p.start_x - lathe.d.smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
+        (0.5 * (p.start_x - smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
     let along = along.max(if lathe.keyway().is_some() { p.start_z + p.keyway_start + p.keyway_length } else { 0.0 });
     for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
         if travel > 0.0 && needed > travel {
@@ -553,7 +575,8 @@ fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
         );
     }
     found.extend(falling_cone(p));
-    found.extend(turret::hits_work((p.start_x, p.start_z), p.stock_diameter, p.turret_room));
+    let stock = (p.stock_diameter, if p.path == Path::Facing { p.allowance } else { 0.0 });
+    found.extend(turret::hits_work((p.start_x, p.start_z), stock, p.turret_room));
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;
         found.push(
@@ -620,9 +643,31 @@ fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// A gear stage behind one that is not fitted: the program would never engage it.
+fn stage_behind_gap(p: &Params) -> Option<Diagnostic> {
+    let stages = [("stage-2", p.stage_2), ("stage-3", p.stage_3), ("stage-4", p.stage_4)];
+    let fitted = stages.iter().skip_while(|(_, speed)| *speed > 0.0).find(|(_, speed)| *speed > 0.0);
+    fitted.map(|(field, _)| Diagnostic::error(msg!("turning.stage-behind-gap")).about(field))
+}
+
+/// A lower limit above the speed that the cut asks at its largest diameter, with the cutting speed that it makes.
+fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
+    let TurningSpindle { p, d, .. } = lathe;
+    let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit } else { 0.0 };
+    let asked = surface_rpm(p.cutting_speed, d.largest);
+    if lowest <= asked {
+        return None;
+    }
+    let (diameter, surface_speed) = ((d.largest, 1), (surface_speed(lowest, d.largest), 0));
+    let message = msg!("turning.lower-limit-lifts", limit = (lowest, 0), diameter, surface_speed);
+    Some(Diagnostic::warning(message).about("lower-limit").mended_by(asked.floor()))
+}
+
 /// The limits of the speed against each other, and against the knob at a fixed speed.
 fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
+    found.extend(stage_behind_gap(p));
+    found.extend(lifted_speed(lathe));
     found.extend(passed_limit(lathe));
     let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
     if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {

@@ -169,7 +169,8 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
             vec![wire(Strip::Cables, "size.terminal.spindle-encoder", own, of_machine(BillItem::Control))]
         }
         BillItem::DrivenTool => {
-            vec![wire(Strip::Cables, "size.terminal.driven-tool", of_machine(BillItem::Control), own)]
+            let command = wire(Strip::Cables, "size.terminal.driven-tool", of_machine(BillItem::Control), own.clone());
+            fed().into_iter().chain([command]).chain(enable).collect()
         }
         BillItem::Turret => {
             vec![wire(Strip::Cables, "size.terminal.tool-number", of_machine(BillItem::Control), own)]

@@ -1,6 +1,7 @@
 //! Where the turning spindle would hurt chuck, turret or operator: the form refuses it, and the program stops at variables that ask for it.
 
 use macroline::controls;
+use macroline::machines::devices::BillItem;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
@@ -11,6 +12,7 @@ use macroline::text::catalog::sentence;
 
 use super::ladder::{at_rest, ladder, put_out, reset, settle};
 use super::turning::{machine, project};
+use crate::asked::{near, sized_without_envelope, value};
 
 /// Fields that errors of the design are about, with the errors' ids.
 fn errors(project: &Project) -> Vec<(&'static str, &'static str)> {
@@ -50,6 +52,91 @@ fn no_cut_goes_into_the_chuck() {
         errors(&keyway(&[facing[0], facing[1], facing[2], ("keyway-length", "24")]))[0].1,
         "turning.keyway-in-chuck"
     );
+}
+
+/// What the form refuses of a keyway, the program refuses of the operator's variables: beyond the shoulder, shorter than its tool, to the centre.
+#[test]
+fn program_refuses_a_keyway_that_the_form_refuses() {
+    let example = keyway(&[]);
+    for (number, value, text) in [
+        (105, 20.0, "R119+R118 IS MORE THAN R105"),
+        (118, 5.0, "R118 IS LESS THAN R120"),
+        (117, 30.0, "R117*2 IS NOT BELOW R103"),
+        (120, 0.0, "R120"),
+        (123, 0.0, "R123"),
+    ] {
+        let (ended, log) = with_variables(&example, &[(number, value)]);
+        assert!(log.iter().any(|line| line.contains(text)), "R{number}={value}: {ended:?} {log:?}");
+        assert!(!log.iter().any(|line| line.contains("rapid")), "R{number}={value}: nothing moves");
+    }
+}
+
+/// T of a driven tool is not that of the turning tool.
+#[test]
+fn driven_tool_has_a_number_of_its_own() {
+    assert_eq!(errors(&keyway(&[("driven-number", "1")])), [("driven-number", "turning.driven-tool-is-tool")]);
+    assert_eq!(errors(&keyway(&[("driven-number", "2")])), []);
+}
+
+/// The stock of a face stands out by its allowance: the turret turns in front of that.
+#[test]
+fn turret_turns_in_front_of_the_stock_of_a_face() {
+    let start = |z| project("gsk-980tdc", &[("allowance", "25"), ("start-z", z), ("start-x", "90")]);
+    assert_eq!(errors(&start("54")), [("start-z", "lathe.turret-hits-work")]);
+    assert_eq!(errors(&start("55")), []);
+    // The operator's allowance counts too.
+    let (ended, _) = with_variables(&project("gsk-980tdc", &[("start-z", "40"), ("start-x", "90")]), &[(114, 25.0)]);
+    let Some(RunEnd::Alarm(alarm)) = ended else { panic!("{ended:?}") };
+    assert!(sentence(&alarm.message).contains("RETRACT THE TOOL BY HAND"), "{}", sentence(&alarm.message));
+}
+
+/// The tool goes down to the bottom of the keyway: 55.5 mm from X 150.
+#[test]
+fn travel_reaches_to_the_bottom_of_the_keyway() {
+    assert_eq!(errors(&keyway(&[("travel-x", "55.4")])), [("travel-x", "turning.beyond-travel")]);
+    assert_eq!(errors(&keyway(&[("travel-x", "55.5")])), []);
+}
+
+#[test]
+fn gear_stage_behind_a_gap_is_refused() {
+    let gap = project("gsk-980tdc", &[("stage-2", "0"), ("stage-3", "3000")]);
+    assert_eq!(errors(&gap), [("stage-3", "turning.stage-behind-gap")]);
+}
+
+/// Ids of the warnings of the design.
+fn warnings(project: &Project) -> Vec<&'static str> {
+    let found = project.design().diagnostics.into_iter().filter(|found| found.severity == Severity::Warning);
+    found.map(|found| found.message.id).collect()
+}
+
+/// 180 m/min at Ø 58, the first pass, is 988 r/min.
+#[test]
+fn lower_limit_that_lifts_the_cutting_speed_is_named() {
+    let shaft = |lowest| {
+        let shaft = Project::named("turning-spindle", Some("gsk-980tdc"), Some("shaft")).unwrap();
+        warnings(&shaft.with_entries(&[("lower-limit", lowest)]).unwrap())
+    };
+    assert!(shaft("1000").contains(&"turning.lower-limit-lifts"));
+    assert!(!shaft("900").contains(&"turning.lower-limit-lifts"));
+}
+
+/// A feed above the clamp of its slide is cut at the clamp: 7.5 mm at 50 mm/min and 36 mm at 500.
+#[test]
+fn keyway_takes_the_time_of_its_clamps() {
+    let fast = keyway(&[("keyway-feed", "20000"), ("clamp-z", "500")]);
+    assert!(warnings(&fast).contains(&"turning.keyway-above-clamp"));
+    near(value(&fast, "keyway-time"), 60.0 * (7.5 / 50.0 + 36.0 / 500.0), 0.01);
+}
+
+/// Mains, earth, command and the enable that an emergency stop takes away.
+#[test]
+fn driven_tool_is_fed_and_stops_with_the_emergency_stop() {
+    let wires = sized_without_envelope(&keyway(&[])).terminals;
+    let ends = wires.iter().filter(|row| row.to.item == BillItem::DrivenTool).map(|row| row.from.item);
+    let ends: Vec<BillItem> = ends.collect();
+    for item in [BillItem::MainSwitch, BillItem::Control, BillItem::SafetyRelay] {
+        assert!(ends.contains(&item), "{item:?}: {ends:?}");
+    }
 }
 
 #[test]

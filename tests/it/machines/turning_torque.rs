@@ -171,7 +171,7 @@ fn less_depth_is_offered_where_the_force_follows_from_it() {
 fn overload_is_a_warning_within_its_share() {
     // 222 Nm: base speed 300 · 3000 / 1500 gives 95 Nm, and 250 % of it 239 Nm.
     let cut = |entries: [(&'static str, &'static str); 2]| {
-        let short = [("motor-base", "300"), ("length", "10"), ("feed", "0.5")];
+        let short = [("motor-base", "300"), ("length", "10"), ("feed", "0.5"), ("pause", "3600")];
         project("gsk-980tdc", &[&STALLS[..], &short, &entries].concat())
     };
     assert_eq!(readout(&cut([("motor-overload", "250"), ("feed", "0.5")]), "torque").verdict, Verdict::Warn);
@@ -180,6 +180,14 @@ fn overload_is_a_warning_within_its_share() {
     let long = cut([("motor-overload", "250"), ("feed", "0.01")]);
     assert!(value(&long, "cutting-time") > 240.0);
     assert_eq!(readout(&long, "torque").verdict, Verdict::Fail);
+    // 4 minutes in 10: the cuts are two fifths of the time with the pause that the advice gives.
+    let busy = cut([("motor-overload", "250"), ("pause", "0")]);
+    let torque = readout(&busy, "torque");
+    assert_eq!((torque.verdict, torque.advice[0].message.id), (Verdict::Fail, "turning.overload-without-pause"));
+    let rested = busy.with_entries(&torque.advice[0].entries).unwrap();
+    assert_eq!(readout(&rested, "torque").verdict, Verdict::Warn);
+    let [FieldEntry { field: "pause", text }] = &torque.advice[0].entries[..] else { panic!("{:?}", torque.advice) };
+    near(text.parse().unwrap(), 1.5 * value(&busy, "cutting-time"), 0.1);
 }
 
 #[test]
