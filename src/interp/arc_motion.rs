@@ -34,7 +34,7 @@ impl RunState {
             (Some(radius), _) => by_radius(chord, radius as f64, tolerance),
             (None, Some(turn)) if values.center == [None; 3] => by_radius(chord, chord.radius(turn), tolerance),
             (None, _) => {
-                let offsets = center_of(cx, values, (first, second));
+                let offsets = self.center_of(cx, values, (first, second));
                 if cx.control.limits.arc_centre_moves {
                     by_moved_center(chord, offsets, tolerance)
                 } else {
@@ -101,7 +101,7 @@ impl RunState {
     #[cold]
     pub(super) fn turn_to(&self, cx: &BlockContext, values: &BlockWords, turn: f64, to: &mut Target) {
         let [first, second, _] = self.modal.plane;
-        let (x, y) = center_of(cx, values, (first, second));
+        let (x, y) = self.center_of(cx, values, (first, second));
         let (sin, cos) = math::sin_cos(if self.modal.motion == Code::ArcCw { -turn } else { turn }.to_radians());
         for (axis, by) in [(first, x - x * cos + y * sin), (second, y - x * sin - y * cos)] {
             let scale = cx.shared.rules.moved(axis);
@@ -140,13 +140,23 @@ impl RunState {
             }
         }
     }
-}
 
-/// I, J, K of the axes of a plane: distance from the start to the centre, as slide travel.
-fn center_of(cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
-    let offset = |axis: u8| {
-        let at = cx.control.axes.get(axis as usize).and_then(|axis| axis.letter.after(Address::X));
-        at.and_then(|at| values.center.get(at).copied().flatten()).unwrap_or(0) as f64
-    };
-    (offset(first), offset(second))
+    /// I, J, K of the axes of a plane: distance from the start to the centre, as slide travel.
+    fn center_of(&self, cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
+        let offset = |axis: u8| {
+            let row = usize::from(axis).min(AXES - 1);
+            let place = cx.control.axes.get(row).and_then(|axis| axis.letter.after(Address::X));
+            let programmed = place.and_then(|at| Some((at, values.center.get(at).copied().flatten()?)));
+            match programmed {
+                None => 0.0,
+                Some((at, value)) if values.center_absolute >> at & 1 != 0 => {
+                    // A position counts as the axis does: a diameter along X.
+                    let from = self.modal.zero[row].saturating_sub(self.position[row]);
+                    value.saturating_add(from) as f64 * cx.shared.rules.moved(axis)
+                }
+                Some((_, value)) => value as f64,
+            }
+        };
+        (offset(first), offset(second))
+    }
 }

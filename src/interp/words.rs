@@ -58,6 +58,8 @@ pub(super) struct BlockWords {
     pub(super) ways: [Dimensioning; AXES],
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
+    /// Bit 0 to 2: I, J, K is a position by the word itself, `I=AC(40)`, and no distance from the start of the arc.
+    pub(super) center_absolute: u8,
     /// I1, J1, K1: an intermediate point of the arc.
     pub(super) through: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
@@ -117,7 +119,9 @@ impl RunState {
                     Address::T => values.tool = self.tool_word(cx, block, word)?.or(values.tool),
                     _ if self.cuts_threads() && self.thread_word(cx, block, word, values)? => {}
                     Address::I | Address::J | Address::K => {
-                        values.center[letter.after(Address::I).unwrap_or(0)] = self.dimension(cx, block, word, inch)?;
+                        let at = letter.after(Address::I).unwrap_or(0);
+                        values.center[at] = self.dimension(cx, block, word, inch)?;
+                        values.center_absolute |= u8::from(word.form == Dimensioning::Absolute) << at;
                         values.rare |= CENTRE;
                     }
                     Address::R | Address::Cr => {
@@ -376,6 +380,10 @@ impl RunState {
                 values.axes[k] = values.axes[k].saturating_mul(2);
             }
             let at = cx.control.axes.get(k).and_then(|axis| axis.letter.after(Address::X));
+            if let Some(at) = at.filter(|at| self.modal.radii == Radii::All && values.center_absolute >> at & 1 != 0) {
+                let center = values.center.get_mut(at);
+                center.into_iter().flatten().for_each(|value| *value = value.saturating_mul(2));
+            }
             if self.modal.radii == Radii::All || !self.modal.absolute {
                 let point = at.and_then(|at| values.through.get_mut(at));
                 point.into_iter().flatten().for_each(|value| *value = value.saturating_mul(2));
