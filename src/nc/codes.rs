@@ -4,7 +4,7 @@ use super::ast::{Word, WordValue};
 use super::dec::Dec;
 use crate::controls::Address;
 use crate::controls::macros::CodeCall;
-use crate::controls::{Code, CodeDef, CodeId, CodeNumber, Control, Dialect};
+use crate::controls::{Code, CodeDef, CodeId, CodeNumber, Control, Dialect, Group};
 
 /// Table size for G codes: G0 to G99.9.
 const G_SLOTS: usize = 1000;
@@ -111,11 +111,28 @@ impl Codes {
         self.row(code_of(word)?)
     }
 
-    /// Row of the code that a code means beside the words of its block: work coordinate system 1 with P is an additional one.
+    /// Row of the code that a code means beside the words of its block: work coordinate system 1 with P is an additional one, unless P
+    /// belongs to another code of the block, as in `G54 M98 P2`.
     #[inline]
     pub fn meant(&self, row: &'static CodeDef, words: &[Word]) -> &'static CodeDef {
-        let numbered = row.code == Code::WorkCoordinates(1) && words.iter().any(|word| word.letter == Address::P);
+        let numbered = row.code == Code::WorkCoordinates(1)
+            && words.iter().any(|word| word.letter == Address::P)
+            && !words.iter().any(|word| self.takes_p(word));
         if numbered { self.more_coordinates().unwrap_or(row) } else { row }
+    }
+
+    /// Whether P belongs to this code word: a call, a dwell, a cycle, or another code with numbers of its own.
+    #[cold]
+    fn takes_p(&self, word: &Word) -> bool {
+        use Code::{DataInput, Dwell, MacroCall, MacroModal, MacroModalBlock, NotSimulated, Roughing};
+        use Code::{SubCall, SubEnd, SurfaceSpeed, TakesAxisWords};
+        self.call_of(word).is_some()
+            || self.row_of(word).is_some_and(|row| match row.code {
+                MacroCall | MacroModal | MacroModalBlock | SubCall | SubEnd | Dwell | DataInput(_) | Roughing
+                | SurfaceSpeed | TakesAxisWords => true,
+                NotSimulated => matches!(row.group, Group::Cycle | Group::OneShot),
+                _ => false,
+            })
     }
 
     /// Row of the additional work coordinate systems.

@@ -173,6 +173,9 @@ impl<'a> Reader<'a> {
             self.deck.words.push(Word { len, offset: start as u16, ..Word::new(letter, value) });
         }
         let count = self.deck.words.len() - first;
+        if seen.contains(Address::P) && seen.contains(Address::G) {
+            self.more_coordinates(first);
+        }
         let tables = self.tables;
         let twice = again && !tables.once.is_empty();
         if calls {
@@ -187,6 +190,22 @@ impl<'a> Reader<'a> {
             self.report(Alarm::BlockWords, start, self.cursor.line.len(), message);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
+    }
+
+    /// Reports that the additional work coordinate system of `G54 P3` is not simulated.
+    #[cold]
+    fn more_coordinates(&mut self, first: usize) {
+        let words = self.deck.words.get(first..).unwrap_or_default();
+        let meant = words.iter().find_map(|word| {
+            let row = self.tables.codes.row_of(word)?;
+            let more = self.tables.codes.meant(row, words);
+            (more.id != row.id).then_some((*word, more))
+        });
+        if let Some((word, more)) = meant {
+            let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
+            let code = format!("{} ({})", self.control.code_name(more.id), more.text);
+            self.report_once(IgnoredFeature::Code(more.id), start, end, msg!("nc.not-simulated", code));
+        }
     }
 
     /// Reports the first word of each letter that is not an address here, the second word of each letter allowed once, and forbidden
@@ -517,13 +536,6 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
-        if row.code == Code::WorkCoordinates(1)
-            && self.names_ahead(b'P', |byte| byte.is_ascii_digit() || matches!(byte, b'#' | b'['))
-            && let Some(more) = self.tables.codes.more_coordinates()
-        {
-            let code = format!("{} ({})", self.control.code_name(more.id), more.text);
-            self.code_not_simulated(more, IgnoredFeature::Code(more.id), &code, start);
-        }
         let left_out = row.code.is_left_out() && !(row.code == Code::Roughing && self.contour_named());
         if left_out || matches!(row.code, Code::Skip | Code::Tapping | Code::CancelForAxes) {
             self.code_not_simulated(row, IgnoredFeature::Code(row.id), &format!("G{number} ({})", row.text), start);

@@ -30,8 +30,7 @@ fn work_coordinates_with_p_are_additional_ones() {
         "G54: G54.1 (additional work coordinate system) is read, but not simulated: the run here goes on without it.";
     for block in ["G54 P3 X10.", "P3 G54 X10.", "G54 P#1 X10.", "G54(ZERO)P3 X10."] {
         let (found, log) = checked("fanuc-0i-mf", &format!("G90 G00 X0.\n#1=3\n{block}"));
-        let expected: &[&str] = if block.starts_with('P') { &[] } else { &[said] };
-        assert_eq!(found, expected, "{block}");
+        assert_eq!(found, [said], "{block}");
         assert!(log.contains("rapid X10\n"), "{block}: {log}");
         assert!(!log.contains("does nothing"), "{block}: {log}");
     }
@@ -40,6 +39,19 @@ fn work_coordinates_with_p_are_additional_ones() {
     // A lathe without such a code has no use for P.
     let (found, _) = checked("fanuc-0i-tf", "G54 P3\nG00 X10.");
     assert!(found.iter().any(|line| line.starts_with("P3: P does nothing")), "{found:?}");
+}
+
+/// `G54 M98 P2` is how a mill calls one program for each zero: P is the program.
+#[test]
+fn p_of_another_code_leaves_g54_as_it_is() {
+    for block in ["G54 M98 P2", "G54 G65 P2", "G90 G54 G04 P500\nX1.", "M98 P2 G54", "G54 M99 P9\nN9 X1."] {
+        for control in ["fanuc-0i-mf", "mitsubishi-e60"] {
+            let text = format!("G90 G00\n#5221=5.\nG55\n{block}\nM30\nO2\nX1.\nM99");
+            let (found, log) = checked(control, &text);
+            assert!(found.is_empty(), "{control} {block}: {found:?}");
+            assert!(log.contains("rapid X6\n"), "{control} {block}: {log}");
+        }
+    }
 }
 
 #[test]
