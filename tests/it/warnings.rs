@@ -1,5 +1,6 @@
 //! Warnings that a senior programmer would give: programs that raise them, with wording and place, and programs that must not.
 
+mod again;
 mod each;
 
 use std::rc::Rc;

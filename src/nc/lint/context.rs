@@ -63,7 +63,7 @@ impl<'a> Lint<'a> {
         }
         let text = text.trim_end();
         place.span.end = span.start + text.len() as u32;
-        (place, text.trim_matches(['[', ']']))
+        (place, without_brackets(text))
     }
 
     /// Place and text of the word with a letter in a block; of the block if it has no such word.
@@ -136,6 +136,17 @@ pub(super) fn measure(word: &Word, increments: AddressSet, least: f64) -> Option
     let WordValue::Number(dec) = word.value else { return None };
     let counts = !dec.point && increments.contains(word.letter);
     Some(if counts { dec.to_f64() * least } else { dec.to_f64() })
+}
+
+/// A text without the square brackets that enclose all of it: `#1` of `[#1]`, and all of `X-[#1]` and `[#1]*[#2]`.
+fn without_brackets(text: &str) -> &str {
+    let Some(inner) = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')) else { return text };
+    let mut depth = 0_i32;
+    let paired = inner.bytes().all(|byte| {
+        depth += i32::from(byte == b'[') - i32::from(byte == b']');
+        depth >= 0
+    });
+    if paired && depth == 0 { without_brackets(inner) } else { text }
 }
 
 /// The value of a whole number written as such.

@@ -3,6 +3,7 @@
 //! A few linear passes over the tree, each with a budget. Jumps are not followed in programs with errors, and variables named in blocks
 //! that do not parse are not checked. In case of doubt there is no warning.
 
+mod again;
 mod context;
 mod endless;
 mod facts;

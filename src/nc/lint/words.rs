@@ -2,6 +2,7 @@
 
 use super::super::ast::{Block, Program, Stmt, TextId, Word, WordValue};
 use super::super::codes::are_data;
+use super::again::Rivals;
 use super::context::Lint;
 use super::facts::{Call, Facts, ProgramFacts};
 use super::feeds::Feeds;
@@ -15,20 +16,12 @@ use crate::msg;
 use crate::nc::lex::names::meant_name;
 use crate::text::{Place, either};
 
-/// Maximum words reported for overwriting others.
-const AGAIN: usize = 20;
-
 /// Visits every word once.
 pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let programs = lint.deck.programs.len();
     let facts = Facts { programs: vec![ProgramFacts::default(); programs], ..Facts::default() };
-    let mut survey = Survey {
-        roles,
-        increments: lint.increments(),
-        overwritten: lint.overwritten(),
-        facts,
-        feeds: Feeds::default(),
-    };
+    let mut survey =
+        Survey { roles, increments: lint.increments(), rivals: Rivals::new(lint), facts, feeds: Feeds::default() };
     survey.facts.errors(lint);
     for (index, program) in (0..).zip(&lint.deck.programs) {
         survey.program(lint, index, program);
@@ -42,8 +35,8 @@ struct Survey<'a> {
     roles: &'a Roles<'a>,
     /// Addresses that count increments: in dimensions, and in macro arguments.
     increments: [AddressSet; 2],
-    /// Addresses whose values overwrite each other in a block.
-    overwritten: AddressSet,
+    /// Words of a block that take the place of each other.
+    rivals: Rivals,
     facts: Facts,
     feeds: Feeds,
 }
@@ -109,9 +102,10 @@ impl Survey<'_> {
             return false;
         }
         let (mut bits, mut counts, mut feed) = (0, false, None);
-        let (mut letters, mut again) = (AddressSet::EMPTY, false);
+        let (mut letters, mut again, mut codes) = (AddressSet::EMPTY, false, 0);
         for word in words {
-            again |= !letters.insert(word.letter) && self.overwritten.contains(word.letter);
+            again |= !letters.insert(word.letter) && self.rivals.overwrites(word.letter);
+            codes += u32::from(word.letter == Address::G);
             if matches!(word.letter, Address::G | Address::M | Address::Name) {
                 bits |= self.roles.word(word);
             } else if let WordValue::Number(number) = word.value {
@@ -126,8 +120,15 @@ impl Survey<'_> {
         if bits & (DWELL | CALL) == DWELL && letters.and(lint.control.syntax.dwell_addresses).is_empty() {
             lint.dwell_without_time(self.roles, (at, block), words);
         }
-        if again && bits & CALL == 0 {
-            lint.word_again(at, block, words, self.overwritten);
+        if bits & CALL != 0 {
+            lint.argument_before_call(self.roles, (at, block), words);
+        } else {
+            if again {
+                lint.word_again(at, block, words, self.rivals);
+            }
+            if bits & DWELL == 0 && self.rivals.may_meet(letters, codes) {
+                lint.rivals(at, block, words);
+            }
         }
         here.points.block(at, block, words, bits, counts);
         self.feeds.block(lint, self.roles, (at, block), (words, bits), (letters, feed));
@@ -150,14 +151,6 @@ impl Survey<'_> {
 }
 
 impl Lint<'_> {
-    /// Addresses whose values overwrite each other in a block, on controls where this is not an alarm.
-    fn overwritten(&self) -> AddressSet {
-        if self.control.syntax.address_twice || self.control.syntax.names().is_some() {
-            return AddressSet::EMPTY;
-        }
-        self.control.axis_letters().chain([Address::F, Address::S, Address::T]).collect()
-    }
-
     /// Reports a dwell without its time. The reader reports it in a language with names.
     #[cold]
     fn dwell_without_time(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
@@ -170,24 +163,6 @@ impl Lint<'_> {
             let letters: Vec<String> = letters.map(|letter| letter.to_string()).collect();
             let (place, code) = self.written(at, word.span(block));
             self.warn(place, msg!("lint.dwell-without-time", code, addresses = either(&letters)));
-        }
-    }
-
-    /// Reports the second word of an address in a block.
-    #[cold]
-    fn word_again(&mut self, at: u32, block: &Block, words: &[Word], overwritten: AddressSet) {
-        // A block with a `/` in its middle may repeat a word on purpose.
-        if self.again >= AGAIN || words.iter().any(|word| word.letter == Address::Skip) {
-            return;
-        }
-        for (index, word) in words.iter().enumerate() {
-            let earlier = words.iter().take(index).rfind(|other| other.letter == word.letter);
-            if let Some(earlier) = earlier.filter(|_| overwritten.contains(word.letter)) {
-                self.again += 1;
-                let earlier = self.parsed.text(self.place(at, earlier.span(block)));
-                let (place, word) = self.written(at, word.span(block));
-                self.warn(place, msg!("lint.word-again", word, earlier));
-            }
         }
     }
 

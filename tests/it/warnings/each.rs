@@ -23,11 +23,15 @@ const fn row(id: &'static str, program: &'static str, named: &'static str) -> Ro
 const INCREMENTS: &[(&str, &str)] = &[("decimal-point", "increments"), ("argument-point", "increments")];
 
 const ROWS: &[Row] = &[
+    row("lint.argument-before-call", "X5. G65 P2 A8.", ""),
     row(
         "lint.auxiliary-in-loop",
         "#1=0\nN1 M8\nG01 X#1 F100\n#1=#1+1\nIF[#1 LT 5]GOTO1",
         "R1=0\nAB: M8\nG1 X=R1 F.1\nR1=R1+1\nIF R1<5 GOTOB AB",
     ),
+    row("lint.axis-again", "G00 X1. U2.", ""),
+    row("lint.code-again", "G00 G01 X1. F100", ""),
+    row("lint.cycle-ended", "G84 G00 Z-5. F1.", ""),
     Row {
         id: "lint.call-parameter",
         program: "G00 X1.",
@@ -133,6 +137,7 @@ fn every_warning_appears_on_every_control() {
     assert_eq!(rows, sentences);
     // A row that one language or another control does not have: vacant words that count as 0, comparisons that round, one spelling of F0.
     expect![[r#"
+        mitsubishi-e60 lint.axis-again
         mitsubishi-e60 lint.feed-per-revolution
         mitsubishi-e60 lint.feed-zero
         mitsubishi-e60 lint.centre-unlimited
@@ -142,6 +147,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.slow-retract
         mitsubishi-e60 lint.small-offset
         mitsubishi-e60 lint.unset-parameter
+        gsk-980tdc lint.argument-before-call
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.calls-own-program
         gsk-980tdc lint.feed-zero-digit
@@ -168,6 +174,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-tf lint.setting-unread
         fanuc-0i-tf lint.small-offset
         fanuc-0i-tf lint.unset-parameter
+        fanuc-0i-mf lint.axis-again
         fanuc-0i-mf lint.calls-itself
         fanuc-0i-mf lint.feed-per-revolution
         fanuc-0i-mf lint.feed-zero-digit
@@ -177,6 +184,10 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.slow-retract
         fanuc-0i-mf lint.small-offset
         fanuc-0i-mf lint.unset-parameter
+        sinumerik-802d lint.argument-before-call
+        sinumerik-802d lint.axis-again
+        sinumerik-802d lint.code-again
+        sinumerik-802d lint.cycle-ended
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.dwell-without-time
@@ -195,6 +206,10 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.unset-local
         sinumerik-802d lint.vacant-word
         sinumerik-802d lint.word-again
+        sinumerik-808d lint.argument-before-call
+        sinumerik-808d lint.axis-again
+        sinumerik-808d lint.code-again
+        sinumerik-808d lint.cycle-ended
         sinumerik-808d lint.call-parameter
         sinumerik-808d lint.calls-itself
         sinumerik-808d lint.dwell-without-time
