@@ -120,8 +120,14 @@ impl Reader<'_> {
         let named = self.take("THEN");
         let after = self.cursor.at;
         self.pass_blanks();
-        if self.take_goto() {
-            if named {
+        let goto = self.take_goto();
+        if goto || self.sequence_number_ahead() {
+            if !goto {
+                // `IF[…]N10`: a sequence number stands nowhere else in a block.
+                self.cursor.at += 1;
+                let from = if named { then } else { self.cursor.at - 1 };
+                self.report_replaced(Alarm::IfSentence, from, self.cursor.at, msg!("nc.if-without-goto"), "GOTO");
+            } else if named {
                 self.report_replaced(Alarm::IfSentence, then, after, msg!("nc.then-goto"), "");
             }
             let target = self.target()?;
@@ -173,17 +179,22 @@ impl Reader<'_> {
         Ok(stmt)
     }
 
+    /// Whether N and its number are at the cursor.
+    fn sequence_number_ahead(&self) -> bool {
+        let next = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default().trim_ascii_start().first();
+        self.cursor.peek() | 0x20 == b'n' && next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'['))
+    }
+
     /// Reads the sequence number after `GOTO`.
     fn target(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
-        let byte = self.next_byte();
+        self.pass_blanks();
         if self.cursor.ended() {
             let message = msg!("nc.no-operand", keyword = "GOTO");
             return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message));
         }
         let at = self.cursor.at;
-        let next = self.cursor.line.get(at + 1..).unwrap_or_default().trim_ascii_start().first();
-        if byte | 0x20 == b'n' && next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
+        if self.sequence_number_ahead() {
             self.report_replaced(Alarm::IfSentence, at, at + 1, msg!("nc.goto-n"), "");
             self.cursor.at += 1;
         }
@@ -217,10 +228,13 @@ impl Reader<'_> {
         let Some(op) = self.comparison(alarm) else {
             return Err(match self.cursor.peek() {
                 byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison")),
-                _ if self.two_letters_ahead() && !self.keyword_ahead() => {
-                    let word = String::from_utf8_lossy(self.cursor.rest().get(..2).unwrap_or_default());
+                // `WHILE[#1 DO1`: the condition breaks off.
+                _ if self.keyword_ahead() => self.failure(alarm, open.at, self.ended_at(), msg!("nc.no-comparison")),
+                _ if self.letters_ahead() > 1 => {
+                    let letters = self.letters_ahead();
+                    let word = String::from_utf8_lossy(self.cursor.rest().get(..letters).unwrap_or_default());
                     let message = msg!("nc.unknown-comparison", word = word.to_ascii_uppercase());
-                    self.failure(alarm, at, at + 2, message)
+                    self.failure(alarm, at, at + letters, message)
                 }
                 _ => self.unexpected(),
             });
@@ -247,9 +261,9 @@ impl Reader<'_> {
         self.add_expr(Expr::Binary(op, left, right), start)
     }
 
-    /// Whether a word of two letters follows.
-    fn two_letters_ahead(&self) -> bool {
-        self.cursor.run(|byte| byte.is_ascii_alphabetic()) == 2
+    /// Length of the word of letters that follows.
+    fn letters_ahead(&self) -> usize {
+        self.cursor.run(|byte| byte.is_ascii_alphabetic())
     }
 
     /// Reads a condition with missing brackets.

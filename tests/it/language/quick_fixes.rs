@@ -129,6 +129,19 @@ slips! {
             = IF[#1 EQ 0] GOTO 5
               N5
         "#]];
+        "IF[#1 EQ 0]N5\nG00 X1.\nN5" => expect![[r#"
+            1:12 error P290|0101|114|PS1137|PS1137 IF [condition] must be followed by GOTO and a sequence number.
+                Write “GOTO”: 1:12 "N"→"GOTO"
+            = IF[#1 EQ 0]GOTO5
+              G00 X1.
+              N5
+        "#]];
+        "IF[#1 EQ 0] THEN N5\nN5" => expect![[r#"
+            1:13 error P290|0101|114|PS1137|PS1137 IF [condition] must be followed by GOTO and a sequence number.
+                Write “GOTO”: 1:13 "THEN N"→"GOTO"
+            = IF[#1 EQ 0] GOTO5
+              N5
+        "#]];
         "IF #1 EQ 0 GOTO 5\nN5" => expect![[r#"
             1:4 error P290|0101|114|PS1137|PS1137 IF needs a condition in square brackets.
                 Write square brackets: 1:4 ""→"[" 1:11 ""→"]"

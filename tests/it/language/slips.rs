@@ -226,7 +226,29 @@ fn mistyped_comparison_is_named() {
     check_block(
         "WHILE[#1 DO1\nEND1",
         expect![[r#"
-        1:10 error P33 “D” is not allowed here.
+            1:6 error P291 A condition is a comparison, for instance [#1 GT 0].
+        "#]],
+    );
+}
+
+#[test]
+fn condition_that_breaks_off_is_named() {
+    check_block(
+        "IF[#1 GOTO10",
+        expect![[r#"
+        1:3 error P290 A condition is a comparison, for instance [#1 GT 0].
+    "#]],
+    );
+    check_block(
+        "WHILE[#1+[2] DO1\nEND1",
+        expect![[r#"
+        1:6 error P291 A condition is a comparison, for instance [#1 GT 0].
+    "#]],
+    );
+    check_block(
+        "IF[#1 GREATER 5]GOTO10",
+        expect![[r#"
+        1:7 error P290 GREATER is no comparison. There are EQ, NE, GT, GE, LT and LE.
     "#]],
     );
 }
