@@ -14,6 +14,7 @@ use crate::controls::address::LETTERS;
 use crate::controls::{Address, AddressSet, Alarm};
 use crate::msg;
 use crate::nc::lex::names::meant_name;
+use crate::nc::lex::spelling::zero_as_letter;
 use crate::text::{Place, either};
 
 /// Visits every word once.
@@ -183,7 +184,9 @@ impl Lint<'_> {
         let place = self.place(at, self.parsed.text_span(name));
         let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
         let program = self.deck.text(Some(name));
-        let meant = self.control.syntax.names().and_then(|names| meant_name(names, program, false));
+        let zero = zero_as_letter(program).then(|| program.replace(['O', 'o'], "0"));
+        let meant = || self.control.syntax.names().and_then(|names| meant_name(names, program, false));
+        let meant = zero.or_else(meant);
         if let Some(finding) = self.warn(place, msg!("lint.no-such-program", program, alarm)) {
             finding.hints.extend(meant.map(|code| msg!("nc.hint.code-meant", code)));
         }

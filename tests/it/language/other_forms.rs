@@ -151,6 +151,10 @@ fn call_close_to_a_code_is_a_call_with_a_hint() {
     let missing = warnings.iter().filter(|finding| finding.message.id == "lint.no-such-program");
     let hints: Vec<Vec<String>> = missing.map(|finding| finding.hints.iter().map(sentence).collect()).collect();
     assert_eq!(hints, [vec!["Perhaps KONT was meant.".to_owned()], vec![]]);
+    // The letter O in place of the digit 0.
+    let warnings = nc::warnings(&read_on(find("sinumerik-802d").unwrap(), "MO3\nM30\n"), None, &[]);
+    let hints: Vec<String> = warnings.iter().flat_map(|finding| finding.hints.iter().map(sentence)).collect();
+    assert_eq!(hints, ["Perhaps M03 was meant."]);
 }
 
 #[test]

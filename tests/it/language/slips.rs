@@ -254,6 +254,58 @@ fn condition_that_breaks_off_is_named() {
 }
 
 #[test]
+fn words_of_other_controls_beside_an_arc_or_g4_are_named() {
+    check_802d(
+        "G2 X10 Z-5 R5 F.1",
+        expect![[r#"
+        1:12 error 12080 R is an arithmetic parameter here. The radius of an arc is CR=5.
+            Write “CR=5”: 1:12 "R5"→"CR=5"
+    "#]],
+    );
+    check_802d(
+        "G3 X10 Z-5 R 2.5 F.1",
+        expect![[r#"
+        1:12 error 12080 R is an arithmetic parameter here. The radius of an arc is CR=2.5.
+            Write “CR=2.5”: 1:12 "R 2.5"→"CR=2.5"
+    "#]],
+    );
+    // Without an arc R is a parameter.
+    check_802d(
+        "G1 X10 R5",
+        expect![[r#"
+        1:8 error 12080 Assignments need a block of their own.
+    "#]],
+    );
+    check_802d(
+        "G4 X1.5",
+        expect![[r#"
+        1:1 error 12120 G4 waits F seconds or S turns of the spindle here: X, U and P are no times.
+            Write “F1.5”, 1.5 s: 1:4 "X1.5"→"F1.5"
+    "#]],
+    );
+    check_802d(
+        "G4 P500",
+        expect![[r#"
+        1:1 error 12120 G4 waits F seconds or S turns of the spindle here: X, U and P are no times.
+            Write “F0.5”, 0.5 s: 1:4 "P500"→"F0.5"
+    "#]],
+    );
+    check_802d(
+        "G4 F1 X5",
+        expect![[r#"
+        1:1 error 12120 G4 needs a block of its own.
+    "#]],
+    );
+    check_802d(
+        "IF R1>0 THEN GOTOF AB\nAB: M5",
+        expect![[r#"
+        1:9 error 12080 The jump follows its condition directly, without THEN: IF R1>0 GOTOF MARK1.
+            Drop “THEN”: 1:9 "THEN "→""
+    "#]],
+    );
+}
+
+#[test]
 fn square_bracket_behind_an_address_has_one_fix() {
     check_802d(
         "X[R1]",

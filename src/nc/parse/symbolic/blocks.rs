@@ -478,6 +478,7 @@ impl<'a> Reader<'a> {
             }
             let cond = self.symbolic_condition()?;
             self.pass_blanks();
+            self.needless_then();
             if !self.symbolic_jump_ahead() {
                 let end = self.cursor.line.len();
                 if self.cursor.ahead("GOTO") {
@@ -502,6 +503,19 @@ impl<'a> Reader<'a> {
 
     fn symbolic_jump_ahead(&self) -> bool {
         self.cursor.is_name("GOTOF") || self.cursor.is_name("GOTOB")
+    }
+
+    /// Reports THEN between a condition and its jump, which has none.
+    fn needless_then(&mut self) {
+        let start = self.cursor.at;
+        if self.take_word("THEN") {
+            self.pass_blanks();
+            if self.symbolic_jump_ahead() {
+                self.report_replaced(Alarm::IfSentence, start, self.cursor.at, msg!("nc.needless-then"), "");
+            } else {
+                self.cursor.at = start;
+            }
+        }
     }
 
     /// Reads a keyword, if it is the next name.

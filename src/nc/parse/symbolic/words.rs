@@ -567,6 +567,9 @@ impl Reader<'_> {
             let before = words.get(..at).unwrap_or_default();
             let name = self.control.address(word.letter);
             if !word.letter.is_long() && !self.tables.letters.contains(word.letter) {
+                if self.radius_by_letter(word, &rows) {
+                    continue;
+                }
                 let (alarm, message) = match word.letter {
                     Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", letter = "N")),
                     Address::R if words.len() == 1 => (Alarm::Format, msg!("nc.no-parameter-number")),
@@ -614,6 +617,36 @@ impl Reader<'_> {
                 );
             }
         }
+    }
+
+    /// Reports `R5` beside an arc, the radius on other controls; returns false for other words.
+    fn radius_by_letter(&mut self, word: &Word, rows: &[Option<&CodeDef>]) -> bool {
+        let arc = rows.iter().flatten().any(|row| matches!(row.code, Code::ArcCw | Code::ArcCcw));
+        if word.letter != Address::R || word.index.is_some() || !arc {
+            return false;
+        }
+        let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
+        let value = String::from_utf8_lossy(self.cursor.line.get(start + 1..end).unwrap_or_default()).into_owned();
+        let radius = format!("CR={}", value.trim().trim_start_matches('='));
+        self.report_replaced(Alarm::Mixed, start, end, msg!("nc.radius-by-letter", word = radius.as_str()), &radius);
+        true
+    }
+
+    /// Reports G4 with the time of other controls (`G4 X1.5`, `G4 P500`), with the words of this one; returns false for other blocks.
+    fn dwell_of_others(&mut self, dwell: &Word, other: &Word) -> bool {
+        let WordValue::Number(time) = other.value else { return false };
+        let seconds = match other.letter {
+            Address::X | Address::U => time.to_f64(),
+            Address::P => time.to_f64() / 1000.0,
+            _ => return false,
+        };
+        let span = |word: &Word| (word.offset as usize, word.offset as usize + word.len as usize);
+        let (from, to) = span(other);
+        let finding = self.finding(Alarm::NotAlone, span(dwell).0, to, msg!("nc.dwell-by-name"));
+        let title = msg!("nc.fix.dwell", text = format!("F{seconds}"), seconds = seconds.to_string());
+        let edit = (self.place(self.span(from, to)), format!("F{seconds}"));
+        self.report_as(Alarm::NotAlone, finding.fix(title, vec![edit]));
+        true
     }
 
     /// Warns of the first axis or centre with a number, such as `X1=10`, that no code of the block takes: points take axes, an arc through a
@@ -687,6 +720,14 @@ impl Reader<'_> {
                 return true;
             }
             let both = words.iter().any(|word| word.letter == Address::S) && words.len() > 2;
+            if let ([first, second], Code::Dwell) = (words, row.code)
+                && let (first, second) = (*first, *second)
+                && first.offset == word.offset
+                && self.dwell_of_others(&first, &second)
+            {
+                return true;
+            }
+            let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
             if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
                 self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", code = name));
                 return true;
