@@ -16,6 +16,9 @@ use crate::nc::unread;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Place, Span};
 
+/// Addresses that may name a sequence number.
+const NAMING: [Address; 2] = [Address::P, Address::H];
+
 /// Checks every program. `deferred_checks` are the blocks with calls and jumps in words, checked once all files are read.
 pub(in crate::nc) fn check_programs(
     (deck, places): (&Deck, &PartPlaces),
@@ -161,7 +164,16 @@ impl Check<'_> {
     fn end(&mut self) {
         let blocks = self.blocks;
         let comment = |block: &&Block| block.stmt == Stmt::Empty && block.number.is_none();
-        let last = blocks.iter().rev().find(|block| !comment(block));
+        let mut last = blocks.iter().rev().find(|block| !comment(block));
+        // A sequence number alone behind M30, and no jump to it.
+        if last.is_some_and(|block| block.stmt == Stmt::Empty)
+            && let Some(named) = self.named_numbers()
+        {
+            let idle = |block: &&Block| {
+                block.stmt == Stmt::Empty && block.number.is_none_or(|number| !named.contains(&number))
+            };
+            last = blocks.iter().rev().find(|block| !idle(block));
+        }
         if last.is_some_and(|block| !self.falls_through(blocks, block)) {
             return;
         }
@@ -195,6 +207,29 @@ impl Check<'_> {
             finding = finding.fix(title, vec![(insert, format!("{newline}{code}"))]);
         }
         self.found.push(finding);
+    }
+
+    /// The sequence numbers that jumps and the words P and H of the program name; `None` if one of them is calculated.
+    fn named_numbers(&self) -> Option<BTreeSet<u32>> {
+        let mut named = BTreeSet::new();
+        let mut name = |number: Dec| named.extend(u32::try_from(number.mantissa).ok().filter(|_| number.scale == 0));
+        for block in self.blocks {
+            match block.stmt {
+                Stmt::If { target, .. } | Stmt::Goto { target, .. } => match self.deck.expr(target) {
+                    Expr::Number(number) => name(number),
+                    _ => return None,
+                },
+                Stmt::Words { .. } => {
+                    for word in self.deck.words_of(block).iter().filter(|word| NAMING.contains(&word.letter)) {
+                        let WordValue::Number(number) = word.value else { return None };
+                        name(number);
+                    }
+                }
+                Stmt::Bad(_) => return None,
+                _ => {}
+            }
+        }
+        Some(named)
     }
 
     /// Whether the program continues after a block.

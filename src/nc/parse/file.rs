@@ -49,6 +49,12 @@ impl<'a> Reader<'a> {
                 _ if from == to => {}
                 Some(b'%') if self.names().is_some() => self.program_header(from, to),
                 _ if self.names().is_some() => self.symbolic_block(from, to),
+                _ if self.percent_behind_number(from, to) => {
+                    let message = msg!("nc.number-before-percent", text = self.file.text.get(from..to).unwrap_or(""));
+                    self.add_finding(Diagnostic::info(message).at(self.place(Span::new(from as u32, to as u32))));
+                    closed = Some(to - 1);
+                    self.program = None;
+                }
                 Some(b'%') => {
                     if !self.only_comments() {
                         closed = Some(from);
@@ -91,6 +97,14 @@ impl<'a> Reader<'a> {
             [b'<', ..] => self.control.syntax.bracket_names,
             _ => false,
         }
+    }
+
+    /// Whether a line is a sequence number with the `%` that ends the record behind it, as in printed programs of the GSK 980TD: `N0120 %`.
+    fn percent_behind_number(&self, from: usize, to: usize) -> bool {
+        let line = self.file.text.as_bytes().get(from..to).unwrap_or_default();
+        let number = line.strip_suffix(b"%").and_then(|head| head.strip_prefix(b"N").or(head.strip_prefix(b"n")));
+        let digits = number.map(<[u8]>::trim_ascii).unwrap_or_default();
+        !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) && !self.only_comments()
     }
 
     /// Start of the record, if its `%` follows text other than comments and programs: the leader of a tape.

@@ -306,6 +306,44 @@ fn words_of_other_controls_beside_an_arc_or_g4_are_named() {
 }
 
 #[test]
+fn percent_behind_a_sequence_number_ends_the_record() {
+    let gsk = find("gsk-980tdc").unwrap();
+    let text = "O0001;\nN0005 G0 X100 Z50;\nN0110 M30;\nN0120 %\nX5\n";
+    let parsed = read_on(gsk, text);
+    expect![[r#"
+        4:7 warning - The % ends the record: the control does not read what follows.
+    "#]]
+    .assert_eq(&findings(&parsed));
+    assert_eq!(parsed.deck().blocks.len(), 2);
+    expect![[r#"
+        2:1 error END The program runs out of blocks: M02, M30 or M99 is missing at its end.
+            End as a main program, M30: 2:6 ""→"\nM30"
+            End as a subprogram, M99: 2:6 ""→"\nM99"
+    "#]]
+    .assert_eq(&findings(&read_on(gsk, "O1\nG0 X1\nN20 %\n")));
+    // In front of the program it ends nothing.
+    expect![[r#"
+        2:1 error END The program runs out of blocks: M02, M30 or M99 is missing at its end.
+            End as a main program, M30: 2:6 ""→"\nM30"
+            End as a subprogram, M99: 2:6 ""→"\nM99"
+        2:5 error 0101 “%” is not allowed here.
+    "#]]
+    .assert_eq(&findings(&read_on(gsk, "(PART)\nN20 %\nO1\nM30\n%\n")));
+}
+
+#[test]
+fn number_alone_behind_the_end_of_the_program_is_no_error() {
+    let mill = find("fanuc-0i-mf").unwrap();
+    for text in ["%\nO1\nM30\nN9999\n%\n", "%\nO1\nM30\nN8\n(END)\nN9\n%\n"] {
+        assert_eq!(findings(&read_on(mill, text)), "", "{text}");
+    }
+    for jump in ["GOTO9", "GOTO#1", "M98 P1 Q1\nM99 P9", "IF[#1 EQ 1]GOTO9"] {
+        let text = format!("%\nO1\n{jump}\nM30\nN9\n%\n");
+        assert!(findings(&read_on(mill, &text)).contains("runs out of blocks"), "{text}");
+    }
+}
+
+#[test]
 fn square_bracket_behind_an_address_has_one_fix() {
     check_802d(
         "X[R1]",
