@@ -11,7 +11,7 @@ use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Read};
 use crate::nc::parse::reader::Reader;
-use crate::text::{DiagnosticKind, Message};
+use crate::text::{DiagnosticKind, Message, either};
 
 impl<'a> Reader<'a> {
     /// The next byte after white space and comments, which it passes; 0 at the end.
@@ -113,14 +113,17 @@ impl<'a> Reader<'a> {
         self.cursor.blank();
         let digits = self.cursor.digits();
         if digits == 0 {
-            if self.cursor.byte(1).is_ascii_digit() && self.zero_after_letter(start).is_some() {
+            let digit = self.cursor.byte(1).is_ascii_digit();
+            if digit && self.zero_after_letter(start).is_some()
+                || self.cursor.peek() == b'l' && self.one_after_letter(start).is_some()
+            {
                 return Ok(());
             }
             return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number")).at_word());
         }
         let text = self.cursor.line.get(self.cursor.at..self.cursor.at + digits).unwrap_or_default();
         self.cursor.at += digits;
-        if self.zero_for_o() {
+        if self.zero_for_o() || self.one_within_number() {
             return Ok(());
         }
         let number = core::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
@@ -578,12 +581,15 @@ impl<'a> Reader<'a> {
     /// Reports a G code missing on the control.
     #[cold]
     fn unknown_g_code(&mut self, number: Dec, start: usize) -> bool {
-        self.report(
-            Alarm::UnknownCode,
-            start,
-            self.cursor.at,
-            msg!("nc.unknown-code", code = format!("G{number}"), control = self.control.name),
-        );
+        let code = format!("G{number}");
+        let message = msg!("nc.unknown-code", code, control = self.control.name);
+        let mut finding = self.finding(Alarm::UnknownCode, start, self.cursor.at, message);
+        let letters = self.control.axes.iter().filter_map(|axis| axis.incremental);
+        let letters: Vec<String> = letters.map(|letter| letter.to_string()).collect();
+        if number.to_f64() == 91.0 && !letters.is_empty() {
+            finding = finding.hint(msg!("nc.hint.increments", addresses = either(&letters)));
+        }
+        self.report_as(Alarm::UnknownCode, finding);
         false
     }
 

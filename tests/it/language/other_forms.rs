@@ -143,6 +143,26 @@ fn colon_starts_a_program_where_iso_tapes_are_read() {
 }
 
 #[test]
+fn g91_on_a_lathe_names_the_addresses_of_increments() {
+    check_on(
+        "fanuc-0i-tf",
+        "%\nO1\nG91 G00 X1.",
+        expect![[r#"
+        3:1 error PS0010 G91 is no code of the FANUC 0i-TF.
+            = Increments have addresses of their own here: U, W, V or H.
+    "#]],
+    );
+    check_on(
+        "gsk-980tdc",
+        "O1\nG91 G00 X1",
+        expect![[r#"
+        2:1 error 0002 G91 is no code of the GSK 980TDc.
+            = Increments have addresses of their own here: U, V, W or H.
+    "#]],
+    );
+}
+
+#[test]
 fn call_close_to_a_code_is_a_call_with_a_hint() {
     let parsed = read_on(find("sinumerik-802d").unwrap(), "KONTUR\nTRANS1\nRET(5)\nM30\n");
     assert!(parsed.diagnostics().iter().all(|finding| finding.message.id == "nc.foreign-remark"));

@@ -199,6 +199,46 @@ fn letters_in_place_of_ones_are_named() {
     );
 }
 
+#[test]
+fn small_l_inside_a_number_is_named() {
+    check_block(
+        "G00 X1l0 Y2.",
+        expect![[r#"
+        1:7 error P33 This is the letter l, not the digit 1.
+            Write “10”: 1:7 "l0"→"10"
+    "#]],
+    );
+    check_block(
+        "N1l0 G00 X1.",
+        expect![[r#"
+        1:3 error P33 This is the letter l, not the digit 1.
+            Write “10”: 1:3 "l0"→"10"
+    "#]],
+    );
+    check_block(
+        "Nl0 G00 X1.",
+        expect![[r#"
+            1:2 error P33 This is the letter l, not the digit 1.
+                Write “10”: 1:2 "l0"→"10"
+        "#]],
+    );
+    check_block(
+        "S1l00 M3",
+        expect![[r#"
+        1:3 error P33 This is the letter l, not the digit 1.
+            Write “100”: 1:3 "l00"→"100"
+    "#]],
+    );
+    // A call with its repeats, and a line of small letters.
+    check_block("M98P2l3", expect![[""]]);
+    check_block(
+        "g81 x1.y1.z-5.r2.f100l3",
+        expect![[r#"
+        1:1 warning - G81 (fixed cycle, drilling) is read, but not simulated: the run here goes on without it.
+    "#]],
+    );
+}
+
 /// As a capital L it would be an address.
 #[test]
 fn capitals_leave_the_letter_for_a_one() {

@@ -172,6 +172,21 @@ impl Reader<'_> {
         Some(Cursor { line: digits.as_bytes(), base: 0, at: 0 }.take_digits().value)
     }
 
+    /// Reports a small letter l inside a number of a line of capitals, `X1l0`, and reads on after the number; returns whether there was one.
+    /// With P, it may be the repeats of a call.
+    #[cold]
+    pub(in crate::nc::parse) fn one_within_number(&mut self) -> bool {
+        let small = |b: &u8| b.is_ascii_lowercase() && *b != b'l' || *b == b'P';
+        let digit = self.cursor.byte(1).is_ascii_digit();
+        if self.cursor.peek() != b'l' || !digit || self.cursor.line.iter().any(small) {
+            return false;
+        }
+        let from = self.cursor.at;
+        self.cursor.at += self.cursor.run(|b| matches!(b, b'l' | b'.' | b'0'..=b'9'));
+        self.report_ones(Alarm::Format, from);
+        true
+    }
+
     /// Reports letters l or I in place of digits 1, from a byte of the line up to the cursor; returns the text with digits.
     #[cold]
     pub(in crate::nc::parse) fn report_ones(&mut self, alarm: Alarm, from: usize) -> String {
@@ -182,8 +197,10 @@ impl Reader<'_> {
         let digits = text.replace(['l', 'L', 'I'], "1");
         let mut finding =
             self.finding(alarm, from, self.cursor.at, msg!("nc.letter-for-one", letter = letter.as_str()));
-        // I is also an address: in `XI5.` the value of X may be missing.
-        if alarm == Alarm::Format && letter == "I" {
+        // I is also an address: in `XI5.` the value of X may be missing. L may repeat a cycle.
+        let behind = from > 0 && self.cursor.line.get(from - 1).is_some_and(|b| b.is_ascii_digit() || *b == b'.');
+        let within = behind && self.cursor.line.get(from + 1).is_some_and(u8::is_ascii_digit);
+        if alarm == Alarm::Format && (letter == "I" || within) {
             finding.kind = DiagnosticKind::GuessedFix;
         }
         self.report_replacing(alarm, finding, from, self.cursor.at, &digits);
@@ -199,6 +216,8 @@ impl Reader<'_> {
                 let from = self.cursor.at;
                 self.cursor.at += 2;
                 self.report_ones(Alarm::Format, from);
+            } else {
+                self.one_within_number();
             }
             return;
         }
