@@ -1,6 +1,6 @@
 //! G and M codes of the FANUC family, of lathes (G code system A) and of mills. Codes bound to programs are parameters: see the switches.
 
-use super::sources::{LATHE_LIST, MEMORY, MODAL_LIST};
+use super::sources::{CODE_LIST, LATHE_LIST, MEMORY, MODAL_LIST};
 use crate::controls::Code::*;
 use crate::controls::CodeDef;
 use crate::controls::code::{Group, g, g_dot, m};
@@ -59,6 +59,8 @@ pub const LATHE: &[CodeDef] = extended![CodeDef: COMMON, &[
     g_dot(7, 1, NotSimulated, Group::OneShot, "cylindrical interpolation", LATHE_LIST),
     g_dot(12, 1, ReplacesPositions, Group::Positions, "polar coordinate interpolation", LATHE_LIST),
     g_dot(13, 1, Cancel, Group::Positions, "polar coordinate interpolation cancel", LATHE_LIST),
+    g(25, Cancel, Group::Other, "spindle speed fluctuation detection off", CODE_LIST),
+    g(26, NotSimulated, Group::Other, "spindle speed fluctuation detection on", CODE_LIST),
     g(32, Thread, Group::Motion, "thread cutting", MEMORY),
     g(34, NotSimulated, Group::Motion, "thread cutting of variable lead", MEMORY),
     g(36, NotSimulated, Group::OneShot, "automatic tool compensation X", MEMORY),
@@ -68,7 +70,10 @@ pub const LATHE: &[CodeDef] = extended![CodeDef: COMMON, &[
     g(42, NotSimulated, Group::Compensation, "tool nose radius compensation, right", MEMORY),
     g(50, SetCoordinates, Group::OneShot, "coordinate system setting; speed limit", MEMORY),
     g_dot(50, 2, NotSimulated, Group::OneShot, "polygon turning cancel", MEMORY),
+    g_dot(50, 3, NotSimulated, Group::OneShot, "work coordinate system preset", MEMORY),
     g_dot(51, 2, NotSimulated, Group::OneShot, "polygon turning", MEMORY),
+    g(68, NotSimulated, Group::Other, "mirror image for a double turret", MEMORY),
+    g(69, Cancel, Group::Other, "mirror image for a double turret, cancel", MEMORY),
     g(70, Roughing, Group::OneShot, "finishing cycle", MEMORY),
     g(71, Roughing, Group::OneShot, "stock removal in turning", MEMORY),
     g(72, Roughing, Group::OneShot, "stock removal in facing", MEMORY),
@@ -90,6 +95,8 @@ pub const LATHE: &[CodeDef] = extended![CodeDef: COMMON, &[
     g(107, NotSimulated, Group::OneShot, "cylindrical interpolation", MEMORY),
     g(112, ReplacesPositions, Group::Positions, "polar coordinate interpolation", MEMORY),
     g(113, Cancel, Group::Positions, "polar coordinate interpolation cancel", MEMORY),
+    g(250, NotSimulated, Group::OneShot, "polygon turning cancel", MEMORY),
+    g(251, NotSimulated, Group::OneShot, "polygon turning", MEMORY),
     m(41, GearStage(1), "gear stage 1 of the spindle", MEMORY),
     m(42, GearStage(2), "gear stage 2 of the spindle", MEMORY),
     m(43, GearStage(3), "gear stage 3 of the spindle", MEMORY),

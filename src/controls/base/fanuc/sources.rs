@@ -16,6 +16,9 @@ pub const ARGUMENTS: Citation = CALLS;
 pub const LATHE_LIST: Citation = Citation::new("machinemfg.com, FANUC CNC lathe commands", Grade::Inferred);
 /// Alarms, positions and times as variables, by a secondary source.
 pub const WIKI: Citation = Citation::new("zappettiniconsulting.com, alarms and timers; position data", Grade::Inferred);
+/// G codes of the series 30i, by a secondary source.
+pub const CODE_LIST: Citation =
+    Citation::new("cncschool.pl, G codes of the FANUC 30i, lathe, system B", Grade::Inferred);
 /// Modal groups of mills, by a secondary source.
 pub const MODAL_LIST: Citation = Citation::new("zappettiniconsulting.com, modal group variables", Grade::Inferred);
 /// Signals of custom macros, bit by bit, by a secondary source.

@@ -104,4 +104,10 @@ pub const MILL: &[VarRange] = extended![VarRange: COMMON, &[
     range(4014, 4014, ModalCode(Group::Coordinates), "", "G54 to G59, group 14", MODAL_LIST),
     range(4015, 4015, ModalCode(Group::PathMode), "", "G61 to G64, group 15", MEMORY),
     range(4016, 4022, NotSimulated, "", "codes of further groups", MEMORY),
+    range(4130, 4130, NotSimulated, "", "number of the additional work coordinate system", MEMORY),
+    range(7001, 7960, Kept, "", "zeros of the additional work coordinate systems", MEMORY),
+    range(10001, 10400, Kept, "", "tool length, wear", MEMORY),
+    range(11001, 11400, Kept, "", "tool length, geometry", MEMORY),
+    range(12001, 12400, Kept, "", "tool radius, geometry", MEMORY),
+    range(13001, 13400, Kept, "", "tool radius, wear", MEMORY),
 ]];

@@ -39,6 +39,8 @@ pub const CODES: &[CodeDef] = &[
     g(25, LowerLimits, Group::OneShot, "lower spindle speed limit, lower working area limit", GROUPS),
     g(26, UpperLimits, Group::OneShot, "upper spindle speed limit, upper working area limit", GROUPS),
     g(33, Thread, Group::Motion, "thread cutting of constant lead", THREAD),
+    g(34, NotSimulated, Group::Motion, "thread cutting of rising lead", MEMORY),
+    g(35, NotSimulated, Group::Motion, "thread cutting of falling lead", MEMORY),
     g(40, Cancel, Group::Compensation, "tool radius compensation off", MEMORY),
     g(41, NotSimulated, Group::Compensation, "tool radius compensation, left", MEMORY),
     g(42, NotSimulated, Group::Compensation, "tool radius compensation, right", MEMORY),
