@@ -1,5 +1,6 @@
 //! Findings about the form of the polygon lathe: errors that refuse the export, each with its field, and notes for the operator.
 
+use super::bending;
 use super::further;
 use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, insert_deviations};
 use super::params::TurnedEnd;
@@ -67,6 +68,8 @@ struct TurnedEndFields {
     thread_length: &'static str,
     speed: &'static str,
     feed: &'static str,
+    tool: &'static str,
+    thread_tool: &'static str,
 }
 
 /// Fields of the end turned before the polygons, and of the one turned after them.
@@ -80,6 +83,8 @@ const TURNED_ENDS: [TurnedEndFields; 2] = [
         thread_length: "before-thread-length",
         speed: "before-speed",
         feed: "before-feed",
+        tool: "before-tool",
+        thread_tool: "before-thread-tool",
     },
     TurnedEndFields {
         diameter: "after-diameter",
@@ -90,6 +95,8 @@ const TURNED_ENDS: [TurnedEndFields; 2] = [
         thread_length: "after-thread-length",
         speed: "after-speed",
         feed: "after-feed",
+        tool: "after-tool",
+        thread_tool: "after-thread-tool",
     },
 ];
 
@@ -101,7 +108,8 @@ fn turned_end_faults(lathe: &PolygonLathe) -> Vec<Fault> {
             found.extend(size_faults(lathe, end, fields));
             found.extend(cut_faults(lathe, end, fields));
             found.extend(thread_faults(end, fields));
-            found.extend(is_after.then(|| overlaps(lathe, end, fields)).into_iter().flatten());
+            found.extend(tool_faults(lathe, end, fields));
+            found.extend(if is_after { overlaps(lathe, end, fields) } else { vanished(lathe, end, fields) });
         }
     }
     found
@@ -165,6 +173,43 @@ fn thread_faults(end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     found
 }
 
+/// Tools whose numbers belong to another tool: a cutter of a polygon turns no end, and a turning tool cuts no thread.
+fn tool_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
+    let mut found = Vec::new();
+    let is_cutter = |tool: f64| lathe.polygons().any(|polygon| polygon.p.tool == tool);
+    let turns = |tool: f64| lathe.p.turned_ends.iter().any(|end| end.on && end.tool == tool);
+    let thread = (end.pitch > 0.0).then_some((end.thread_tool, fields.thread_tool));
+    for (tool, field) in [(end.tool, fields.tool)].into_iter().chain(thread) {
+        if is_cutter(tool) {
+            found.push((msg!("polygon.tool-is-cutter", tool = (tool, 0)), field));
+        } else if field == fields.thread_tool && turns(tool) {
+            found.push((msg!("polygon.tool-turns", tool = (tool, 0)), field));
+        }
+    }
+    found
+}
+
+/// Polygons of which an end turned before them leaves no flat.
+fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
+    let covers = |polygon: &PolygonLathe| polygon.p.from_face < end.length && end.diameter <= polygon.p.across_flats;
+    let covered = (1_u32..).zip(lathe.polygons()).filter(|(_, polygon)| covers(polygon));
+    let fault = |(number, polygon): (u32, &PolygonLathe)| {
+        (msg!("polygon.turned-away", number, size = (polygon.p.across_flats, 3)), fields.length)
+    };
+    covered.map(fault).collect()
+}
+
+/// Polygons whose corners an end turned before them takes, with the diameter that it leaves.
+fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
+    let [end, _] = &lathe.p.turned_ends;
+    let cuts = |polygon: &PolygonLathe| {
+        polygon.p.from_face < end.length && (polygon.p.across_flats..2.0 * polygon.d.corner).contains(&end.diameter)
+    };
+    let (number, _) = (1_u32..).zip(lathe.polygons()).find(|(_, polygon)| end.on && cuts(polygon))?;
+    let message = msg!("polygon.corners-turned", number, diameter = (end.diameter, 3));
+    Some(Diagnostic::warning(message).about(TURNED_ENDS[0].diameter))
+}
+
 /// Polygons that an end turned after them would turn off.
 fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     let covers = |polygon: &PolygonLathe| polygon.p.from_face < end.length && polygon.d.corner * 2.0 > end.diameter;
@@ -173,6 +218,17 @@ fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> 
         (msg!("polygon.turned-off", number, from = (polygon.p.from_face, 3)), fields.length)
     };
     covered.map(fault).collect()
+}
+
+/// A start of the slide at which the axes of work and cutter are further apart than they come.
+fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
+    let p = &lathe.p;
+    let radius = lathe.polygons().map(|polygon| polygon.p.tip_radius).fold(0.0, f64::max);
+    let distance = 0.5 * p.start_x + radius;
+    let most = 2.0 * (p.greatest_distance - radius);
+    let message = msg!("polygon.start-beyond-slide", distance = (distance, 2), most = (p.greatest_distance, 2));
+    let found = (distance > p.greatest_distance).then(|| Diagnostic::error(message).about("start-x"));
+    found.map(|found| if most >= p.clear_diameter() { found.mended_by(most.floor()) } else { found })
 }
 
 /// Errors that refuse the export, and notes for the operator.
@@ -200,6 +256,14 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             found.push(Diagnostic::error(fault).about(field).mended_by(least.ceil()));
         }
     }
+    found.extend(start_beyond_slide(lathe));
+    found.extend(turned_corners(lathe));
+    found.extend(bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS).filter_map(|(bends, fields)| {
+        bends.map(|(message, gives_way)| {
+            let found = if gives_way { Diagnostic::error(message) } else { Diagnostic::warning(message) };
+            found.about(fields.depth)
+        })
+    }));
     found.extend(turret::hits_work((p.start_x, p.start_z), (p.stock_diameter, 0.0), p.turret_room));
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));

@@ -502,3 +502,53 @@ fn clearance_shorter_than_the_run_in_fails_and_is_mended() {
     assert!((judged(&stiff).value - way).abs() < 1e-9, "{} for {way}", judged(&stiff).value);
     assert!(!project(&thread[..4]).design().readouts.iter().any(|row| row.id == "before-run-in"));
 }
+
+/// An example with other entries, and what its design says: ids and fields.
+fn said(example: &str, entries: &[(&'static str, &str)]) -> Vec<(&'static str, Option<&'static str>)> {
+    let plain = Project::named("polygon-lathe", None, Some(example)).unwrap();
+    let found = plain.with_entries(entries).unwrap().design().diagnostics;
+    let grave = found.into_iter().filter(|found| found.severity != Severity::Info);
+    grave.map(|found| (found.message.id, found.field)).collect()
+}
+
+#[test]
+fn end_turned_past_the_flats_before_them_is_refused() {
+    // Ø 12 over 48 mm, and the square of 20 mm between 30 and 45 mm.
+    let past = [("before-length", "48"), ("free-length", "60")];
+    assert!(said("threaded-shaft", &past).contains(&("polygon.turned-away", Some("before-length"))));
+    assert!(said("threaded-shaft", &[("before-length", "28")]).iter().all(|(id, _)| *id != "polygon.turned-away"));
+    // Between the flats of 20 mm and the corners the end takes the corners alone.
+    let end = [("before", "true"), ("before-length", "14"), ("before-diameter", "22")];
+    assert!(said("square", &end).contains(&("polygon.corners-turned", Some("before-diameter"))));
+    let end = [end[0], end[1], ("before-diameter", "20")];
+    assert!(said("square", &end).contains(&("polygon.turned-away", Some("before-length"))));
+}
+
+#[test]
+fn tool_number_of_a_cutter_turns_no_end() {
+    let faults = |entries: &[(&'static str, &str)]| said("threaded-shaft", entries);
+    assert!(faults(&[("before-tool", "1")]).contains(&("polygon.tool-is-cutter", Some("before-tool"))));
+    assert!(faults(&[("before-thread-tool", "1")]).contains(&("polygon.tool-is-cutter", Some("before-thread-tool"))));
+    assert!(faults(&[("before-thread-tool", "3")]).contains(&("polygon.tool-turns", Some("before-thread-tool"))));
+    assert_eq!(faults(&[]), []);
+}
+
+#[test]
+fn slide_starts_where_it_reaches() {
+    // 45 mm of tip circle and 150 mm at most leave 210 mm of diameter.
+    let start = |x| said("square", &[("start-x", x)]);
+    assert!(start("211").contains(&("polygon.start-beyond-slide", Some("start-x"))));
+    assert_eq!(start("210"), []);
+}
+
+/// 1750 N/mm² · 1 mm · 0.2 mm on Ø 3 by 28 mm: `F L³ / 3 E I` is 3 mm, and the end breaks.
+#[test]
+fn thin_end_that_gives_way_is_refused() {
+    let end = |diameter| {
+        let thread = [("before-pitch", "0"), ("before-chamfer", "0"), ("before-length", "28")];
+        said("threaded-shaft", &[&thread[..], &[("before-diameter", diameter)]].concat())
+    };
+    assert!(end("3").contains(&("polygon.end-gives-way", Some("before-depth"))));
+    assert!(end("6").contains(&("polygon.end-bends", Some("before-depth"))));
+    assert!(end("12").iter().all(|(id, _)| !id.starts_with("polygon.end")));
+}
