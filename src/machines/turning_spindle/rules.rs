@@ -654,11 +654,12 @@ fn stage_behind_gap(p: &Params) -> Option<Diagnostic> {
 fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
     let TurningSpindle { p, d, .. } = lathe;
     let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit } else { 0.0 };
-    let asked = surface_rpm(p.cutting_speed, d.largest);
+    let largest = d.largest.min(p.stock_diameter);
+    let asked = surface_rpm(p.cutting_speed, largest);
     if lowest <= asked {
         return None;
     }
-    let (diameter, surface_speed) = ((d.largest, 1), (surface_speed(lowest, d.largest), 0));
+    let (diameter, surface_speed) = ((largest, 1), (surface_speed(lowest, largest), 0));
     let message = msg!("turning.lower-limit-lifts", limit = (lowest, 0), diameter, surface_speed);
     Some(Diagnostic::warning(message).about("lower-limit").mended_by(asked.floor()))
 }

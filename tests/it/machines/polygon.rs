@@ -566,6 +566,7 @@ fn design_readouts_match_their_golden() {
     .assert_eq(&said(&[("least-distance", "70"), ("clamp-z", "50")]));
     expect![[r#"
         Fail distance: The axes would be further apart than 50 mm.
+        Error start-x: At the start the axes of work and cutter would be 75 mm apart, and the slide reaches 50 mm: start nearer.
     "#]]
     .assert_eq(&said(&[("greatest-distance", "50"), ("across-flats", "24"), ("stock-diameter", "24.5")]));
     expect![[r#"

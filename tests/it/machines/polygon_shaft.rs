@@ -401,9 +401,10 @@ fn slots_that_take_the_polygon_off_or_do_not_fit_are_refused() {
         let errors = design.diagnostics.iter().filter(|found| found.severity == Severity::Error);
         errors.map(|found| (found.field.unwrap_or(""), found.message.id)).collect::<Vec<_>>()
     };
-    assert_eq!(found(&[("before", "true")]), []);
+    assert_eq!(found(&[("before", "true")]), [("before-length", "polygon.turned-away")]);
     assert_eq!(found(&[("after", "true")]), [("after-length", "polygon.turned-off")]);
     let behind = ("from-face", "30");
+    assert_eq!(found(&[behind, ("before", "true")]), []);
     assert_eq!(found(&[behind, ("after", "true")]), []);
     assert_eq!(
         found(&[behind, ("after", "true"), ("after-diameter", "25")]),

@@ -251,6 +251,7 @@ fn design_readouts_match_their_golden() {
         Fail peak-torque: At Ø 80 mm cut, friction and the acceleration of the constant surface speed together take 171.4 Nm at 716 r/min; the motor gives 85.9 Nm there for a short time: the spindle lags or stalls. Feed more slowly, or limit the speed to less.
     "#]].assert_eq(&said(&[("cutting-force", "4000"), ("gear", "1"), ("feed", "2")]));
     expect![[r#"
+        Warning lower-limit: At Ø 80 mm the lower limit of 3000 r/min lifts the cutting speed to 754 m/min.
         Warning lower-limit: The lower limit of 3000 r/min lies above the upper one of 2500 r/min: the upper one holds.
     "#]]
     .assert_eq(&said(&[("cutting-speed", "20"), ("lower-limit", "3000")]));

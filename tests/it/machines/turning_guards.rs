@@ -109,15 +109,15 @@ fn warnings(project: &Project) -> Vec<&'static str> {
     found.map(|found| found.message.id).collect()
 }
 
-/// 180 m/min at Ø 58, the first pass, is 988 r/min.
+/// 180 m/min at Ø 56, the first pass, is 1023 r/min.
 #[test]
 fn lower_limit_that_lifts_the_cutting_speed_is_named() {
     let shaft = |lowest| {
         let shaft = Project::named("turning-spindle", Some("gsk-980tdc"), Some("shaft")).unwrap();
         warnings(&shaft.with_entries(&[("lower-limit", lowest)]).unwrap())
     };
-    assert!(shaft("1000").contains(&"turning.lower-limit-lifts"));
-    assert!(!shaft("900").contains(&"turning.lower-limit-lifts"));
+    assert!(shaft("1024").contains(&"turning.lower-limit-lifts"));
+    assert!(!shaft("1023").contains(&"turning.lower-limit-lifts"));
 }
 
 /// A feed above the clamp of its slide is cut at the clamp: 7.5 mm at 50 mm/min and 36 mm at 500.
@@ -148,7 +148,7 @@ fn program_refuses_a_longer_cut_by_variables() {
     assert!(!log.iter().any(|line| line.starts_with("linear")));
     let (ended, log) = with_variables(&keyway(&[]), &[(118, 300.0)]);
     assert_eq!(ended, Some(RunEnd::Stop));
-    assert!(log.iter().any(|line| line.contains("R119+R118 IS MORE THAN R125")), "{log:?}");
+    assert!(log.iter().any(|line| line.contains("R119+R118 IS MORE THAN R105")), "{log:?}");
 }
 
 #[test]
@@ -175,8 +175,9 @@ fn taper_by_variables_takes_one_depth_in_a_pass() {
 fn turret_turns_beside_the_work_or_in_front_of_it() {
     let at = |x, z| errors(&project("gsk-980tdc", &[("start-x", x), ("start-z", z)]));
     assert_eq!(at("140", "0.1"), []);
-    assert_eq!(at("85", "30"), []);
-    assert_eq!(at("139.9", "29.9"), [("start-z", "lathe.turret-hits-work")]);
+    // In front of the allowance of 2 mm.
+    assert_eq!(at("85", "32"), []);
+    assert_eq!(at("139.9", "31.9"), [("start-z", "lathe.turret-hits-work")]);
 }
 
 #[test]
