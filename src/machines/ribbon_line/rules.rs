@@ -27,7 +27,6 @@ use super::program;
 use super::resolved::RibbonLine;
 use super::tension_switch;
 use crate::machines::verdict::Rule;
-use crate::math::PI;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade};
 
@@ -149,11 +148,6 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     }
     if line.rolls_in_diameters() {
         found.push(Diagnostic::error(msg!("ribbon.rolls-in-diameters")).about("endless"));
-    }
-    let room = PI * p.print_roller_diameter / p.heads;
-    if p.print.head_length >= room {
-        let message = msg!("ribbon.heads-do-not-fit", length = (p.print.head_length, 3), room = (room, 3));
-        found.push(Diagnostic::error(message).about("head-length"));
     }
     if p.no_load_speed < p.rated_load_speed {
         let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));

@@ -144,14 +144,3 @@ fn advice_against_a_taut_start_names_no_fitted_dancer() {
     assert_eq!(slack.map(|advice| advice.entries[0].field), Some("dwell"), "{all:?}");
     assert!(all.iter().all(|advice| !sentence(&advice.message).contains("dancer")), "{all:?}");
 }
-
-/// 36 heads on a roller of 114.6 mm have 10 mm each.
-#[test]
-fn heads_longer_than_their_room_on_the_roller_are_refused() {
-    let refused = |length| {
-        let roller = [("heads", "36"), ("print-roller-diameter", "114.6"), ("head-length", length)];
-        let found = project("mitsubishi-e60", &roller).design().diagnostics;
-        found.iter().any(|found| found.message.id == "ribbon.heads-do-not-fit" && found.field == Some("head-length"))
-    };
-    assert!(refused("10.1") && !refused("9.9"));
-}
