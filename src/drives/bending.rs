@@ -5,6 +5,9 @@ use crate::math::PI;
 /// Modulus of elasticity of steel, N/mm². Source: memory.
 pub const STEEL: f64 = 210_000.0;
 
+/// Deflection (mm) from which a slender work deserves attention. Source: engineering choice.
+pub const NOTABLE: f64 = 0.1;
+
 /// Second moment of area (mm⁴) of a round bar: `π D⁴ / 64`.
 fn second_moment(diameter: f64) -> f64 {
     PI * cube(diameter) * diameter / 64.0

@@ -2,12 +2,12 @@
 
 use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
-use crate::drives::bending::cantilever;
+use crate::drives::bending::{NOTABLE, cantilever};
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::machines::knobs;
 use crate::machines::verdict::{Judgement, down, fail, greatest_share, ok, up, warn};
 use crate::msg;
-use crate::text::Message;
+use crate::text::Diagnostic;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
@@ -73,25 +73,21 @@ impl PolygonLathe {
     }
 }
 
-/// Deflection (mm) from which a turned end deserves attention, as on the turning spindle. Source: engineering choice.
-const OF_END: f64 = 0.1;
-
-/// What the force of the cut does to each turned end, as a bar of its diameter from its shoulder to the face, and whether the end gives way
-/// by more than the cut is deep; `None` for an end that is stiff enough.
-pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<(Message, bool)>; 2] {
+/// What the force of the cut does to each turned end, as a bar of its diameter from its shoulder to the face: an error where the end gives way
+/// by more than the cut is deep, `None` where it is stiff enough.
+pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
     let p = &lathe.p;
     p.turned_ends.each_ref().map(|end| {
         let steps = [(end.length, end.diameter), (lathe.free_length() - end.length, p.stock_diameter)];
         let bending = cantilever(lathe.end_force(end), p.material.elasticity(), steps);
-        let bends = end.on && bending > OF_END;
-        bends.then(|| {
-            let gives_way = bending > end.depth;
-            let message = if gives_way {
-                msg!("polygon.end-gives-way", bending = (bending, 2), depth = (end.depth, 3))
-            } else {
-                msg!("polygon.end-bends", bending = (bending, 2))
-            };
-            (message, gives_way)
+        if !end.on || bending <= NOTABLE {
+            return None;
+        }
+        let (deflection, depth) = ((bending, 2), (end.depth, 3));
+        Some(if bending > end.depth {
+            Diagnostic::error(msg!("polygon.end-gives-way", bending = deflection, depth))
+        } else {
+            Diagnostic::warning(msg!("polygon.end-bends", bending = deflection))
         })
     })
 }

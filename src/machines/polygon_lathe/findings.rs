@@ -189,10 +189,15 @@ fn tool_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) 
     found
 }
 
+/// The polygons that begin within the length of a turned end, with their numbers.
+fn within<'a>(lathe: &'a PolygonLathe, end: &TurnedEnd) -> impl Iterator<Item = (u32, &'a PolygonLathe)> {
+    let length = end.length;
+    (1..).zip(lathe.polygons()).filter(move |(_, polygon)| polygon.p.from_face < length)
+}
+
 /// Polygons of which an end turned before them leaves no flat.
 fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let covers = |polygon: &PolygonLathe| polygon.p.from_face < end.length && end.diameter <= polygon.p.across_flats;
-    let covered = (1_u32..).zip(lathe.polygons()).filter(|(_, polygon)| covers(polygon));
+    let covered = within(lathe, end).filter(|(_, polygon)| end.diameter <= polygon.p.across_flats);
     let fault = |(number, polygon): (u32, &PolygonLathe)| {
         (msg!("polygon.turned-away", number, size = (polygon.p.across_flats, 3)), fields.length)
     };
@@ -202,18 +207,15 @@ fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> 
 /// Polygons whose corners an end turned before them takes, with the diameter that it leaves.
 fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let [end, _] = &lathe.p.turned_ends;
-    let cuts = |polygon: &PolygonLathe| {
-        polygon.p.from_face < end.length && (polygon.p.across_flats..2.0 * polygon.d.corner).contains(&end.diameter)
-    };
-    let (number, _) = (1_u32..).zip(lathe.polygons()).find(|(_, polygon)| end.on && cuts(polygon))?;
+    let cuts = |polygon: &PolygonLathe| (polygon.p.across_flats..2.0 * polygon.d.corner).contains(&end.diameter);
+    let (number, _) = within(lathe, end).find(|(_, polygon)| end.on && cuts(polygon))?;
     let message = msg!("polygon.corners-turned", number, diameter = (end.diameter, 3));
     Some(Diagnostic::warning(message).about(TURNED_ENDS[0].diameter))
 }
 
 /// Polygons that an end turned after them would turn off.
 fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let covers = |polygon: &PolygonLathe| polygon.p.from_face < end.length && polygon.d.corner * 2.0 > end.diameter;
-    let covered = (1_u32..).zip(lathe.polygons()).filter(|(_, polygon)| covers(polygon));
+    let covered = within(lathe, end).filter(|(_, polygon)| polygon.d.corner * 2.0 > end.diameter);
     let fault = |(number, polygon): (u32, &PolygonLathe)| {
         (msg!("polygon.turned-off", number, from = (polygon.p.from_face, 3)), fields.length)
     };
@@ -258,12 +260,8 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     }
     found.extend(start_beyond_slide(lathe));
     found.extend(turned_corners(lathe));
-    found.extend(bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS).filter_map(|(bends, fields)| {
-        bends.map(|(message, gives_way)| {
-            let found = if gives_way { Diagnostic::error(message) } else { Diagnostic::warning(message) };
-            found.about(fields.depth)
-        })
-    }));
+    let bends = bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS);
+    found.extend(bends.filter_map(|(bends, fields)| Some(bends?.about(fields.depth))));
     found.extend(turret::hits_work((p.start_x, p.start_z), (p.stock_diameter, 0.0), p.turret_room));
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));

@@ -3,9 +3,6 @@
 use super::params::{Params, Path};
 use crate::drives::bending::{cantilever, supported};
 
-/// Deflection (mm) from which a slender work deserves attention. Source: engineering choice.
-pub(super) const LIMIT: f64 = 0.1;
-
 impl Params {
     /// Least diameter (mm) of the finished work, over the length of the cut.
     fn thinnest(&self) -> f64 {

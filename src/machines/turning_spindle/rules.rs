@@ -13,6 +13,7 @@ use super::run_up;
 use crate::controls::ParamRole;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::analog::FEW_VOLTS;
+use crate::drives::bending::NOTABLE;
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::drives::{Bound, spindle_motor};
@@ -281,7 +282,7 @@ fn peak_demand(cut: &CutAtKnobs) -> (f64, f64) {
 }
 
 fn bending_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (bending::of(cut.p), bending::LIMIT)
+    (bending::of(cut.p), NOTABLE)
 }
 
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -346,8 +347,8 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
 fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
     let p = &lathe.p;
     let value = bending::of(p);
-    if value <= bending::LIMIT {
-        return at_knobs(lathe, bending::LIMIT, bending_demand, |cut, (bending, _)| {
+    if value <= NOTABLE {
+        return at_knobs(lathe, NOTABLE, bending_demand, |cut, (bending, _)| {
             let (percent, bending) = ((cut.at.feed, 0), (bending, 2));
             if cut.p.tailstock {
                 msg!("turning.held-work-bends-at-feed-knob", percent, bending)
@@ -368,14 +369,14 @@ fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
         return fail(AtMost(p.depth), [advice]);
     }
     let greatest = lathe.at_highest_feed().map_or(value, |(_, fed)| bending::of(&fed.p));
-    let shallower = |message: Message| with_depth(lathe, bending::LIMIT / greatest, message);
+    let shallower = |message: Message| with_depth(lathe, NOTABLE / greatest, message);
     match p.path {
-        Path::Facing => warn(AtMost(bending::LIMIT), [shallower(msg!("turning.face-bends", bending))]),
+        Path::Facing => warn(AtMost(NOTABLE), [shallower(msg!("turning.face-bends", bending))]),
         _ if takes_tailstock => {
             let tailstock = fit_tailstock(msg!("turning.work-bends", bending, held));
-            warn(AtMost(bending::LIMIT), [tailstock, shallower(msg!("turning.less-depth"))])
+            warn(AtMost(NOTABLE), [tailstock, shallower(msg!("turning.less-depth"))])
         }
-        _ => warn(AtMost(bending::LIMIT), [shallower(msg!("turning.held-work-bends", bending))]),
+        _ => warn(AtMost(NOTABLE), [shallower(msg!("turning.held-work-bends", bending))]),
     }
 }
 
