@@ -79,7 +79,8 @@ impl Path {
     /// The stretches of one axis.
     fn stretches(&self, k: usize, plant: &AxisPlant, (from, to): (f64, f64)) -> Vec<Stretch> {
         let lag = if plant.position_gain > 0.0 { 1.0 / plant.position_gain } else { 0.0 };
-        let tau = if plant.time_constant > 0.0 { plant.time_constant } else { lag };
+        // The slower of ramp and servo loop: a shorter ramp lasts as long as the loop takes to follow it.
+        let tau = plant.time_constant.max(lag);
         let segments = self.segments.until(to);
         let first = segments.partition_point(|segment| segment.t < from - tau);
         let bends = segments[first..].iter().flat_map(|segment| [segment.t, segment.t + tau]);
