@@ -57,6 +57,14 @@ pub(super) const PARAMS: &[ParamDef] = &[
     )
     .answered("11", "22"),
     param(
+        RapidTimeConstant,
+        "#2004",
+        "G0tL",
+        Milliseconds,
+        "time constant of linear acceleration, rapid traverse",
+        HEADER,
+    ),
+    param(
         AxisTimeConstant,
         "#2007",
         "G1tL",

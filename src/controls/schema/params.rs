@@ -98,8 +98,12 @@ pub enum ParamRole {
     AxisRapid,
     /// Cutting feed clamp of an axis.
     AxisClamp,
+    /// Cutting feed clamp along the path, of all axes together.
+    PathClamp,
     /// Kind of acceleration of an axis; as yes or no: linear.
     AxisAcceleration,
+    /// Time constant of linear acceleration for rapid traverse.
+    RapidTimeConstant,
     /// Time constant of linear acceleration for cutting feed.
     AxisTimeConstant,
     /// Greatest acceleration of an axis, where a control has no time constant.

@@ -12,7 +12,7 @@ use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::machines::stops;
-use crate::math::PI;
+use crate::math::{self, PI};
 use crate::text::catalog::number_text as show;
 use crate::text::units::{self, Lengths};
 use crate::text::{Citation, Grade, clauses};
@@ -44,7 +44,10 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.x_per_mm() > 1.0))]),
         (ParamRole::AxisRapid, slides(p.slides.x.rapid, p.slides.z.rapid)),
         (ParamRole::AxisClamp, slides(p.slides.x.clamp, p.slides.z.clamp)),
+        // Above what both axes reach together: each of them is clamped by itself.
+        (ParamRole::PathClamp, vec![("", ParamValue::Number(math::hypot(p.slides.x.clamp, p.slides.z.clamp).ceil()))]),
         (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
+        (ParamRole::RapidTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
         (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),
         (ParamRole::EditLock, vec![("", ParamValue::Answer(false))]),

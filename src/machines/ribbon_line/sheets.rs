@@ -9,6 +9,7 @@ use crate::drives::block::{greatest_acceleration, ramp};
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue};
 use crate::machines::stops;
+use crate::math;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
@@ -58,7 +59,10 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::AxisTurn, each(|| ParamValue::Number(360.0))),
         (ParamRole::AxisRapid, per_axis(p.rapid_x, p.rapid_y)),
         (ParamRole::AxisClamp, per_axis(p.clamp_x, p.clamp_y)),
+        // Above what both axes reach together: each of them is clamped by itself.
+        (ParamRole::PathClamp, vec![("", ParamValue::Number(math::hypot(p.clamp_x, p.clamp_y).ceil()))]),
         (ParamRole::AxisAcceleration, both(true)),
+        (ParamRole::RapidTimeConstant, per_axis(p.time_constant_x, p.time_constant_y)),
         (ParamRole::AxisTimeConstant, per_axis(p.time_constant_x, p.time_constant_y)),
         (
             ParamRole::AxisGreatestAcceleration,

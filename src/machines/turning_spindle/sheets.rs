@@ -10,6 +10,7 @@ use crate::controls::{ParamRole, ParamUnit};
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
 use crate::machines::stops;
+use crate::math;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
@@ -95,7 +96,10 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.diameters()))]),
         (ParamRole::AxisRapid, slides(p.slides.x.rapid, p.slides.z.rapid)),
         (ParamRole::AxisClamp, slides(p.slides.x.clamp, p.slides.z.clamp)),
+        // Above what both axes reach together: each of them is clamped by itself.
+        (ParamRole::PathClamp, vec![("", ParamValue::Number(math::hypot(p.slides.x.clamp, p.slides.z.clamp).ceil()))]),
         (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
+        (ParamRole::RapidTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
         (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
         (
             ParamRole::AxisGreatestAcceleration,
