@@ -28,8 +28,6 @@ pub mod scaling;
 
 pub mod site;
 
-mod shift;
-
 mod materials;
 
 mod slides;

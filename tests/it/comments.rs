@@ -127,9 +127,17 @@ fn alarm_of_the_program_has_its_chinese_behind_it() {
 fn every_comment_in_the_sources_has_chinese() {
     let mut seen = 0;
     for folder in machines::ALL.iter().map(|machine| machine.id().replace('-', "_")) {
-        let path = format!("{}/src/machines/{folder}", env!("CARGO_MANIFEST_DIR"));
-        for file in std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()) {
-            let source = if file.is_file() { std::fs::read_to_string(&file).unwrap() } else { String::new() };
+        let mut folders =
+            vec![std::path::PathBuf::from(format!("{}/src/machines/{folder}", env!("CARGO_MANIFEST_DIR")))];
+        let mut files = Vec::new();
+        while let Some(folder) = folders.pop() {
+            let found = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+            let (inner, of_folder): (Vec<_>, Vec<_>) = found.partition(|path| path.is_dir());
+            folders.extend(inner);
+            files.extend(of_folder);
+        }
+        for file in files {
+            let source = std::fs::read_to_string(&file).unwrap();
             for start in
                 [".note(\"", ".comment(\"", "b.program(RUN, \"", "b.program(SETUP, \"", "b.program(COMPUTE, \""]
             {

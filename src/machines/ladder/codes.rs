@@ -36,6 +36,8 @@ pub const GEAR_LOST: Bit = Bit::Relay("gear-lost");
 pub const SHIFT_OFF: Bit = Bit::Relay("shift-off");
 /// Nothing forbids a run command.
 const FREE: Bit = Bit::Relay("spindle-free");
+/// Contacts without which the spindle has no run command: the enable of its inverter, and the work that a tailstock holds.
+const NEEDED: [MachineContact; 2] = [MachineContact::InverterEnabled, MachineContact::WorkHeld];
 /// No contact of the machine forbids a run by the key of each direction.
 const KEYS_FREE: [Bit; 2] = [Bit::Relay("forward-key-free"), Bit::Relay("reverse-key-free")];
 /// Contacts that open at the end of each direction: unwinding fills the loop and empties the reel, winding back pulls the web tight. The other
@@ -59,7 +61,7 @@ pub struct SpindleRequirements<'a> {
     pub reports_speed: bool,
     /// A contact reports that the spindle stands still: keys start it only then.
     pub reports_standstill: bool,
-    /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without its enable the inverter
+    /// Contacts that hold the program while they are open, beside the fault contact of the inverter. Without one of [`NEEDED`] the inverter
     /// also loses its run command, and a begun program stops with the alarm: nothing restarts by itself.
     pub holds: &'a [MachineContact],
     /// While this is on, the inverter gets no run command: another drive turns the spindle.
@@ -188,17 +190,16 @@ impl Book<'_> {
     /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.
     pub fn spindle(&mut self, rules: &SpindleRules, requirements: &SpindleRequirements<'_>) {
         let ready = Bit::Input(MachineContact::InverterReady);
-        let enabled = Bit::Input(MachineContact::InverterEnabled);
-        let has_enable = requirements.holds.contains(&MachineContact::InverterEnabled);
+        let needed = requirements.holds.iter().filter(|contact| NEEDED.contains(contact)).map(|at| Bit::Input(*at));
         let mut fault = vec![vec![off(ready)]];
-        // If the lost enable only held the program, cycle start would move the axes without the spindle.
-        fault.extend(has_enable.then(|| vec![off(enabled), on(STARTED)]));
+        // If the lost contact only held the program, cycle start would move the axes without the spindle.
+        fault.extend(needed.clone().map(|contact| vec![off(contact), on(STARTED)]));
         // It stays until reset: a fault that clears itself has already stopped the spindle.
         fault.push(vec![on(FAULT), off(self.reset())]);
         self.coil(FAULT, fault, "plc.rung.inverter-fault");
         self.coil(Bit::Output(MachineOutput::InverterAlarm), vec![vec![on(FAULT)]], "plc.rung.inverter-alarm");
         let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
-        guard.extend(has_enable.then_some(on(enabled)));
+        guard.extend(needed.map(on));
         guard.extend(requirements.locked_by.iter().copied().map(off));
         guard.extend(requirements.has_gears.then_some(on(GEAR_RUN)));
         if (requirements.reaction)(Interruption::Reset) == SpindleReaction::Off {

@@ -2,13 +2,13 @@
 
 use crate::controls::Control;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, text};
+use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, pause, text};
 use crate::machines::main_spindle::{self, SpindleDrive};
 use crate::machines::materials::Material;
 use crate::machines::scaling;
+use crate::machines::site;
 use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::machines::spindle_encoder::{self, EncoderParams};
-use crate::machines::{shift, site};
 use crate::{member, options};
 
 options! {
@@ -303,7 +303,7 @@ const ROWS: &[&[Field<Params>]] = &[
     flag("hollow", member!(Params.hollow)).group("polygon.group.part").label("polygon.hollow").help("polygon.hollow.help"),
     number("orientation", member!(Params.orientation)).group("polygon.group.part").label("polygon.orientation").help("polygon.orientation.help").symbol("ψ")
         .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0),
-    shift::pause("polygon.group.part", member!(Params.pause)),
+    pause("polygon.group.part", member!(Params.pause)),
     number("inserts", member!(Params.inserts)).group("polygon.group.cutter").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
         .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own),
     number("work-ratio", member!(Params.work_ratio)).group("polygon.group.cutter").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")

@@ -172,13 +172,18 @@ impl Params {
         }
     }
 
+    /// Room (mm) between two heads on the circumference of the print roller; negative where they overlap.
+    pub(super) fn head_gap(&self) -> f64 {
+        PI * self.print_roller_diameter / self.heads - self.print.head_length
+    }
+
     /// Macro blocks that one step of the knob adds to a pass, where the speed clamp does not act. The published listing computes everything
     /// in each pass.
     fn blocks_of_a_knob_step(&self) -> u32 {
         match (self.variant, self.feed_form) {
             _ if self.knob_is_locked() => 0,
-            (Variant::ReadyMade, FeedForm::PerMinute) => 8,
-            (Variant::ReadyMade, FeedForm::PerRevolution) => 7,
+            (Variant::ReadyMade, FeedForm::PerMinute) => 10,
+            (Variant::ReadyMade, FeedForm::PerRevolution) => 9,
             (Variant::Published, _) => 0,
             (Variant::Precomputed, form) => self.blocks_of_a_calculation(form),
         }
@@ -191,7 +196,7 @@ impl Params {
             (Job::Length, Rest::Round | Rest::Shorten) => 3,
             (Job::Pitches, _) => 0,
         };
-        17 + of_a_length + u32::from(form == FeedForm::PerRevolution)
+        19 + of_a_length + u32::from(form == FeedForm::PerRevolution)
     }
 
     /// Seconds that the control needs for a pass of the running loop.
@@ -305,11 +310,12 @@ impl Derived {
         };
         let surface_speed = line_speed * arc / p.pitch;
         let surface_ratio = arc / p.pitch;
-        let print_roller_speed = surface_speed / (PI * p.print_roller_diameter);
         let analog = output.with_speed(p.speed_at_10v);
         let errors = p.speed_errors(actual_speed);
         // A feed per revolution follows the measured speed.
-        let driven = |error: f64| if p.in_step() && error > -1.0 { pitch_time / (1.0 + error) } else { pitch_time };
+        let followed = |error: f64| if p.in_step() && error > -1.0 { 1.0 + error } else { 1.0 };
+        let driven = |error: f64| pitch_time / followed(error);
+        let print_roller_speed = surface_speed / (PI * p.print_roller_diameter) * followed(errors.0);
         let timing = Timing::new(p, pitch_time, driven(errors.0), y_stroke);
         let kept = (kept(p, driven(errors.0), y_stroke), kept(p, driven(errors.1), y_stroke));
         let slack = Slack::new(p, line_speed, actual_speed, errors, kept, &timing);
@@ -330,7 +336,7 @@ impl Derived {
             feed_per_revolution: self::vector_feed(k, p.pitch, y_stroke),
             x_feed: line_speed,
             y_feed,
-            x_motor_speed: line_speed / (PI * p.x_roller_diameter) * p.gear_x,
+            x_motor_speed: line_speed / (PI * p.x_roller_diameter) * p.gear_x * followed(errors.0),
             y_motor_speed: print_roller_speed * p.gear_y,
             print_roller_speed,
             pitch_time,
@@ -462,7 +468,9 @@ impl Timing {
         let ahead = (wait / needed).floor().min(p.preread);
         let passes = match p.path_mode {
             PathMode::ExactStop => whole * pass(pitches) + if rest > 0.0 { pass(rest) } else { 0.0 },
-            PathMode::Continuous => ((count / pitches).ceil() - ahead).max(0.0) * needed + pitches * pitch_time,
+            PathMode::Continuous => {
+                ((count / pitches).ceil() - ahead).max(0.0) * needed + pitches.min(count) * pitch_time
+            }
         };
         let passes = passes.max(count * pitch_time);
         let last = if p.last_pitch() > 0.0 { p.last_pitch() / p.pitch * pitch_time } else { 0.0 };

@@ -2,9 +2,7 @@
 
 use super::mechanics::ServoAxis;
 use super::resolved::RibbonLine;
-use crate::machines::verdict::ReadoutRow;
 use crate::math::{self, PI};
-use crate::text::{Citation, Grade};
 
 /// Parts of the error, each in mm and without sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,73 +97,7 @@ impl ErrorSource {
 }
 
 /// Strain of the ribbon at the print contact.
-fn strain(line: &RibbonLine) -> f64 {
+pub(super) fn strain(line: &RibbonLine) -> f64 {
     let p = &line.p;
     p.web.tension_behind / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)
 }
-
-const BUDGET: Citation = Citation::new("sizing facts 2.5, error budget", Grade::Inferred);
-
-/// Results of the error budget.
-pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
-    ReadoutRow {
-        id: "dot-error",
-        label: "ribbon.readout.dot-error",
-        unit: "mm",
-        decimals: 3,
-        formula: "lag + strain + SQRT[encoders² + run-out² + backlash²]",
-        cite: BUDGET,
-        value: |line| DotError::of(line).total(),
-        ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "dot-encoders",
-        label: "ribbon.readout.dot-encoders",
-        unit: "mm",
-        decimals: 4,
-        formula: "SQRT[(pulse of X / 2)² + (pulse of Y / 2)²]",
-        cite: BUDGET,
-        value: |line| DotError::of(line).encoders,
-        ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "dot-run-out",
-        label: "ribbon.readout.dot-run-out",
-        unit: "mm",
-        decimals: 4,
-        formula: "run-out / SQRT[2]: half of it at each roller",
-        cite: BUDGET,
-        value: |line| DotError::of(line).run_out,
-        ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "dot-backlash",
-        label: "ribbon.readout.dot-backlash",
-        unit: "mm",
-        decimals: 4,
-        formula: "β · R where the torque at the teeth changes its sign, else 0",
-        cite: BUDGET,
-        value: |line| DotError::of(line).backlash,
-        ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "dot-strain",
-        label: "ribbon.readout.dot-strain",
-        unit: "mm",
-        decimals: 4,
-        formula: "#107 · T2 / (E · width · thickness)",
-        cite: BUDGET,
-        value: |line| DotError::of(line).strain,
-        ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "strain-per-metre",
-        label: "ribbon.readout.strain-per-metre",
-        unit: "mm/m",
-        decimals: 3,
-        formula: "1000 · T2 / (E · width · thickness)",
-        cite: BUDGET,
-        value: |line| 1e3 * strain(line),
-        ..ReadoutRow::BASE
-    },
-];

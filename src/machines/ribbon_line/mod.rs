@@ -12,17 +12,15 @@ mod mechanics;
 
 mod resolved;
 
+mod reel_demand;
+
 mod dot_error;
 
 mod driven;
 
-mod calculated_once;
-
-mod cams;
+mod cam;
 
 mod readouts;
-
-mod readouts_of_drives;
 
 mod phase;
 
@@ -75,14 +73,12 @@ use crate::machines::machine::{
 };
 use crate::machines::samples::Samples;
 use crate::machines::site::SevereSite;
-use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
 use crate::text::number::four_digits;
 use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{Endless, FIELDS, Params};
-use rules::RULES;
 
 impl Machine for RibbonLine {
     type Params = Params;
@@ -139,14 +135,7 @@ impl Machine for RibbonLine {
 
 impl Prepared for RibbonLine {
     fn results(&self) -> Design {
-        let line = results(readouts::ROWS, self, RULES);
-        let drives = results(readouts_of_drives::ROWS, self, rules::drives::RULES);
-        let reel = results(rules::reel::ROWS, self, rules::reel::RULES);
-        let cam: &[_] = if cams::chosen(self).is_some() { cams::ROWS } else { &[] };
-        let cam = results(cam, self, rules::cams::RULES);
-        let dots = results(dot_error::ROWS, self, rules::dots::RULES);
-        let readouts = line.chain(drives).chain(reel).chain(dots).chain(cam).collect();
-        Design { readouts, diagnostics: rules::findings(self) }
+        Design { readouts: readouts::readouts(self), diagnostics: rules::findings(self) }
     }
 
     fn summary(&self) -> Option<Message> {

@@ -5,9 +5,9 @@ use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
 use crate::drives::derating::Site;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::form::rows::{LineEnds, choice, flag, number, pause, text};
+use crate::machines::site;
 use crate::machines::spindle_encoder::{self, EncoderParams};
-use crate::machines::{shift, site};
 use crate::{member, options};
 
 /// The axis that pulls the ribbon.
@@ -521,7 +521,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .when(Params::is_length),
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
-    shift::pause("ribbon.group.job", member!(Params.pause)),
+    pause("ribbon.group.job", member!(Params.pause)),
     number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
         .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
     number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")

@@ -10,6 +10,7 @@ use super::scene::layout::Layout;
 use crate::controls::interface::SignalRole;
 use crate::controls::{AnalogOutput, Control, Dialect};
 use crate::drives::speed::Steps;
+use crate::drives::web;
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::machines::writing;
@@ -206,6 +207,16 @@ impl RibbonLine {
     pub(super) fn feed_max(&self) -> f64 {
         let limits = &self.control.limits;
         if self.in_step() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
+    }
+
+    /// Length (mm) of a dot along the ribbon.
+    pub(super) fn dot_length(&self) -> f64 {
+        web::mark_length(self.p.print.head_length, self.d.surface_ratio, self.p.contact_length)
+    }
+
+    /// Ribbon (mm) between two dots; negative where they run into each other.
+    pub(super) fn dot_gap(&self) -> f64 {
+        self.p.pitch - self.dot_length()
     }
 
     /// Variable of the override: the macro input, or the variable in which it is typed.

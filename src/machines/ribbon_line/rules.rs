@@ -10,7 +10,7 @@ pub(super) mod feeds;
 
 pub(super) mod drives;
 
-pub(super) mod cams;
+pub(super) mod cam;
 
 mod product;
 
@@ -20,12 +20,13 @@ pub(super) mod dots;
 
 pub(super) mod reel;
 
-use super::cams::has_no_time;
+use super::cam::has_no_time;
 use super::coasting;
 use super::contacts::CONTACTS;
 use super::program;
 use super::resolved::RibbonLine;
 use super::tension_switch;
+use crate::controls::ParamRole;
 use crate::machines::verdict::Rule;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade};
@@ -44,6 +45,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     ),
     Rule::new("x-motor-speed", feeds::motor_x, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
     Rule::new("y-motor-speed", feeds::motor_y, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
+    Rule::new("x-rapid-speed", feeds::rapid_x, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
+    Rule::new("y-rapid-speed", feeds::rapid_y, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
     Rule::new(
         "line-speed",
         feeds::clamped_line_speed,
@@ -87,6 +90,11 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
         slack::stiff_web,
         Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred),
     ),
+    Rule::new(
+        "dancer-trim",
+        feeds::trim,
+        Citation::new("sizing facts 2.6, engineering choice; rule 11", Grade::Inferred),
+    ),
     Rule::new("speed-error", feeds::stalls_at_load, Citation::new("sizing facts D6", Grade::Inferred)),
     Rule::new("speed-error-rated", feeds::stalls_when_rated, Citation::new("sizing facts D8", Grade::Inferred)),
     Rule::new("pi-drift", product::pi, Citation::new("sizing facts D21; rule 14", Grade::Inferred)),
@@ -116,6 +124,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
     Rule::new("knob-turn", slack::knob_turn, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("stop-room", tension_switch::stops_in_time, CONTACTS),
+    Rule::new("head-gap", product::head_gap, Citation::new("sizing facts 3.1", Grade::Inferred)),
+    Rule::new("dot-gap", product::dot_gap, Citation::new("sizing facts 3.2", Grade::Inferred)),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 
@@ -148,6 +158,14 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     }
     if line.rolls_in_diameters() {
         found.push(Diagnostic::error(msg!("ribbon.rolls-in-diameters")).about("endless"));
+    }
+    let constant = line.control.param(ParamRole::AxisTimeConstant).and_then(|row| row.range);
+    for (field, value) in [("time-constant-x", p.time_constant_x), ("time-constant-y", p.time_constant_y)] {
+        if let Some((least, most)) = constant.filter(|(low, high)| !(*low..=*high).contains(&value)) {
+            let message =
+                msg!("form.parameter-range", value = (value, 3), least = (least, 3), most = (most, 3), unit = "ms");
+            found.push(Diagnostic::error(message).about(field));
+        }
     }
     if p.no_load_speed < p.rated_load_speed {
         let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));

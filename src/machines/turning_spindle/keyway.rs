@@ -78,7 +78,7 @@ pub(super) fn devices(lathe: &TurningSpindle) -> Option<AskedDevice> {
     lathe.keyway().map(|_| AskedDevice { item: BillItem::DrivenTool, drive: None, asked })
 }
 
-/// Codes of the machine builder that the control itself has.
+/// Codes of the machine builder that have two functions, or that the control itself has.
 fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
     let all = [
@@ -89,8 +89,14 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     ];
     // Without a cut the program only locks and releases the spindle.
     let written = if lathe.keyway().is_some() { all.len() } else { 2 };
+    let in_use = || all.into_iter().take(written).filter(|(_, code)| *code > 0.0);
+    for (at, (field, code)) in in_use().enumerate() {
+        if in_use().take(at).any(|(_, before)| before == code) {
+            found.push(Diagnostic::error(msg!("turning.code-twice", code = (code, 0))).about(field));
+        }
+    }
     let has_bits = lathe.control.interface.iter().any(|row| matches!(row.role, SignalRole::MFunction(_)));
-    for (field, code) in all.into_iter().take(written).filter(|(_, code)| *code > 0.0) {
+    for (field, code) in in_use() {
         let code = code as u32;
         let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(code));
         // M99 ends a subprogram on every control, listed or not.

@@ -4,12 +4,12 @@ use crate::controls::Address;
 use crate::controls::{Code, Control};
 use crate::drives::inertia::STEEL;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, text};
+use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, pause, text};
 use crate::machines::main_spindle::{self, SpindleDrive};
 use crate::machines::materials::Material;
+use crate::machines::site;
 use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::machines::spindle_encoder::{self, EncoderParams};
-use crate::machines::{shift, site};
 use crate::{member, options};
 
 options! {
@@ -271,7 +271,7 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("kg/m³").range(1.0..=25000.0).default(STEEL).decimals(0).step(50.0).fact(),
     number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")
         .unit("mm").range(0.01..=1000.0).default(2.0).decimals(3).step(0.1).when(Params::is_facing),
-    shift::pause("turning.group.part", member!(Params.pause)),
+    pause("turning.group.part", member!(Params.pause)),
     number("depth", member!(Params.depth)).group("turning.group.cut").label("turning.depth").help("turning.depth.help").symbol("#106")
         .unit("mm").range(0.01..=100.0).default(1.0).decimals(3).step(0.1).essential(),
     choice("speed-mode", member!(Params.speed_mode: SpeedMode)).group("turning.group.cut").label("turning.speed-mode").help("turning.speed-mode.help")

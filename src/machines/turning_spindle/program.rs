@@ -250,7 +250,12 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
             let beside = size(lathe, v(STOCK) + v(ROOM) * 2);
             // The stock of a face stands out in front of it.
             let before = if lathe.p.path == Path::Facing { v(ROOM) + v(ALLOWANCE) } else { v(ROOM) };
-            writing::turret_has_room(b, place, (beside, before), 18, alarm_block(away_alarm(lathe)));
+            if lathe.p.tailstock {
+                // In front of the work is the tailstock.
+                b.if_goto(v(place.0).lt(beside), alarm_block(away_alarm(lathe)));
+            } else {
+                writing::turret_has_room(b, place, (beside, before), 18, alarm_block(away_alarm(lathe)));
+            }
         }
         None => {
             b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
@@ -315,6 +320,8 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
     let release = p.release_code as u32;
     if release > 0 {
         b.n(66).words([m(release)]).note("RELEASES THE SPINDLE");
+    } else if p.lock_code <= 0.0 {
+        b.n(66).words([m(0)]).note("RELEASE THE SPINDLE BY HAND");
     }
 }
 

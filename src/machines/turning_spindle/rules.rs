@@ -25,8 +25,8 @@ use crate::math;
 use crate::msg;
 use crate::text::catalog::number_text as show;
 use crate::text::{Citation, Diagnostic, Grade, Message};
-use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost};
+use crate::view::{Advice, FieldEntry};
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<TurningSpindle>] = &[
@@ -301,13 +301,18 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
         });
         return if d.power <= rated { at_knobs } else { overloaded(lathe, rated, at_knobs) };
     }
-    let slower = (p.cutting_speed * rated / d.power).floor();
+    let at_share =
+        |share: f64| lathe.with(Params { cutting_speed: lathe.form.cutting_speed * share, ..lathe.form.clone() });
+    let suffices = |slower: &TurningSpindle| slower.d.power <= slower.d.power_available;
+    // The speed limit may hold the work below the entered cutting speed: less of that changes nothing at first.
+    let share = greatest_share((1.0 / p.cutting_speed).min(1.0), |share| suffices(&at_share(share)));
+    let slower = share.map_or(0.0, |share| (p.cutting_speed * share).floor());
     // Friction keeps its power with less depth.
     let friction = spindle_motor::power(p.spindle.friction, d.speed_largest.max(d.speed_smallest));
     let part = (rated - friction) / (d.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
-    let turns_slower = d.speed_largest_cut * slower / p.cutting_speed;
-    let advice = match slower >= 1.0 && d.torque <= p.continuous(d.stage_speed).torque(turns_slower) {
+    let has_torque = |slower: &TurningSpindle| slower.d.torque <= slower.d.torque_available;
+    let advice = match slower >= 1.0 && has_torque(&at_share(slower / p.cutting_speed)) {
         true => {
             let set = down(FIELDS, "cutting-speed", slower);
             Advice::from(msg!(
@@ -362,7 +367,7 @@ fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
     let takes_tailstock = !p.tailstock && p.path != Path::Facing;
     if p.path != Path::Facing && value > p.depth {
         let advice = if takes_tailstock && bending::held(p) <= p.depth {
-            fit_tailstock(msg!("turning.work-gives-way", bending, depth, held))
+            fit_tailstock(p, msg!("turning.work-gives-way", bending, depth, held))
         } else {
             Advice::from(msg!("turning.held-work-gives-way", depth, held))
         };
@@ -373,16 +378,19 @@ fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
     match p.path {
         Path::Facing => warn(AtMost(NOTABLE), [shallower(msg!("turning.face-bends", bending))]),
         _ if takes_tailstock => {
-            let tailstock = fit_tailstock(msg!("turning.work-bends", bending, held));
+            let tailstock = fit_tailstock(p, msg!("turning.work-bends", bending, held));
             warn(AtMost(NOTABLE), [tailstock, shallower(msg!("turning.less-depth"))])
         }
         _ => warn(AtMost(NOTABLE), [shallower(msg!("turning.held-work-bends", bending))]),
     }
 }
 
-/// An advice to hold the end of the work by the tailstock.
-fn fit_tailstock(message: Message) -> Advice {
-    Advice::from(message).setting(msg!("advice.tailstock"), [("tailstock", "true".to_owned())])
+/// An advice to hold the end of the work by the tailstock, and to start where the turret turns clear of it.
+fn fit_tailstock(p: &Params, message: Message) -> Advice {
+    let beside = up(FIELDS, "start-x", turret::beside(p.stock_diameter, p.turret_room));
+    let start = (p.start_x < beside.value).then(|| FieldEntry::from(beside));
+    let entries: Vec<_> = core::iter::once(FieldEntry::new("tailstock", "true")).chain(start).collect();
+    Advice::from(message).setting(msg!("advice.tailstock"), entries)
 }
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
@@ -493,8 +501,11 @@ fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
     let keyway = lathe.keyway().map(|surface| surface - 2.0 * p.keyway_depth);
     let smallest = keyway.map_or(lathe.d.smallest, |bottom| lathe.d.smallest.min(bottom));
+    // The first passes of a taper end outside of the stock.
+    let outermost =
+        if p.path == Path::Taper { p.stock_diameter + (p.large_diameter - p.finished_diameter).abs() } else { 0.0 };
     let (cross, along) =
-        (0.5 * (p.start_x - smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
+        (0.5 * (p.start_x.max(outermost) - smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
     let along = along.max(if lathe.keyway().is_some() { p.start_z + p.keyway_start + p.keyway_length } else { 0.0 });
     for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
         if travel > 0.0 && needed > travel {
@@ -512,7 +523,7 @@ fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let rules = &lathe.control.spindle;
     let mut check = |field: &'static str, value: f64, unit: &'static str, range: Option<(f64, f64)>| {
         if let Some((low, high)) = range.filter(|(low, high)| !(*low..=*high).contains(&value)) {
-            let message = msg!("turning.parameter-range", value = (value, 3), least = (low, 3), most = (high, 3), unit);
+            let message = msg!("form.parameter-range", value = (value, 3), least = (low, 3), most = (high, 3), unit);
             found.push(Diagnostic::error(message).about(field));
         }
     };
@@ -577,7 +588,11 @@ fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
     }
     found.extend(falling_cone(p));
     let stock = (p.stock_diameter, if p.path == Path::Facing { p.allowance } else { 0.0 });
-    found.extend(turret::hits_work((p.start_x, p.start_z), stock, p.turret_room));
+    found.extend(if p.tailstock {
+        turret::hits_tailstock(p.start_x, p.stock_diameter, p.turret_room)
+    } else {
+        turret::hits_work((p.start_x, p.start_z), stock, p.turret_room)
+    });
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;
         found.push(
@@ -654,7 +669,7 @@ fn stage_behind_gap(p: &Params) -> Option<Diagnostic> {
 /// A lower limit above the speed that the cut asks at its largest diameter, with the cutting speed that it makes.
 fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
     let TurningSpindle { p, d, .. } = lathe;
-    let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit } else { 0.0 };
+    let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit.min(p.upper_limit) } else { 0.0 };
     let largest = d.largest.min(p.stock_diameter);
     let asked = surface_rpm(p.cutting_speed, largest);
     if lowest <= asked {

@@ -99,6 +99,17 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             )
         });
     }
+    if lathe.p.tailstock {
+        rows.push(Reaction {
+            cause: Some("turning.stops.let-go"),
+            ..row(
+                Interruption::InverterFault,
+                msg!("lathe.stops.axes-hold"),
+                msg!("turning.stops.let-go-work"),
+                msg!("turning.stops.let-go-mend"),
+            )
+        });
+    }
     if lathe.keyway().is_some() {
         rows.extend(in_keyway(lathe, sinks));
     }

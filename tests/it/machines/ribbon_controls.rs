@@ -420,10 +420,13 @@ fn lathe_parameter_sheets_match_their_goldens() {
             1006#3 | DIA | X | 1 |  | 1: words of the axis count diameters
             1420 |  | X | 20000 | mm/min | rapid traverse
             1420 |  | Z | 150000 | mm/min | rapid traverse
-            1422 |  | X | 20000 | mm/min | upper limit of the cutting feed
-            1422 |  | Z | 150000 | mm/min | upper limit of the cutting feed
+            1422 |  |  | 151328 | mm/min | upper limit of the cutting feed along the path
+            1430 |  | X | 20000 | mm/min | upper limit of the cutting feed of an axis
+            1430 |  | Z | 150000 | mm/min | upper limit of the cutting feed of an axis
             1610#0 | CTL | X | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
             1610#0 | CTL | Z | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
+            1620 |  | X | 100 | ms | time constant of acceleration, rapid traverse
+            1620 |  | Z | 100 | ms | time constant of acceleration, rapid traverse
             1622 |  | X | 100 | ms | time constant of acceleration, cutting feed
             1622 |  | Z | 100 | ms | time constant of acceleration, cutting feed
             1820 | CMR | X | 102 |  | command to detection units: 2 is 1, 102 is 1/2 (diameters)

@@ -19,13 +19,14 @@ const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 const TOLD: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),
+    ("ABOVE CLAMP", &["line-speed", "x-feed", "y-feed"]),
     ("BELOW A PITCH", &["length-error"]),
     ("NO WHOLE PITCHES", &["length-error"]),
     ("coordinates of this control end", &["range-time"]),
     ("THE WORK WOULD TURN TOO FAST", &["work-speed"]),
     ("THE TOOL WOULD TURN TOO FAST", &["tool-speed"]),
     // Controls without alarms for programs stop with a message.
-    ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time", "length-error"]),
+    ("waits for the operator", &["vector-feed", "feed-per-revolution", "line-speed", "block-time", "length-error"]),
     // The machine deviates from its commands.
     ("commanded speed", &["volts", "stage-speed", "speed-smallest", "lower-limit", "override"]),
     ("the control slows the whole block", &["feed-top", "feed-per-revolution"]),

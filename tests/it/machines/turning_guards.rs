@@ -216,7 +216,7 @@ fn parameters_of_the_sheet_are_in_the_control_s_range() {
     {
         assert_eq!(gsk(id, inside), [], "{id}");
         for typed in outside {
-            assert_eq!(gsk(id, typed), [(id, "turning.parameter-range")], "{id} at {typed}");
+            assert_eq!(gsk(id, typed), [(id, "form.parameter-range")], "{id} at {typed}");
         }
     }
 }

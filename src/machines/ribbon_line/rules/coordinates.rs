@@ -13,7 +13,7 @@ use crate::view::Limit::AtMost;
 use crate::view::{Advice, Verdict};
 
 /// A block with a word beyond the coordinate range of the control.
-pub(in super::super) fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
+pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
     let RibbonLine { p, d, .. } = line;
     let limits = &line.control.limits;
     let pitches = p.block_pitches().min(p.count());
@@ -41,7 +41,7 @@ fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
 }
 
 /// Seconds of running from zero to the end of the control's range: `range / (travel per pitch · pitches per second)`; 0 at standstill.
-pub(in super::super) fn range_time(line: &RibbonLine) -> f64 {
+pub(in crate::machines::ribbon_line) fn range_time(line: &RibbonLine) -> f64 {
     let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.d.dots_per_second);
     match speed > 0.0 {
         true => line.control.limits.coordinate_max / speed,
@@ -92,7 +92,7 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
 
 /// Both axes run one way for ever: the control stops with an alarm where one leaves its range. A product beyond it fails; else the
 /// coordinates have to be taken back in time.
-pub(in super::super) fn range(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judgement> {
     let max = line.control.limits.coordinate_max;
     let Some((axis, travel)) = farthest(line) else {
         let advice = msg!("ribbon.range-endless", parameters = roll_parameters(line), limit = max);
@@ -124,7 +124,7 @@ pub(in super::super) fn range(line: &RibbonLine) -> Option<Judgement> {
 
 /// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors, by the whole numbers of the scaling parameters; none
 /// if the control has no such numbers.
-pub(in super::super) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
+pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
     let feeds = [line.d.x_feed, line.d.y_feed];
     let drives = line.drives("");
     [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
@@ -151,10 +151,10 @@ fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
     warn(AtMost(limit), [advice])
 }
 
-pub(in super::super) fn scaling_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn scaling_x(line: &RibbonLine) -> Option<Judgement> {
     scaling(line, 0)
 }
 
-pub(in super::super) fn scaling_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn scaling_y(line: &RibbonLine) -> Option<Judgement> {
     scaling(line, 1)
 }

@@ -12,7 +12,7 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 /// The rule.
-pub(in super::super) const RULES: &[Rule<RibbonLine>] =
+pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] =
     &[Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred))];
 
 fn error(line: &RibbonLine) -> Option<Judgement> {

@@ -17,7 +17,7 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 /// All rules about the drives.
-pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
+pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-peak-torque", peak_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("y-peak-torque", peak_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("x-effective-torque", effective_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
@@ -36,7 +36,7 @@ pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
 const LOAD: f64 = 5.0;
 
 /// Limit with the knob at its highest position, scaled to its present position by the results there (`fast`) and here (`now`).
-pub(in super::super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
+pub(in crate::machines::ribbon_line) fn here(limit: f64, now: f64, fast: f64) -> f64 {
     if fast > 0.0 { limit * now / fast } else { limit }
 }
 

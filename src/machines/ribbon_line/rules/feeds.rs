@@ -4,17 +4,16 @@ use super::slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
-use crate::machines::ribbon_line::calculated_once::calculated_once;
-use crate::machines::ribbon_line::params::{FIELDS, PathMode, Variant};
+use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
+use crate::machines::verdict::{Judgement, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
-use crate::view::Limit::{AtLeast, AtMost};
+use crate::view::Limit::{AtLeast, AtMost, Within};
 
 /// F in mm/min beyond the control's range: the finding, and the remedies.
-pub(in super::super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
+pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
     let RibbonLine { p, d, .. } = line;
     let limits = &line.control.limits;
     let max = line.feed_max();
@@ -31,7 +30,7 @@ pub(in super::super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advi
 }
 
 /// Driven feed of a commanded one, mm/min.
-pub(in super::super) fn followed(line: &RibbonLine, feed: f64) -> f64 {
+pub(in crate::machines::ribbon_line) fn followed(line: &RibbonLine, feed: f64) -> f64 {
     feed * line.following(&line.d)
 }
 
@@ -50,7 +49,7 @@ fn share_of_feeds(line: &RibbonLine) -> f64 {
 
 /// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
 /// the control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's highest position.
-pub(in super::super) fn knob_holds(line: &RibbonLine) -> f64 {
+pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, fast, .. } = line;
     if fast.actual_speed <= 0.0 {
         return 0.0;
@@ -63,7 +62,7 @@ pub(in super::super) fn knob_holds(line: &RibbonLine) -> f64 {
 }
 
 /// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
-pub(in super::super) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
+pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
     let RibbonLine { p, d, fast, .. } = line;
     let mut sets = Vec::new();
     if d.asked_speed > speed {
@@ -80,7 +79,7 @@ pub(in super::super) fn with_speed(line: &RibbonLine, speed: f64, advice: Messag
     Advice::from(advice).setting(button, sets)
 }
 
-pub(in super::super) fn slower_advice(line: &RibbonLine) -> Advice {
+pub(in crate::machines::ribbon_line) fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
         speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
         speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0))),
@@ -102,12 +101,12 @@ fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement
     if feed > limit { fail(AtMost(limit), [slower_advice(line)]) } else { ok(AtMost(limit)) }
 }
 
-pub(in super::super) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(line.d.x_feed, line.p.clamp_x, line)
 }
 
 /// Judges the speed of the line by the axis that reaches its clamp first: beyond it the control slows both.
-pub(in super::super) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     if d.line_speed == 0.0 {
         return ok(None);
@@ -116,11 +115,11 @@ pub(in super::super) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgemen
     within_or_error(d.line_speed, clamped, line)
 }
 
-pub(in super::super) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
     within_or_error(line.d.y_feed, line.p.clamp_y, line)
 }
 
-pub(in super::super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
     if line.in_step() {
         return None;
     }
@@ -144,7 +143,7 @@ pub(in super::super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The control reads F per revolution in steps, which makes X run a little faster or slower than the unwinder, and up to a limit.
-pub(in super::super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { d, .. } = line;
     let limits = &line.control.limits;
     if !line.in_step() {
@@ -165,7 +164,12 @@ pub(in super::super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> 
 }
 
 /// The greatest speed counts over the whole range of the knob, the rated one where the knob is.
-pub(in super::super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn motor(
+    line: &RibbonLine,
+    speed: f64,
+    rated: f64,
+    max: f64,
+) -> Option<Judgement> {
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
         let slower = line.d.actual_speed * rated.min(max) / speed;
@@ -178,12 +182,66 @@ pub(in super::super) fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f6
     }
 }
 
-pub(in super::super) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
 }
 
-pub(in super::super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
+}
+
+/// Speed (r/min) of the motor of X, or of the print roller, at rapid traverse.
+pub(in crate::machines::ribbon_line) fn rapid_speeds(line: &RibbonLine) -> [f64; 2] {
+    let [x, y] = line.drives("").map(|drive| drive.travel());
+    [line.p.rapid_x / x, line.p.rapid_y / y]
+}
+
+/// Rapid traverse turns the print roller to its next head after a break, and both rollers by hand.
+fn rapid(speed: f64, most: f64, field: &'static str, rapid: f64) -> Option<Judgement> {
+    let limit = AtMost(most);
+    if limit.holds(speed) {
+        return ok(limit);
+    }
+    let set = down(FIELDS, field, rapid * most / speed);
+    let advice = Advice::from(msg!("ribbon.rapid-too-fast", speed = (speed, 0), limit = (most, 0)));
+    fail(limit, [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
+}
+
+pub(in crate::machines::ribbon_line) fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
+    rapid(rapid_speeds(line)[0], line.p.motor_max_x, "rapid-x", line.p.rapid_x)
+}
+
+pub(in crate::machines::ribbon_line) fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
+    rapid(rapid_speeds(line)[1], line.p.motor_max_y, "rapid-y", line.p.rapid_y)
+}
+
+/// Error (%) of the unwinder's speed at 10 V, which the regulator of a dancer has to make up for.
+pub(in crate::machines::ribbon_line) fn dancer_trim(line: &RibbonLine) -> f64 {
+    100.0 * line.p.induction().error(line.p.speed_at_10v)
+}
+
+/// Error (%) of a speed that the regulator of a dancer makes up for. Source: engineering choice.
+const TRIM: f64 = 10.0;
+
+/// Judges whether the regulator of the dancer can make up for the unwinder's error; the remedy is the frequency of the inverter at 10 V, at
+/// which the motor turns as fast as the control counts on. Its slip is the same at every frequency.
+pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgement> {
+    let (error, limit) = (dancer_trim(line), Within(TRIM));
+    if error.abs() <= TRIM {
+        return ok(limit);
+    }
+    let (p, motor) = (&line.p, line.p.induction());
+    let speeds = ((p.speed_at_10v, 0), (motor.speed(p.speed_at_10v).max(0.0), 0));
+    let no_load = p.speed_at_10v + motor.slip();
+    let entries = [
+        near(FIELDS, "no-load-speed", no_load),
+        near(FIELDS, "rated-load-speed", no_load - (p.no_load_speed - p.rated_load_speed)),
+        near(FIELDS, "frequency-at-10v", p.frequency_at_10v * no_load / p.no_load_speed),
+    ];
+    let frequency = entries[2].text.clone();
+    let advice =
+        Advice::from(msg!("ribbon.dancer-cannot-trim", error = (error, 1), speed = speeds.0, turns = speeds.1));
+    fail(limit, [advice.setting(msg!("advice.set-frequency", frequency = frequency.as_str()), entries)])
 }
 
 /// Slip of the motor at a load (part of the rated torque) and its speed, as a sentence has them.
@@ -192,7 +250,7 @@ fn slip(line: &RibbonLine, load: f64) -> [(f64, u8); 2] {
 }
 
 /// A motor that slips by its whole speed at the load of the form stands.
-pub(in super::super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
     if line.d.speed_error > -1.0 {
         return None;
     }
@@ -201,7 +259,7 @@ pub(in super::super) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The same at rated torque, which the load of the form is below.
-pub(in super::super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
     if line.d.speed_error_rated > -1.0 {
         return None;
     }
@@ -212,7 +270,7 @@ pub(in super::super) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement
 /// Judges the time of a block against the time that the control needs for it, over the whole range of the knob: the limit of the present
 /// block is longer by the share that the knob may take from it. The driven block is compared, so the limit of the commanded one is also
 /// longer if the unwinder is fast.
-pub(in super::super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, fast, .. } = line;
     let (needed, turned) = (d.block_needed * 1000.0, d.block_needed_turned * 1000.0);
     if d.block_time.is_infinite() {
@@ -256,17 +314,25 @@ pub(in super::super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
         }
     };
     let mut advice = vec![advice];
-    advice.extend(calculated_once(p, |needed| here(needed).holds(block)));
+    advice.extend(precomputed_in_time(p, |needed| here(needed).holds(block)));
     if steady { warn(here(turned), advice) } else { fail(here(needed), advice) }
 }
 
+/// An advice to calculate the published listing before its loop, if its passes then take no longer than the control has time for.
+fn precomputed_in_time(p: &Params, in_time: impl Fn(f64) -> bool) -> Option<Advice> {
+    let needed = Params { variant: Variant::Precomputed, ..p.clone() }.pass_needed() * 1000.0;
+    let advice = Advice::from(msg!("ribbon.precomputed-in-time", needed = (needed, 1)));
+    (p.variant == Variant::Published && in_time(needed))
+        .then(|| advice.setting(msg!("advice.precomputed"), [("variant", "precomputed")]))
+}
+
 /// Volts of the analog output; where the speed is beyond the clamp or the output, those that it would take, `10 n / n10`.
-pub(in super::super) fn volts(line: &RibbonLine) -> f64 {
+pub(in crate::machines::ribbon_line) fn volts(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, .. } = line;
     if d.asked_speed > d.top_speed { 10.0 * d.asked_speed / p.speed_at_10v } else { d.volts }
 }
 
-pub(in super::super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(d.top_volts);
     if d.asked_speed > d.top_speed {
@@ -293,7 +359,7 @@ pub(in super::super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
 /// Frequency (Hz) below which a motor on V/f loses torque and accuracy. Source: from memory.
 const LEAST_FREQUENCY: f64 = 5.0;
 
-pub(in super::super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let (d, limit) = (&line.d, AtLeast(LEAST_FREQUENCY));
     if d.frequency < LEAST_FREQUENCY && d.actual_speed > 0.0 {
         warn(limit, [msg!("ribbon.low-frequency", frequency = (d.frequency, 2)).into()])

@@ -1,13 +1,13 @@
 //! Rules about the product: surface speeds, smear, length, drift of the dots, steps of the axes.
 
-use super::cams;
+use super::cam;
 use crate::drives::web;
 use crate::machines::ribbon_line::params::{FIELDS, PiForm, Rest};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::Message;
-use crate::view::Limit::{AtMost, Equal, Within};
+use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
 use crate::view::{Advice, FieldEntry, Verdict};
 
 /// OK up to the allowed smear, a warning up to four times it, a failure beyond.
@@ -25,7 +25,7 @@ fn slip(line: &RibbonLine) -> Verdict {
 /// Difference of surface ratio and 1 beyond which roller and ribbon do not match, however short the contact is. Source: sizing facts 3.4.
 const MATCH_TOLERANCE: f64 = 0.025;
 
-pub(in super::super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let slips = slip(line);
     let verdict = if (d.surface_ratio - 1.0).abs() > MATCH_TOLERANCE { slips.max(Verdict::Warn) } else { slips };
@@ -74,17 +74,17 @@ pub(in super::super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
             .into_iter()
             .chain([Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
                 .setting(msg!("advice.set-pitch", pitch = pitch.text.as_str()), [pitch])])
-            .chain(cams::advice(line).map(Advice::from))
+            .chain(cam::advice(line).map(Advice::from))
             .collect()
     };
     Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })
 }
 
-pub(in super::super) fn smear(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn smear(line: &RibbonLine) -> Option<Judgement> {
     Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.p.smear_limit)), advice: Vec::new() })
 }
 
-pub(in super::super) fn pi(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn pi(line: &RibbonLine) -> Option<Judgement> {
     match line.p.pi {
         PiForm::Exact => ok(None),
         PiForm::Short => {
@@ -98,7 +98,7 @@ pub(in super::super) fn pi(line: &RibbonLine) -> Option<Judgement> {
 /// Error of the ribbon's speed (%) that counts as none.
 const THICKNESS: f64 = 0.05;
 
-pub(in super::super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(THICKNESS);
     if d.thickness_error <= THICKNESS {
@@ -122,16 +122,16 @@ fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static st
     warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.text.as_str()), [set])])
 }
 
-pub(in super::super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
     resolution(line, line.d.x_resolution, ("encoder-resolution-x", line.p.encoder_x))
 }
 
-pub(in super::super) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
     resolution(line, line.d.y_resolution, ("encoder-resolution-y", line.p.encoder_y))
 }
 
 /// Judges a wanted length against the length that the program makes by the rule for its rest.
-pub(in super::super) fn length(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.p;
     if !p.is_length(line.control) {
         return None;
@@ -156,7 +156,40 @@ pub(in super::super) fn length(line: &RibbonLine) -> Option<Judgement> {
     }
 }
 
-pub(in super::super) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
+/// A shorter print head, where the form takes one this short (mm).
+fn with_head(advice: Message, longest: f64) -> Advice {
+    let set = down(FIELDS, "head-length", longest);
+    let advice = Advice::from(advice);
+    if set.value > longest {
+        advice
+    } else {
+        advice.setting(msg!("advice.set-head-length", length = set.text.as_str()), [set])
+    }
+}
+
+/// Judges the room between two heads on the print roller.
+pub(in crate::machines::ribbon_line) fn head_gap(line: &RibbonLine) -> Option<Judgement> {
+    let (p, limit) = (&line.p, AtLeast(0.0));
+    if p.head_gap() >= 0.0 {
+        return ok(limit);
+    }
+    let room = p.head_gap() + p.print.head_length;
+    let advice = msg!("ribbon.heads-do-not-fit", length = (p.print.head_length, 3), room = (room, 3));
+    fail(limit, [with_head(advice, room)])
+}
+
+/// Judges the ribbon left between two dots. The slip lengthens a dot whatever the length of its head.
+pub(in crate::machines::ribbon_line) fn dot_gap(line: &RibbonLine) -> Option<Judgement> {
+    let (p, limit) = (&line.p, AtLeast(0.0));
+    if line.dot_gap() >= 0.0 {
+        return ok(limit);
+    }
+    let length = p.pitch - line.dot_gap();
+    let advice = msg!("ribbon.dots-touch", length = (length, 3), pitch = (p.pitch, 3));
+    fail(limit, [with_head(advice, (p.pitch - line.d.smear) * line.d.surface_ratio)])
+}
+
+pub(in crate::machines::ribbon_line) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
     let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.d.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })

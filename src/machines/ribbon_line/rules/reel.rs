@@ -1,14 +1,12 @@
-//! The results about the supply reel with their rules: ribbon on it, and the demand of start and stop on ribbon and brake while its diameter changes.
+//! The rules of the supply reel: ribbon on it, its pull at a start, its brake at a stop.
 
-use crate::drives::inertia::CM2;
 use crate::drives::reel;
 use crate::machines::ribbon_line::contacts::left_at_reel_end;
-use crate::machines::ribbon_line::mechanics::{unwinder_load, unwinder_torque};
-use crate::machines::ribbon_line::params::{FIELDS, Params};
-use crate::machines::ribbon_line::reel::{ramp_acceleration, wound};
+use crate::machines::ribbon_line::params::FIELDS;
+use crate::machines::ribbon_line::reel::wound;
+use crate::machines::ribbon_line::reel_demand::{coasting_acceleration, coasting_pull, products, ramp_pull};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
-use crate::math::RPM;
+use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Advice;
@@ -16,94 +14,13 @@ use crate::view::Limit::{AtLeast, AtMost};
 
 const FACTS: Citation = Citation::new("sizing facts 2.9", Grade::Inferred);
 
-/// Rows in the order they are shown.
-#[rustfmt::skip]
-pub(in super::super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
-    ReadoutRow {
-        id: "reel-length", label: "ribbon.readout.reel-length", unit: "m", decimals: 2,
-        formula: "π · (D² - d²) / (4 · thickness)", cite: FACTS, value: |line| wound(&line.p).length(), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-time", label: "ribbon.readout.reel-time", unit: "s", decimals: 1,
-        formula: "length / line speed", cite: FACTS, value: time, ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-products", label: "ribbon.readout.reel-products", unit: "", decimals: 0,
-        formula: "whole products in the length, less what the stop at the reel’s end takes", cite: FACTS, value: products, ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-inertia-full", label: "ribbon.readout.reel-inertia-full", unit: "kg cm²", decimals: 2,
-        formula: "m (D² + d²) / 8 + core", cite: FACTS,
-        value: |line| wound(&line.p).inertia(wound(&line.p).full) / CM2, ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-inertia-empty", label: "ribbon.readout.reel-inertia-empty", unit: "kg cm²", decimals: 2,
-        formula: "core", cite: FACTS, value: |line| wound(&line.p).inertia(wound(&line.p).core) / CM2, ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-speed-empty", label: "ribbon.readout.reel-speed-empty", unit: "r/min", decimals: 1,
-        formula: "line speed / (π · d)", cite: FACTS,
-        value: |line| reel::speed(wound(&line.p).core, line.d.line_speed / 60e3) / RPM, ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-brake-torque-full", label: "ribbon.readout.reel-brake-torque-full", unit: "Nm", decimals: 3,
-        formula: "brake · D / 2", cite: FACTS,
-        value: |line| reel::torque(wound(&line.p).full, line.p.unwinding.brake), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-brake-torque-empty", label: "ribbon.readout.reel-brake-torque-empty", unit: "Nm", decimals: 3,
-        formula: "brake · d / 2", cite: FACTS,
-        value: |line| reel::torque(wound(&line.p).core, line.p.unwinding.brake), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-pull", label: "ribbon.readout.reel-pull", unit: "N", decimals: 2,
-        formula: "brake + J · α / r over the inverter’s ramp, of the full reel or at the core, whichever is more", cite: FACTS,
-        value: |line| line.p.unwinding.brake + ramp_pull(&line.p), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "reel-brake-needed", label: "ribbon.readout.reel-brake-needed", unit: "N", decimals: 2,
-        formula: "J · α / r of the fastest stop, over the ramp or without current, of the full reel or at the core, whichever is more", cite: FACTS,
-        value: |line| ramp_pull(&line.p).max(coasting_pull(line)), ..ReadoutRow::BASE
-    },
-];
-
 /// All rules about the reel.
-pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
+pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("reel-products", lasts, Citation::new("sizing facts 2.9, engineering choice", Grade::Inferred)),
     Rule::new("reel-pull", pull, Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred)),
     Rule::new("reel-brake-needed", holds, FACTS),
     Rule::new("reel-brake-torque-full", follows_diameter, FACTS),
 ];
-
-/// Deceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: the torque that brakes
-/// its motor over the inertia of all rotating parts, the same at every speed. Source: sizing facts 2.2.
-fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
-    let torque = unwinder_torque(p, brake) + p.unwinding.motor_brake;
-    torque / unwinder_load(p, 0.0).inertia / p.reduction_ratio * p.press_roller_diameter / 2e3
-}
-
-/// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
-fn time(line: &RibbonLine) -> f64 {
-    let length = wound(&line.p).length();
-    if length > 0.0 { 60e3 * length / line.d.line_speed } else { 0.0 }
-}
-
-/// Whole products that a reel makes until its sensor holds the program.
-fn products(line: &RibbonLine) -> f64 {
-    ((1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product_length).floor()
-}
-
-/// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.
-fn ramp_pull(p: &Params) -> f64 {
-    let reel = wound(p);
-    reel.pull(reel.worst(), ramp_acceleration(p))
-}
-
-/// Pull (N) of the reel while the unwinder coasts without current: the deceleration is the same from every speed.
-fn coasting_pull(line: &RibbonLine) -> f64 {
-    let reel = wound(&line.p);
-    reel.pull(reel.worst(), coasting_acceleration(&line.p, line.p.unwinding.brake))
-}
 
 /// Judges whether a full reel holds at least one product; the advice is the smallest reel that does, if the form accepts it.
 fn lasts(line: &RibbonLine) -> Option<Judgement> {

@@ -15,7 +15,7 @@ use crate::view::FieldEntry;
 use crate::view::Limit::{AtMost, Equal, Within};
 
 /// Entries that give both axes the greater time constant and the lower gain.
-pub(in super::super) fn equal_entries(p: &Params) -> Vec<NumberEntry> {
+pub(in crate::machines::ribbon_line) fn equal_entries(p: &Params) -> Vec<NumberEntry> {
     let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
     let mut sets = Vec::new();
     for (id, value, same) in [
@@ -32,7 +32,7 @@ pub(in super::super) fn equal_entries(p: &Params) -> Vec<NumberEntry> {
 }
 
 /// Both axes with the greater time constant and the lower gain.
-pub(in super::super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let sets = equal_entries(p);
     let mut advice = Vec::new();
@@ -71,15 +71,15 @@ fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
 }
 
 /// The results at that position of the knob at which a product may lay most ribbon into the loop.
-pub(in super::super) fn worst_loop(line: &RibbonLine) -> &Derived {
+pub(in crate::machines::ribbon_line) fn worst_loop(line: &RibbonLine) -> &Derived {
     line.worst(|d| d.loop_needed)
 }
 
 /// Longest loop (mm) that an advice offers: hanging free it is half as deep. Engineering choice.
-pub(in super::super) const LONGEST_LOOP: f64 = 5000.0;
+pub(in crate::machines::ribbon_line) const LONGEST_LOOP: f64 = 5000.0;
 
 /// A change of the form that an advice offers.
-pub(in super::super) struct FormChange {
+pub(in crate::machines::ribbon_line) struct FormChange {
     /// Words of the button that makes it.
     button: Message,
     /// Entries of the form.
@@ -102,7 +102,7 @@ fn longer_loop(needed: f64) -> FormChange {
 }
 
 /// An advice with further changes after which a product lays `needed` mm, and the loop for it; without a button where no such loop is built.
-pub(in super::super) fn with_loop(advice: Advice, needed: f64, changes: Vec<FormChange>) -> Advice {
+pub(in crate::machines::ribbon_line) fn with_loop(advice: Advice, needed: f64, changes: Vec<FormChange>) -> Advice {
     if needed > LONGEST_LOOP {
         return advice;
     }
@@ -110,7 +110,7 @@ pub(in super::super) fn with_loop(advice: Advice, needed: f64, changes: Vec<Form
 }
 
 /// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity, over the range of the knob.
-pub(in super::super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     let (p, d) = (&line.p, worst_loop(line));
     let limit = AtMost(p.loop_capacity);
     if d.loop_needed <= p.loop_capacity {
@@ -209,12 +209,12 @@ fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
 }
 
 /// Lowest position (%) of the knob between which and its highest it may be turned at once, in both directions.
-pub(in super::super) fn lowest_turn(line: &RibbonLine) -> f64 {
+pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
     lowest_turns(line).map_or(0.0, |turns| turns.up.max(turns.down))
 }
 
 /// Judges a turn of the knob between the lowest position in common use and its highest.
-pub(in super::super) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     let (p, highest) = (&line.p, line.highest_knob_percent());
     // A knob that ends below is no wider.
     let low = LOW_KNOB.min(highest);
@@ -315,26 +315,26 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// An advice to fit a dancer.
-pub(in super::super) fn with_dancer(advice: Message) -> Advice {
+pub(in crate::machines::ribbon_line) fn with_dancer(advice: Message) -> Advice {
     Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true")])
 }
 
-pub(in super::super) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
     drift(line.d.slack_rate, line)
 }
 
-pub(in super::super) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
     drift(line.d.slack_rate_rated, line)
 }
 
 /// Slack rate (mm/min) with the knob at its worse extreme position, where the knob turns the unwinder and the axes stay; else 0:
 /// `K · (n_knob - n)`.
-pub(in super::super) fn knob_slack(line: &RibbonLine) -> f64 {
+pub(in crate::machines::ribbon_line) fn knob_slack(line: &RibbonLine) -> f64 {
     worst_knob(line).map_or(0.0, |knob| knob.slack_rate)
 }
 
 /// A position of a knob that turns the unwinder while the axes stay.
-pub(in super::super) struct KnobPosition {
+pub(in crate::machines::ribbon_line) struct KnobPosition {
     /// The position, %.
     percent: f64,
     /// Speed of the unwinder there, r/min.
@@ -344,7 +344,7 @@ pub(in super::super) struct KnobPosition {
 }
 
 /// The worse extreme position of such a knob; none if the axes follow it, or if nothing turns.
-pub(in super::super) fn worst_knob(line: &RibbonLine) -> Option<KnobPosition> {
+pub(in crate::machines::ribbon_line) fn worst_knob(line: &RibbonLine) -> Option<KnobPosition> {
     let RibbonLine { p, d, .. } = line;
     if !p.knob_turns_alone() || d.actual_speed <= 0.0 {
         return None;
@@ -358,7 +358,7 @@ pub(in super::super) fn worst_knob(line: &RibbonLine) -> Option<KnobPosition> {
 }
 
 /// A knob that the axes do not follow fails: lock it, or let the axes follow the measured speed.
-pub(in super::super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     let limit = Within(DRIFT);
     let Some(knob) = worst_knob(line).filter(|knob| knob.slack_rate.abs() > DRIFT) else {
         return ok(limit);
@@ -381,7 +381,7 @@ pub(in super::super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> 
 
 /// Judges the tension of a tight ribbon over the range of the knob against that at which the switch holds the program: by the draw while the
 /// line runs, and by the ribbon that is missing after a start.
-pub(in super::super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.p;
     let most = TensionSwitch::new(line).tension;
     let limit = AtMost(most);
@@ -408,12 +408,12 @@ pub(in super::super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// Whether the draw pulls the ribbon tauter than a start that misses ribbon.
-pub(in super::super) fn is_drawn_taut(line: &RibbonLine) -> bool {
+pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool {
     line.worst(|d| d.draw_tension).drawn(&line.p) > line.worst(|d| d.start_tension).start_tension
 }
 
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
-pub(in super::super) fn advice_against_taut(line: &RibbonLine, message: Message) -> Advice {
+pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, message: Message) -> Advice {
     if is_drawn_taut(line) {
         return with_dancer(message);
     }
@@ -423,7 +423,7 @@ pub(in super::super) fn advice_against_taut(line: &RibbonLine, message: Message)
 }
 
 /// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
-pub(in super::super) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     if p.path_mode != PathMode::ExactStop || d.cycles_per_minute <= 100.0 {
         return None;

@@ -1,8 +1,7 @@
 //! The results about the ribbon line's drives as rows: label, unit, formula, source.
 
-use super::resolved::RibbonLine;
 use crate::drives::inertia::{self, CM2};
-use crate::drives::web;
+use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
@@ -108,7 +107,17 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         id: "dot-length", label: "ribbon.readout.dot-length", unit: "mm", decimals: 3,
         formula: "l / r + |1 - 1/r| · c",
         cite: Citation::new("sizing facts 3.2", Grade::Inferred),
-        value: |line| web::mark_length(line.p.print.head_length, line.d.surface_ratio, line.p.contact_length), ..ReadoutRow::BASE
+        value: RibbonLine::dot_length, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "dot-gap", label: "ribbon.readout.dot-gap", unit: "mm", decimals: 3,
+        formula: "#107 - length of a dot",
+        cite: Citation::new("sizing facts 3.2", Grade::Inferred), value: RibbonLine::dot_gap, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "head-gap", label: "ribbon.readout.head-gap", unit: "mm", decimals: 3,
+        formula: "π · #111 / #109 - l",
+        cite: Citation::new("sizing facts 3.1", Grade::Inferred), value: |line| line.p.head_gap(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "unwinder-torque", label: "ribbon.readout.unwinder-torque", unit: "Nm", decimals: 4,

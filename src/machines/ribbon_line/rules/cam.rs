@@ -5,7 +5,7 @@
 use super::drives::here;
 use super::feeds;
 use crate::drives::cam::Law;
-use crate::machines::ribbon_line::cams::{self, Cam};
+use crate::machines::ribbon_line::cam::{self, Cam};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
@@ -14,7 +14,7 @@ use crate::view::Limit::{AtLeast, AtMost};
 use crate::view::{Advice, Verdict};
 
 /// All rules about the cam.
-pub(in super::super) const RULES: &[Rule<RibbonLine>] = &[
+pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("cam-peak-speed", not_written, Citation::new("sizing facts 3.5", Grade::Inferred)),
     Rule::new("cam-motor-speed", motor, Citation::new("data sheet of the motor", Grade::Inferred)),
     Rule::new("cam-peak-torque", peak, Citation::new("sizing facts 2.3", Grade::Inferred)),
@@ -30,8 +30,8 @@ const CRAWL: f64 = 1e-3;
 
 /// Advice to use a cam for rollers that do not match, with its demand on the print motor; none if no ribbon speed is slow enough, or only
 /// one below `CRAWL`.
-pub(in super::super) fn advice(line: &RibbonLine) -> Option<Message> {
-    let Some((_, fast)) = cams::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
+pub(in crate::machines::ribbon_line) fn advice(line: &RibbonLine) -> Option<Message> {
+    let Some((_, fast)) = cam::by(line, Law::ModifiedSine) else { return Some(msg!("ribbon.match-cam-no-time")) };
     let peak = (fast.start_torque(), 2);
     let speed = fast.speed_by_start().min(fast.speed_by_heat());
     let effective = (fast.effective_torque(), 2);
@@ -48,12 +48,12 @@ pub(in super::super) fn advice(line: &RibbonLine) -> Option<Message> {
 }
 
 fn not_written(line: &RibbonLine) -> Option<Judgement> {
-    cams::chosen(line)?;
+    cam::chosen(line)?;
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![msg!("ribbon.cam-not-written").into()] })
 }
 
 fn motor(line: &RibbonLine) -> Option<Judgement> {
-    let (now, _) = cams::chosen(line)?;
+    let (now, _) = cam::chosen(line)?;
     feeds::motor(line, now.motor_speed(), line.p.motor_rated_y, line.p.motor_max_y)
 }
 
@@ -69,23 +69,23 @@ fn torque(line: &RibbonLine, (now, fast): (f64, f64), most: f64, speed: f64) -> 
 }
 
 fn peak(line: &RibbonLine) -> Option<Judgement> {
-    let (now, fast) = cams::chosen(line)?;
+    let (now, fast) = cam::chosen(line)?;
     torque(line, (now.peak_torque(), fast.peak_torque()), fast.torque_limit(), fast.speed_by_peak())
 }
 
 fn start(line: &RibbonLine) -> Option<Judgement> {
-    let (now, fast) = cams::chosen(line)?;
+    let (now, fast) = cam::chosen(line)?;
     torque(line, (now.start_torque(), fast.start_torque()), fast.torque_limit(), fast.speed_by_start())
 }
 
 fn effective(line: &RibbonLine) -> Option<Judgement> {
-    let (now, fast) = cams::chosen(line)?;
+    let (now, fast) = cam::chosen(line)?;
     let torques = (now.effective_torque(), fast.effective_torque());
     torque(line, torques, fast.effective_torque_limit(), fast.speed_by_heat())
 }
 
 fn lag(line: &RibbonLine) -> Option<Judgement> {
-    let (now, _) = cams::chosen(line)?;
+    let (now, _) = cam::chosen(line)?;
     let limit = AtLeast((-now.travel()).max(0.0));
     if limit.holds(now.longest_lag()) {
         return ok(limit);
@@ -98,7 +98,7 @@ fn lag(line: &RibbonLine) -> Option<Judgement> {
 
 /// Time of a short block against the time that the control needs for a block with a macro statement for its end point and F.
 fn block_time(line: &RibbonLine) -> Option<Judgement> {
-    let (now, fast): (Cam, Cam) = cams::chosen(line)?;
+    let (now, fast): (Cam, Cam) = cam::chosen(line)?;
     let (lasts, needed) = (fast.block_time(), line.p.block_time + line.p.macro_time);
     if lasts.is_infinite() {
         return ok(AtLeast(needed));
@@ -113,7 +113,7 @@ fn block_time(line: &RibbonLine) -> Option<Judgement> {
 
 /// Smear that ramp and lag of the axis leave of a correction by short blocks.
 fn smear(line: &RibbonLine) -> Option<Judgement> {
-    let (now, fast) = cams::chosen(line)?;
+    let (now, fast) = cam::chosen(line)?;
     let limit = AtMost(here(line.p.smear_limit, now.smear_of_blocks(), fast.smear_of_blocks()));
     if limit.holds(now.smear_of_blocks()) {
         return ok(limit);

@@ -8,9 +8,7 @@ use super::params::{CamLaw, Params};
 use super::resolved::RibbonLine;
 use crate::drives::block;
 use crate::drives::cam::{Coefficients, Correction, Law};
-use crate::machines::verdict::ReadoutRow;
 use crate::math::{self, PI, RPM};
-use crate::text::{Citation, Grade};
 
 /// Halvings of a speed: to the last digit of a double.
 const HALVINGS: u32 = 60;
@@ -60,7 +58,7 @@ pub(super) fn has_no_time(line: &RibbonLine) -> bool {
 }
 
 /// A figure of the chosen cam now.
-fn now(line: &RibbonLine, figure: fn(&Cam) -> f64) -> f64 {
+pub(super) fn now(line: &RibbonLine, figure: fn(&Cam) -> f64) -> f64 {
     chosen(line).map_or(0.0, |(now, _)| figure(&now))
 }
 
@@ -189,6 +187,16 @@ impl Cam {
         1e3 * self.correction.travel()
     }
 
+    /// Peak surface speed of the correction, mm/min.
+    pub(super) fn peak_correction(&self) -> f64 {
+        60e3 * self.correction.peak_speed(self.law)
+    }
+
+    /// Peak acceleration of the roller's surface, m/s².
+    pub(super) fn peak_acceleration(&self) -> f64 {
+        self.correction.peak_acceleration(self.law)
+    }
+
     /// Most that the arc may be shorter than the pitch without the roller turning back, mm. Source: checked as E6.
     pub(super) fn longest_lag(&self) -> f64 {
         1e3 * self.correction.longest_lag(self.law)
@@ -221,69 +229,3 @@ impl Cam {
         (1.0 - self.followed()) * self.smear
     }
 }
-
-/// Source of the formulas.
-const CAM: Citation = Citation::new("sizing facts 3.3", Grade::Inferred);
-
-/// Source of the rules of short blocks.
-const BLOCKS: Citation = Citation::new("sizing facts 3.5", Grade::Inferred);
-
-/// Rows in the order they are shown, after the rows of the drives; only if a law is chosen.
-#[rustfmt::skip]
-pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
-    ReadoutRow {
-        id: "cam-travel", label: "ribbon.readout.cam-travel", unit: "mm", decimals: 4,
-        formula: "h = π · #111 / #109 - #107", cite: CAM, value: |line| now(line, Cam::travel), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-peak-speed", label: "ribbon.readout.cam-peak-speed", unit: "mm/min", decimals: 1,
-        formula: "v + Cv · h / T, T = (#107 - c) / v", cite: CAM,
-        value: |line| now(line, |cam| 60e3 * cam.correction.peak_speed(cam.law)), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-peak-acceleration", label: "ribbon.readout.cam-peak-acceleration", unit: "m/s²", decimals: 3,
-        formula: "Ca · |h| / T²", cite: CAM,
-        value: |line| now(line, |cam| cam.correction.peak_acceleration(cam.law)), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-motor-speed", label: "ribbon.readout.cam-motor-speed", unit: "r/min", decimals: 1,
-        formula: "max(v, |v + Cv · h / T|) / (π · #111) · iy", cite: CAM, value: |line| now(line, Cam::motor_speed), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-peak-torque", label: "ribbon.readout.cam-peak-torque", unit: "Nm", decimals: 3,
-        formula: "(JL / η + JM) · a · iy / R + load torque", cite: CAM, value: |line| now(line, Cam::peak_torque), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-start-torque", label: "ribbon.readout.cam-start-torque", unit: "Nm", decimals: 3,
-        formula: "(JL / η + JM) · (a + v max / τ) · iy / R + load torque", cite: CAM, value: |line| now(line, Cam::start_torque), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-effective-torque", label: "ribbon.readout.cam-effective-torque", unit: "Nm", decimals: 3,
-        formula: "SQRT[((JL / η + JM) · a eff · iy / R)² + load torque²]", cite: CAM, value: |line| now(line, Cam::effective_torque), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-longest-lag", label: "ribbon.readout.cam-longest-lag", unit: "mm", decimals: 3,
-        formula: "(#107 - c) / Cv", cite: CAM, value: |line| now(line, Cam::longest_lag), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-speed-by-peak", label: "ribbon.readout.cam-speed-by-peak", unit: "mm/min", decimals: 0,
-        formula: "(#107 - c) · SQRT[a / (Ca · |h|)], a of the peak torque allowed", cite: CAM, value: |line| now(line, Cam::speed_by_peak), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-speed-by-heat", label: "ribbon.readout.cam-speed-by-heat", unit: "mm/min", decimals: 0,
-        formula: "the same with the effective torque allowed", cite: CAM, value: |line| now(line, Cam::speed_by_heat), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-blocks", label: "ribbon.readout.cam-blocks", unit: "", decimals: 0,
-        formula: "SQRT[Ca · |h| / (8 · tolerance of a dot)], rounded up", cite: BLOCKS, value: |line| now(line, Cam::blocks), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-block-time", label: "ribbon.readout.cam-block-time", unit: "ms", decimals: 3,
-        formula: "T / blocks", cite: BLOCKS, value: |line| now(line, Cam::block_time), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "cam-blocks-smear", label: "ribbon.readout.cam-blocks-smear", unit: "mm", decimals: 3,
-        formula: "smear · (1 - |sin x| / x · K / SQRT[K² + ω²]), x = ω τ / 2, ω = 2π · v / #107", cite: BLOCKS,
-        value: |line| now(line, Cam::smear_of_blocks), ..ReadoutRow::BASE
-    },
-];

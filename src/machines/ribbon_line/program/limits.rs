@@ -1,0 +1,61 @@
+//! Checks of F and of the axes against their limits, and the alarms of these checks.
+
+use super::blocks::codes;
+use super::formulas::feed;
+use crate::controls::Code;
+use crate::machines::ribbon_line::resolved::RibbonLine;
+use crate::machines::ribbon_line::variables::{FEED_LIMIT, LINE_SPEED, PITCH, STROKE};
+use crate::machines::writing::{self, alarm_block};
+use crate::nc::build::{Builder, real, v};
+
+/// Number of the alarm of an F above the limit.
+pub(super) const FEED_ALARM: u32 = 20;
+
+/// Numbers of the alarms of an axis above its clamp: the pull axis, the print roller.
+pub(super) const CLAMP_ALARMS: [u32; 2] = [24, 25];
+
+/// Jumps to the alarm of an F above the limit.
+pub(super) fn feed_guard(b: &mut Builder, line: &RibbonLine, number: u32) {
+    b.n(number).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(FEED_ALARM));
+}
+
+/// Jumps to one of two blocks where the control would slow both axes, and the unwinder not: where the pull axis or the print roller is above
+/// the clamp of its feed.
+pub(super) fn clamp_guards(b: &mut Builder, line: &RibbonLine, [of_pull, of_print]: [u32; 2]) {
+    let [clamp_x, clamp_y] = [line.p.clamp_x, line.p.clamp_y].map(|clamp| real(clamp, 3));
+    b.if_goto(v(LINE_SPEED).gt(clamp_x), of_pull);
+    b.if_goto((v(LINE_SPEED) * v(STROKE)).gt(v(PITCH) * clamp_y), of_print);
+}
+
+/// Jumps to the alarms of an F or an axis above its limit.
+pub(super) fn limit_guards(b: &mut Builder, line: &RibbonLine, number: u32) {
+    feed_guard(b, line, number);
+    clamp_guards(b, line, CLAMP_ALARMS.map(alarm_block));
+}
+
+/// The alarm of an F above the limit.
+pub(super) fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
+    let feed = line.control.variable(feed(line));
+    let limit = line.control.variable(FEED_LIMIT);
+    writing::alarm(b, line.control, FEED_ALARM, &format!("FEED {feed} ABOVE LIMIT {limit}"));
+    if writing::has_alarms(line.control) {
+        b.words(codes(line, [Code::SubEnd]));
+    }
+}
+
+/// The alarms of an axis above its clamp.
+pub(super) fn clamp_alarms(b: &mut Builder, line: &RibbonLine) {
+    let axes = [("X".to_owned(), line.p.clamp_x), (line.letter(), line.p.clamp_y)];
+    for (number, (axis, clamp)) in CLAMP_ALARMS.into_iter().zip(axes) {
+        writing::alarm(b, line.control, number, &format!("{axis} FEED ABOVE CLAMP {clamp}"));
+        if writing::has_alarms(line.control) {
+            b.words(codes(line, [Code::SubEnd]));
+        }
+    }
+}
+
+/// The alarms of [`limit_guards`].
+pub(super) fn limit_alarms(b: &mut Builder, line: &RibbonLine) {
+    feed_alarm(b, line);
+    clamp_alarms(b, line);
+}

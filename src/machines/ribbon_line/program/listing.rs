@@ -1,0 +1,51 @@
+//! The main program that both listings of the paper share; each has passes of its own.
+
+use super::blocks::{about, end, header, override_off, preset, presets, speed_before_reading, to_head};
+use super::entries::{entries, is_length};
+use super::formulas::print_stroke;
+use super::numbers::RUN;
+use super::product_length::{SHORT_ALARM, last_pitch, length_alarms, pitches_left};
+use crate::machines::ribbon_line::params::Variant;
+use crate::machines::ribbon_line::phase;
+use crate::machines::ribbon_line::resolved::RibbonLine;
+use crate::machines::ribbon_line::variables::{COUNT, LEFT, LENGTH, PITCH, PITCH_COPY, RUNNING_SPEED, STROKE};
+use crate::machines::writing::{self, alarm_block};
+use crate::nc::build::{Builder, m, v};
+
+/// The main program of a listing: the blocks before its passes, the passes (from a block on), the last pitch and the alarms.
+pub(super) fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl FnOnce(&mut Builder)) {
+    b.program(RUN, "RIBBON LINE - RUN");
+    header(b, line);
+    writing::guards(b, &entries(line));
+    phase::check(b, line, 19);
+    override_off(b, line, 20);
+    if !line.in_step() {
+        writing::count_seconds(b, line.control);
+    }
+    b.n(21);
+    product(b, line);
+    b.n(22).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(23).assign(RUNNING_SPEED, 0).note("SPINDLE DOES NOT RUN YET");
+    to_head(b, line, if presets(line) { 24 } else { passes_at });
+    preset(b, line, 24);
+    speed_before_reading(b, line);
+    passes(b);
+    last_pitch(b, line);
+    end(b, line);
+    length_alarms(b, line);
+    writing::alarms(b, line.control, &entries(line));
+    b.words([m(30)]);
+}
+
+/// Pitches of the product, from its count or its length, and the alarm of a length below a pitch.
+pub(super) fn product(b: &mut Builder, line: &RibbonLine) {
+    if is_length(line) {
+        pitches_left(b, line, v(LENGTH));
+        b.if_goto(v(LEFT).lt(1), alarm_block(SHORT_ALARM));
+        if line.p.variant == Variant::Precomputed {
+            b.assign(PITCH_COPY, v(PITCH));
+        }
+    } else {
+        b.assign(LEFT, v(COUNT)).note("PITCHES LEFT");
+    }
+}

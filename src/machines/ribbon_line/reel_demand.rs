@@ -1,0 +1,37 @@
+//! What the supply reel gives and demands: time and products of a full one, pull at a start, brake at a stop.
+
+use super::contacts::left_at_reel_end;
+use super::mechanics::{unwinder_load, unwinder_torque};
+use super::params::Params;
+use super::reel::{ramp_acceleration, wound};
+use super::resolved::RibbonLine;
+
+/// Deceleration in m/s², without sign, of the ribbon at an unwinder without current, with a brake of the reel in N: the torque that brakes
+/// its motor over the inertia of all rotating parts, the same at every speed. Source: sizing facts 2.2.
+pub(super) fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
+    let torque = unwinder_torque(p, brake) + p.unwinding.motor_brake;
+    torque / unwinder_load(p, 0.0).inertia / p.reduction_ratio * p.press_roller_diameter / 2e3
+}
+
+/// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
+pub(super) fn time(line: &RibbonLine) -> f64 {
+    let length = wound(&line.p).length();
+    if length > 0.0 { 60e3 * length / line.d.line_speed } else { 0.0 }
+}
+
+/// Whole products that a reel makes until its sensor holds the program.
+pub(super) fn products(line: &RibbonLine) -> f64 {
+    ((1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product_length).floor()
+}
+
+/// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.
+pub(super) fn ramp_pull(p: &Params) -> f64 {
+    let reel = wound(p);
+    reel.pull(reel.worst(), ramp_acceleration(p))
+}
+
+/// Pull (N) of the reel while the unwinder coasts without current: the deceleration is the same from every speed.
+pub(super) fn coasting_pull(line: &RibbonLine) -> f64 {
+    let reel = wound(&line.p);
+    reel.pull(reel.worst(), coasting_acceleration(&line.p, line.p.unwinding.brake))
+}
