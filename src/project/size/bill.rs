@@ -4,11 +4,12 @@
 
 use std::collections::BTreeMap;
 
-use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
+use super::choice::{Candidate, SizedAxis, name, named};
 use super::runs::SizingRuns;
 use crate::drives::duty::ResistorLoad;
 use crate::drives::holding_brake::{SERVICE, SERVICE_FACTOR};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
+use crate::drives::servo::MotorDemand;
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
 use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
@@ -350,7 +351,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
                 }
                 return rows;
             }
-            let MotorDemand { peak, effective, speed } = axis.asked;
+            let MotorDemand { peak, effective, speed } = axis.demand;
             let duty = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
             let motor = described(BillItem::Motor, Some(axis.name), sentence(&duty), PartGrade::Open);
             let motor = BillRow { open: message.into_iter().collect(), ..motor };

@@ -10,7 +10,7 @@ use crate::drives::holding_brake;
 use crate::drives::inertia::CM2;
 use crate::drives::load::{Regeneration, power};
 use crate::drives::parts::{AmplifierRatings, Part, Ratings, SeriesLimits, Status};
-use crate::drives::servo::{Acceptance, Duty, Reason, Servo, Shares, WEIGHT_SHARE};
+use crate::drives::servo::{Acceptance, MotorDemand, Reason, Servo, Shares, WEIGHT_SHARE};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, MotorFields};
 use crate::machines::form::Value;
@@ -54,8 +54,8 @@ pub struct SizedAxis {
     pub gear: Option<SizedGear>,
     /// Current (A) of the form's motor for 1 Nm; none if the catalogue does not have it.
     pub ampere_per_torque: Option<f64>,
-    /// Demand on a motor to be bought.
-    pub asked: MotorDemand,
+    /// Demand on a motor to be bought, with the inertia of the form's rotor.
+    pub demand: MotorDemand,
     /// Demand of the run on the form's motor; none for a motor on an inverter.
     pub work: Option<Work>,
     /// Energy of the run back from the form's motor; none for a drive behind an inverter, and without such energy.
@@ -81,7 +81,7 @@ impl SizedAxis {
     /// Sentence with the demand if no motor in production passes, or no passing one has an amplifier; none otherwise.
     pub fn shortage(&self) -> Option<Message> {
         let is_current = |of: &&Candidate| of.part.status == Some(Status::Current);
-        let MotorDemand { peak, effective, speed } = self.asked;
+        let MotorDemand { peak, effective, speed } = self.demand;
         let (peak, effective, speed) = ((peak, 2), (effective, 2), (speed, 0));
         if self.least().is_none() {
             Some(msg!("size.no-motor", peak, effective, speed))
@@ -103,17 +103,6 @@ impl SizedAxis {
     pub fn ordered(&self) -> Option<&Candidate> {
         self.passing().find(|candidate| candidate.amplifier.is_some()).or_else(|| self.passing().next())
     }
-}
-
-/// Demand on a motor to be bought.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MotorDemand {
-    /// Torque for a short time, Nm; with the inertia of the form's rotor.
-    pub peak: f64,
-    /// Effective torque, Nm.
-    pub effective: f64,
-    /// Highest speed, r/min.
-    pub speed: f64,
 }
 
 /// A motor for an axis.
@@ -324,7 +313,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: holding_brake::torque(axis.weight),
             gear: gears::of_axis(&axis, &asked.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
-            asked: MotorDemand { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM },
+            demand: MotorDemand { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM },
             work: Some(work),
             returned: asked.returned(axis.fitted.motor.rotor),
             knob: asked.knob,
@@ -414,13 +403,13 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let torques = (work.effective, work.peak.torque);
     let amplifier = amplifier(part, torques, catalogue, control);
     let shortage = if amplifier.is_none() { shortage(part, torques, catalogue, control) } else { None };
-    let duty = Duty { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM };
+    let demand = MotorDemand { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM };
     let worst_point = asked.worst_point(&motor);
-    let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &duty) };
+    let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &demand) };
     let limits =
         part.acceptance().at_starts(asked.starts_per_minute.max(axis.starts_per_minute)).derated(axis.site_share);
     let refusal =
-        shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&duty, &worst_point)));
+        shares.fails(&limits).map(|reason| refused_by(reason, &motor, (&shares, &limits), (&demand, &worst_point)));
     let back = amplifier.and_then(braking).map(|(back, own)| (asked.to_resistor(motor.rotor, &back), own));
     let regenerative = back.and_then(|(asked, own)| Some(asked.mean / own?));
     let resistor = amplifier.zip(back).and_then(|(of, (asked, own))| resistor(of, asked, own, catalogue, control));
@@ -428,7 +417,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, asked: &Asked, catalogue: &[&Part],
     let refusal = refusal
         .or_else(|| too_weak_for_long(&motor, axis, &limits))
         .or_else(|| (!follows(part, control)).then(|| Refusal::new(Rank::Role, msg!("size.refused-role"))))
-        .or_else(|| too_warm(&motor, &limits, (duty.effective, asked.mean_speed)))
+        .or_else(|| too_warm(&motor, &limits, (demand.effective, asked.mean_speed)))
         .or_else(|| {
             let share = regenerative.filter(|share| *share > 1.0 && !has_resistor)?;
             Some(Refusal::new(Rank::Regeneration, msg!("size.refused-regeneration", percent = (100.0 * share, 0))))
@@ -495,12 +484,13 @@ fn refused_by(
     reason: Reason,
     motor: &Servo,
     (shares, limits): (&Shares, &Acceptance),
-    (duty, worst_point): (&Duty, &OperatingPoint),
+    (demand, worst_point): (&MotorDemand, &OperatingPoint),
 ) -> Refusal {
     match reason {
-        Reason::Speed => {
-            Refusal::new(Rank::Speed, msg!("size.refused-speed", speed = (duty.speed, 0), limit = (motor.top_speed, 0)))
-        }
+        Reason::Speed => Refusal::new(
+            Rank::Speed,
+            msg!("size.refused-speed", speed = (demand.speed, 0), limit = (motor.top_speed, 0)),
+        ),
         Reason::Peak => {
             let gives = motor.short_time_torque(worst_point.speed);
             let message = msg!(
@@ -515,7 +505,7 @@ fn refused_by(
         Reason::Effective => {
             let message = msg!(
                 "size.refused-effective",
-                torque = (duty.effective, 3),
+                torque = (demand.effective, 3),
                 limit = (limits.effective * motor.stall, 3),
                 percent = (100.0 * limits.effective, 1)
             );

@@ -1,8 +1,6 @@
 //! The choice of the motor on the inverter, and of an inverter with its current, against the demand of the run.
 
-use super::choice::{
-    Candidate, MotorDemand, Rank, Refusal, SizedAxis, in_order, name, named, share_turning, smallest, unknown,
-};
+use super::choice::{Candidate, Rank, Refusal, SizedAxis, in_order, name, named, share_turning, smallest, unknown};
 use super::gears;
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
@@ -10,7 +8,7 @@ use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, s
 use crate::drives::duty::{OperatingPoint, with_pause};
 use crate::drives::load::{Phase, effective, power};
 use crate::drives::parts::{InductionRatings, InverterRatings, Part, Ratings};
-use crate::drives::servo::Shares;
+use crate::drives::servo::{MotorDemand, Shares};
 use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{InverterCycle, InverterDrive, SpindleRun};
@@ -53,7 +51,7 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         brake: drive.brake,
         gear: gears::of_inverter(&drive, &catalogue),
         ampere_per_torque: None,
-        asked: demand(&drive, &spindles),
+        demand: demand(&drive, &spindles),
         work: None,
         returned: None,
         knob: None,

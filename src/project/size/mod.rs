@@ -28,7 +28,7 @@ mod terminals;
 mod tornado;
 
 pub use bill::BillRow;
-pub use choice::{Candidate, MotorDemand, Refusal, Resistor, SizedAxis};
+pub use choice::{Candidate, Refusal, Resistor, SizedAxis};
 pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth, ResultName};

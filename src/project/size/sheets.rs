@@ -1,11 +1,12 @@
 //! A sizing as sheets, for page, report and command line.
 
-use super::choice::{Candidate, MotorDemand};
+use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Growth, ResultName, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::{PartGrade, Status};
+use crate::drives::servo::MotorDemand;
 use crate::machines::sheets::{row, say};
 use crate::math::RPM;
 use crate::msg;
@@ -477,7 +478,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
     };
     // The demand above the motors where the catalogue has none to be bought.
     let lacking = axis.shortage().map(|shortage| {
-        let MotorDemand { peak, effective, .. } = axis.asked;
+        let MotorDemand { peak, effective, .. } = axis.demand;
         let [effective, peak] = [effective, peak].map(|torque| units::text(torque, 2, "Nm"));
         row([say("size.asked-of-motor"), effective, peak, String::new(), String::new(), sentence(&shortage)], RUNS)
     });

@@ -296,7 +296,7 @@ fn control_without_a_current_motor_shows_the_demand() {
             assert!(!lacks || shortage.is_some(), "{control} {}", axis.id);
             let Some(shortage) = shortage else { continue };
             // Its demand is at the top of the list, in the offer too.
-            let (told, asked) = (sentence(&shortage), axis.asked);
+            let (told, asked) = (sentence(&shortage), axis.demand);
             assert!(
                 told.contains(&format!("{:.2} Nm", asked.peak).replace(' ', "\u{202f}"))
                     || told.contains(&format!("{:.2} Nm", asked.peak)),

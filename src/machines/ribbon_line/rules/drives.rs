@@ -41,16 +41,16 @@ pub(in super::super) fn here(limit: f64, now: f64, fast: f64) -> f64 {
 }
 
 fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
-    let most = fast.limits.peak * fast.motor.short_time_torque(fast.duty.speed);
-    let limit = AtMost(here(most, now.duty.peak, fast.duty.peak));
-    if limit.holds(now.duty.peak) {
+    let most = fast.limits.peak * fast.motor.short_time_torque(fast.demand.speed);
+    let limit = AtMost(here(most, now.demand.peak, fast.demand.peak));
+    if limit.holds(now.demand.peak) {
         return ok(limit);
     }
     let ramp = fast.shortest_ramp() * 1e3;
     if ramp > maximum(FIELDS, "time-constant-x") {
         return fail(
             limit,
-            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.duty.peak / fast.limits.peak, 2)))],
+            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.demand.peak / fast.limits.peak, 2)))],
         );
     }
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
@@ -58,20 +58,20 @@ fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     let milliseconds = set.value;
     let both = [set.clone(), NumberEntry { field: "time-constant-y", ..set }];
     let sentence =
-        msg!("ribbon.peak-torque", torque = (fast.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
+        msg!("ribbon.peak-torque", torque = (fast.demand.peak, 2), limit = (most, 2), time = (milliseconds, 1));
     fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])
 }
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = (&line.mechanics.pull, &line.fast_mechanics.pull);
-    let most = fast.limits.peak * fast.motor.short_time_torque(fast.duty.speed);
+    let most = fast.limits.peak * fast.motor.short_time_torque(fast.demand.speed);
     if fast.taut.abs() <= most {
         return peak(now, fast);
     }
     // No ramp takes the tension from a taut ribbon.
     let tension = (line.mechanics.tautest, 0);
     let message = msg!("ribbon.taut-torque", tension, torque = (fast.taut.abs(), 2), limit = (most, 2));
-    fail(AtMost(here(most, now.duty.peak, fast.duty.peak)), [slack::advice_against_taut(line, message)])
+    fail(AtMost(here(most, now.demand.peak, fast.demand.peak)), [slack::advice_against_taut(line, message)])
 }
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
@@ -80,21 +80,21 @@ fn peak_y(line: &RibbonLine) -> Option<Judgement> {
 
 fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     let most = fast.effective_torque_limit(fast.mean_speed);
-    let limit = AtMost(here(most, now.duty.effective, fast.duty.effective));
-    if limit.holds(now.duty.effective) {
+    let limit = AtMost(here(most, now.demand.effective, fast.demand.effective));
+    if limit.holds(now.demand.effective) {
         return ok(limit);
     }
     if most < fast.effective_torque_limit(0.0) {
-        let (torque, speed, limit_there) = ((fast.duty.effective, 2), (fast.mean_speed, 0), (most, 2));
+        let (torque, speed, limit_there) = ((fast.demand.effective, 2), (fast.mean_speed, 0), (most, 2));
         return fail(limit, [Advice::from(msg!("ribbon.warm-at-speed", torque, speed, limit = limit_there))]);
     }
-    let stall = fast.duty.effective / fast.limits.effective;
+    let stall = fast.demand.effective / fast.limits.effective;
     let share = (100.0 * fast.limits.effective, 1);
     fail(
         limit,
         [Advice::from(msg!(
             "ribbon.effective-torque",
-            torque = (fast.duty.effective, 2),
+            torque = (fast.demand.effective, 2),
             limit = (most, 2),
             stall_torque = (stall, 2),
             percent = share
