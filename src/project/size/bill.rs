@@ -324,10 +324,10 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
         }
         let of_axis = chosen.resistor.as_ref()?;
         if of_axis.is_unknown {
-            return Some(unknown_resistor(axis.name, &of_axis.asked));
+            return Some(unknown_resistor(axis.name, &of_axis.demand));
         }
         let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
-        let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
+        let (power, energy) = ((of_axis.demand.mean, 1), (of_axis.demand.stop, 1));
         let asked = msg!("size.bill.resistor", power, energy, amplifier);
         Some(part_or_open((BillItem::Resistor, axis.name), of_axis.part.as_ref(), proposed, &asked))
     };

@@ -1,7 +1,9 @@
 //! The choice of the motor on the inverter, and of an inverter with its current, against the demand of the run.
 
-use super::choice::{Candidate, Rank, Refusal, SizedAxis, in_order, name, named, share_turning, smallest, unknown};
+use super::amplifier::smallest;
+use super::choice::{Candidate, SizedAxis, in_order, name, named, share_turning, unknown};
 use super::gears;
+use super::refusal::{Rank, Refusal};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
 use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, shaft_fan_torque_share};
@@ -156,7 +158,7 @@ fn induction(
         shortage,
         shares: Some(shares),
         short_time_current,
-        refusal: refusal.map(|(rank, message)| Refusal { rank, message }),
+        refusal: refusal.map(|(rank, message)| Refusal::new(rank, message)),
         entries: entries.unwrap_or_default(),
         ..unknown(part)
     }

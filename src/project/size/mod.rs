@@ -5,15 +5,21 @@
 
 mod inverter_motor;
 
+mod amplifier;
+
 mod bill;
 
 mod choice;
+
+mod demand;
 
 mod envelope;
 
 mod gears;
 
 mod growth;
+
+mod refusal;
 
 mod runs;
 
@@ -27,11 +33,13 @@ mod terminals;
 
 mod tornado;
 
+pub use amplifier::Resistor;
 pub use bill::BillRow;
-pub use choice::{Candidate, Refusal, Resistor, SizedAxis};
+pub use choice::{Candidate, SizedAxis};
 pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth, ResultName};
+pub use refusal::Refusal;
 pub use runs::{CutRun, SizingRuns};
 pub use terminals::{TerminalRow, WireEnd};
 pub use tornado::{Swing, Tornado};

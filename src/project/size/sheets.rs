@@ -564,13 +564,13 @@ fn answer(of: &Candidate) -> String {
     }
     let message = match (&of.amplifier, &of.resistor, of.regenerative) {
         (Some(amplifier), Some(resistor), _) => {
-            let (amplifier, power) = (amplifier.model.as_str(), (resistor.asked.mean, 1));
+            let (amplifier, power) = (amplifier.model.as_str(), (resistor.demand.mean, 1));
             match &resistor.part {
                 Some(part) => {
                     msg!("size.passes-with-external", amplifier, power, resistor = part.model.as_str())
                 }
                 None if resistor.is_unknown => {
-                    msg!("size.passes-with-unknown-resistor", amplifier, energy = (resistor.asked.stop, 1), power)
+                    msg!("size.passes-with-unknown-resistor", amplifier, energy = (resistor.demand.stop, 1), power)
                 }
                 None => msg!("size.passes-with-open-resistor", amplifier, power),
             }

@@ -89,7 +89,7 @@ fn candidate(candidate: &Candidate) -> Json {
         "inertia_ratio": shares.map(|shares| shares.inertia_ratio),
         "status": status(part.status),
         "grade": grade(part.evidence.grade),
-        "resistor_w": candidate.resistor.as_ref().map(|resistor| resistor.asked.mean),
+        "resistor_w": candidate.resistor.as_ref().map(|resistor| resistor.demand.mean),
         "resistor": candidate.resistor.as_ref().and_then(|resistor| Some(resistor.part.as_ref()?.name())),
         "amplifier": candidate.amplifier.as_ref().map(Part::name),
         "entries": entries(&candidate.entries),

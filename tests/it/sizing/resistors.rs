@@ -128,7 +128,7 @@ fn resistor_rows(sizing: &Sizing) -> Vec<(String, PartGrade, f64)> {
 #[test]
 fn demand_beyond_every_resistor_is_an_open_row() {
     let (often, project) = (sized(&stopping()), line());
-    let asked = |of: &Candidate| of.resistor.as_ref().unwrap().asked;
+    let asked = |of: &Candidate| of.resistor.as_ref().unwrap().demand;
     assert!(braked(&often).into_iter().all(|motor| asked(motor).mean > 0.05 && asked(motor).peak > 0.0));
     let sizing = sized(&project);
     let strong = passing(&sizing);
@@ -143,7 +143,7 @@ fn demand_beyond_every_resistor_is_an_open_row() {
 fn resistor_that_is_paired_and_takes_it_is_billed() {
     let mut project = line();
     let strong = passing(&sized(&project)).clone();
-    let (amplifier, asked) = (strong.amplifier.as_ref().unwrap(), strong.resistor.as_ref().unwrap().asked);
+    let (amplifier, asked) = (strong.amplifier.as_ref().unwrap(), strong.resistor.as_ref().unwrap().demand);
     let table = format!(
         "kind,maker,series,model,regen_w,fits,source,grade\n\
          resistor,Mitsubishi Electric,{series},R-SMALL,{small},{model},own,entered\n\
@@ -249,7 +249,7 @@ fn cut_does_not_help_the_stop_of_the_tool() {
     // At the amplifier MR-J4-350A, with 85 % and 40 J in its capacitors, and the rotor of HG-SR352.
     let motor = tool.candidates.iter().find(|motor| motor.part.model == "HG-SR352").unwrap();
     let rotor = motor.part.servo().unwrap().rotor;
-    let asked = motor.resistor.as_ref().expect("a resistor").asked;
+    let asked = motor.resistor.as_ref().expect("a resistor").demand;
     super::same("stop", asked.stop, 0.85 * 0.5 * (0.02 + rotor) * omega * omega - 40.0, 1e-2);
 }
 
@@ -278,7 +278,7 @@ fn unknown_regeneration_is_an_open_row_with_its_energy() {
     let sizing = behind("", "");
     let told = open_resistor(&sizing).expect("an open row");
     let motor = sizing.axes[1].candidates.iter().find(|motor| motor.part.model == "S1").unwrap();
-    let asked = motor.resistor.as_ref().expect("a demand").asked;
+    let asked = motor.resistor.as_ref().expect("a demand").demand;
     assert!(asked.stop > 0.0 && asked.mean > 0.05, "{asked:?}");
     for figure in [format!("{:.1} J", asked.stop), format!("{:.1} W", asked.mean), "ask its maker".to_owned()] {
         assert!(told.contains(&figure), "{told} lacks {figure}");
