@@ -5,12 +5,12 @@ use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
-use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::load::{Load, through_gear};
+use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::speed::KnobEnds;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
-use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
+use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, speed_segments};
 use crate::machines::knobs::{self, KnobPositions, TorqueAtKnobs, TorqueRemedy};
 use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
 use crate::machines::samples::Samples;
@@ -233,7 +233,7 @@ pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stret
     let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
     let cut = cutting::torque(lathe.greatest_end_force(), p.stock_diameter);
     let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
-    let idle = Motion::new(turns(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
+    let idle = Motion::new(speed_segments(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
     let spans = super::progress::turning_spans(lathe, run, until);
     let cuts = spans.into_iter().map(|(begin, end)| CutSpan { begin, end, torque }).collect();
     lathe.has_main_spindle().then(|| p.main.run(NAME, idle, cuts))

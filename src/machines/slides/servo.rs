@@ -2,9 +2,9 @@
 
 use super::form::SlideParams;
 use super::lathe::LatheSlides;
-use crate::drives::duty::Strikes;
 use crate::drives::inertia::{CM2, Cylinder, STEEL};
 use crate::drives::servo::{Acceptance, Servo, WEIGHT_SHARE};
+use crate::drives::shaft_motion::Strikes;
 use crate::drives::slide::Slide;
 use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
 use crate::machines::machine::Machine;

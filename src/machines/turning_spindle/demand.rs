@@ -6,10 +6,10 @@ use super::params::{Params, Path, SpeedMode};
 use super::program::cut_block;
 use super::resolved::TurningSpindle;
 use crate::drives::cutting;
-use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::load::through_gear;
+use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::spindle_motor::MotorCurve;
-use crate::machines::driven::{SpindleRun, turns};
+use crate::machines::driven::{SpindleRun, speed_segments};
 use crate::machines::samples::Samples;
 use crate::math::RPM;
 use crate::motion::Stretch;
@@ -75,7 +75,7 @@ impl Derived {
 /// The spindle's motor in stretches of a run: chuck and work against friction and cut, at its shaft.
 pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
     let (p, gear) = (&lathe.p, driven::gear(lathe));
-    let idle = Motion::new(turns(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
+    let idle = Motion::new(speed_segments(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
     p.spindle.run(driven::NAME, idle, cuts(lathe, run, stretches))
 }
 

@@ -2,9 +2,9 @@
 
 use super::demand::LEAST_RETURNED;
 use crate::controls::Control;
-use crate::drives::duty::ResistorLoad;
 use crate::drives::load::Regeneration;
 use crate::drives::parts::{AmplifierRatings, Part, Ratings};
+use crate::drives::shaft_motion::ResistorLoad;
 use crate::msg;
 use crate::project::parts::goes_with;
 use crate::text::Message;

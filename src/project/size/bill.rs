@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 
 use super::choice::{Candidate, SizedAxis, name, named};
 use super::runs::SizingRuns;
-use crate::drives::duty::ResistorLoad;
 use crate::drives::holding_brake::{SERVICE, SERVICE_FACTOR};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::drives::servo::MotorDemand;
+use crate::drives::shaft_motion::ResistorLoad;
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
 use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
@@ -243,7 +243,7 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
         return None;
     }
     let described = |asked| described(BillItem::Brake, Some(axis.name), asked, PartGrade::Entered);
-    if axis.work.is_none() {
+    if axis.motor_load.is_none() {
         return Some(described(format!("{} Nm", number_text(axis.brake, 2))));
     }
     let torque = (HUNDREDTHS * axis.brake - ROUNDING).ceil() / HUNDREDTHS;
@@ -304,7 +304,7 @@ fn amplifier_item(is_servo: bool) -> BillItem {
 }
 
 fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<BillRow> {
-    let item = amplifier_item(axis.work.is_some());
+    let item = amplifier_item(axis.motor_load.is_some());
     let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
     let of = |item, part: &Part, proposed| of_part(item, axis.name, part, proposed);
     let pair = |chosen: &Candidate, proposed| {

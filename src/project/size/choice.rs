@@ -6,12 +6,12 @@ use super::gears::{self, SizedGear};
 use super::refusal::{JudgedMotor, Rank, Refusal};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
-use crate::drives::duty::{ResistorLoad, Work};
 use crate::drives::holding_brake;
 use crate::drives::inertia::CM2;
 use crate::drives::load::power;
 use crate::drives::parts::{Part, Ratings, SeriesLimits, Status};
 use crate::drives::servo::{MotorDemand, Servo, Shares};
+use crate::drives::shaft_motion::{MotorLoad, ResistorLoad};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{DrivenAxis, MotorFields};
 use crate::machines::form::Value;
@@ -48,8 +48,8 @@ pub struct SizedAxis {
     pub ampere_per_torque: Option<f64>,
     /// Demand on a motor to be bought, with the inertia of the form's rotor.
     pub demand: MotorDemand,
-    /// Demand of the run on the form's motor; none for a motor on an inverter.
-    pub work: Option<Work>,
+    /// Load of the run on the form's motor; none for a motor on an inverter.
+    pub motor_load: Option<MotorLoad>,
     /// Energy of the run back from the form's motor; none for a drive behind an inverter, and without such energy.
     pub returned: Option<ResistorLoad>,
     /// Position (%) of the knob in the run with the knob at its highest position, if there is such a run.
@@ -138,7 +138,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         let candidates = motors.map(|part| candidate(part, &axis, &demand, &catalogue, control));
         let candidates = candidates.map(|of| with_unknown_braking(of, &demand)).collect();
         let (turning, loaded) = (share_turning(of, axis.mover, pause), share_loaded(of, &demand, pause));
-        let work = demand.work(axis.fitted.motor.rotor);
+        let load = demand.motor_load(axis.fitted.motor.rotor);
         SizedAxis {
             id: axis.id,
             name: axis.name,
@@ -149,8 +149,8 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: holding_brake::torque(axis.weight),
             gear: gears::of_axis(&axis, &demand.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
-            demand: MotorDemand { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM },
-            work: Some(work),
+            demand: MotorDemand { peak: load.peak.torque, effective: load.effective, speed: load.speed / RPM },
+            motor_load: Some(load),
             returned: demand.returned(axis.fitted.motor.rotor),
             knob: demand.knob,
             peak_is_at_knob: demand.peak_is_at_knob(axis.fitted.motor.rotor),
@@ -174,7 +174,7 @@ pub(super) fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
 /// first motion of `demand` is that of the present run.
 fn share_loaded(of: &SizingRuns, demand: &RunsDemand, pause: f64) -> Option<f64> {
     of.present.works.as_ref()?;
-    Some(demand.motions.first()?.loaded() / (of.present.run.timeline().end() + pause))
+    Some(demand.motions.first()?.loaded_time() / (of.present.run.timeline().end() + pause))
 }
 
 /// The part of the catalogue with the name in the form of an axis's motor.
@@ -226,11 +226,11 @@ fn candidate(part: &Part, axis: &DrivenAxis, runs: &RunsDemand, catalogue: &[&Pa
         let amplifier = amplifier(part, (0.0, 0.0), catalogue, control);
         return Candidate { amplifier: amplifier.cloned(), ..unknown(part) };
     };
-    let work = runs.work(motor.rotor);
-    let torques = (work.effective, work.peak.torque);
+    let load = runs.motor_load(motor.rotor);
+    let torques = (load.effective, load.peak.torque);
     let amplifier = amplifier(part, torques, catalogue, control);
     let shortage = if amplifier.is_none() { shortage(part, torques, catalogue, control) } else { None };
-    let demand = MotorDemand { peak: work.peak.torque, effective: work.effective, speed: work.speed / RPM };
+    let demand = MotorDemand { peak: load.peak.torque, effective: load.effective, speed: load.speed / RPM };
     let worst_point = runs.worst_point(&motor);
     let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &demand) };
     let starts_per_minute = runs.starts_per_minute.max(axis.starts_per_minute);

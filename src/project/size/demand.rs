@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::runs::WholeRun;
-use crate::drives::duty::{Motion, OperatingPoint, ResistorLoad, Work};
 use crate::drives::load::Regeneration;
 use crate::drives::servo::Servo;
+use crate::drives::shaft_motion::{Motion, MotorLoad, OperatingPoint, ResistorLoad};
 use crate::machines::driven::DrivenAxis;
 use crate::math::RPM;
 use crate::view::{OperatingLine, TorqueChart};
@@ -64,31 +64,32 @@ impl RunsDemand {
 
     /// Whether the second run has the greatest torque.
     pub(super) fn peak_is_at_knob(&self, rotor: f64) -> bool {
-        let peak = |motion: &Motion| motion.work(rotor).peak.torque;
+        let peak = |motion: &Motion| motion.motor_load(rotor).peak.torque;
         self.peak_feed(rotor).is_none()
             && matches!(self.motions.as_slice(), [first, second] if peak(second) > peak(first))
     }
 
     /// Position (%) of the feed override if a run with it has the greatest torque.
     pub(super) fn peak_feed(&self, rotor: f64) -> Option<f64> {
-        let peak = |motions: &[Motion]| motions.iter().map(|motion| motion.work(rotor).peak.torque).fold(0.0, f64::max);
+        let peak =
+            |motions: &[Motion]| motions.iter().map(|motion| motion.motor_load(rotor).peak.torque).fold(0.0, f64::max);
         self.feed.filter(|_| peak(&self.fed) > peak(&self.motions))
     }
 
     /// The greatest value of each figure over all runs, of the energies over those at the feed of the form.
-    pub(super) fn work(&self, rotor: f64) -> Work {
-        let works = self.all().map(|motion| motion.work(rotor));
-        let at_form = works.clone().take(self.motions.len());
+    pub(super) fn motor_load(&self, rotor: f64) -> MotorLoad {
+        let loads = self.all().map(|motion| motion.motor_load(rotor));
+        let at_form = loads.clone().take(self.motions.len());
         let (given, returned) = at_form
-            .fold((0.0_f64, 0.0_f64), |(given, returned), work| (given.max(work.given), returned.max(work.returned)));
-        let worst = works.fold(Work::default(), |worst, next| Work {
+            .fold((0.0_f64, 0.0_f64), |(given, returned), load| (given.max(load.given), returned.max(load.returned)));
+        let worst = loads.fold(MotorLoad::default(), |worst, next| MotorLoad {
             peak: if next.peak.torque > worst.peak.torque { next.peak } else { worst.peak },
             effective: worst.effective.max(next.effective),
             speed: worst.speed.max(next.speed),
             seconds: worst.seconds.max(next.seconds),
             ..worst
         });
-        Work { given, returned, ..worst }
+        MotorLoad { given, returned, ..worst }
     }
 
     /// Moment with the greatest share of the motor's short-time torque.
@@ -111,7 +112,7 @@ impl RunsDemand {
 
     /// Mean speed (r/min) and effective torque (Nm) of the run with the greatest effective torque.
     fn effective(&self, rotor: f64) -> (f64, f64) {
-        let point = |motion: &Motion| (motion.mean_speed(), motion.work(rotor).effective);
+        let point = |motion: &Motion| (motion.mean_speed(), motion.motor_load(rotor).effective);
         let greater = |worst: (f64, f64), next: (f64, f64)| if next.1 > worst.1 { next } else { worst };
         self.all().map(point).reduce(greater).unwrap_or_default()
     }
@@ -120,12 +121,14 @@ impl RunsDemand {
     pub(super) fn chart(&self, motor: &Servo, site_share: f64) -> TorqueChart {
         let mut lines: BTreeMap<(usize, i64, i64, i64), OperatingLine> = BTreeMap::new();
         for (run, motion) in self.motions.iter().enumerate() {
-            for turn in motion.turns() {
-                let torque = motion.torque(turn, motor.rotor) * if turn.from + turn.to < 0.0 { -1.0 } else { 1.0 };
-                let speeds = (turn.from.abs() / RPM, turn.to.abs() / RPM);
+            for segment in motion.segments() {
+                let torque =
+                    motion.torque(segment, motor.rotor) * if segment.from + segment.to < 0.0 { -1.0 } else { 1.0 };
+                let speeds = (segment.from.abs() / RPM, segment.to.abs() / RPM);
                 let key = |value: f64| (value * ALIKE).round() as i64;
-                let line = OperatingLine { speeds, torque, t: turn.t, seconds: 0.0, is_at_highest_knob: run > 0 };
-                lines.entry((run, key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds += turn.seconds;
+                let line = OperatingLine { speeds, torque, t: segment.t, seconds: 0.0, is_at_highest_knob: run > 0 };
+                lines.entry((run, key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds +=
+                    segment.seconds;
             }
         }
         // The longest lines; the others are too short to be seen.

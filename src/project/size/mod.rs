@@ -1,7 +1,7 @@
 //! Sizing: motors that carry the machine, envelope of operation, limits of growth, bill of materials.
 //!
 //! Torque and energy come from runs of the program itself, over stretches of constant acceleration; see
-//! [`Motion`](crate::drives::duty::Motion).
+//! [`Motion`](crate::drives::shaft_motion::Motion).
 
 mod inverter_motor;
 
@@ -47,7 +47,7 @@ pub use tornado::{Swing, Tornado};
 use super::Project;
 use super::program::Written;
 use super::sensitivity::{Flip, Sensitivity};
-use crate::drives::duty::{Motion, on_one_bus};
+use crate::drives::shaft_motion::{Motion, on_one_bus};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::FormMotor;
 use crate::motion::Mover;
@@ -176,13 +176,13 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let inverter = prepared.inverter_drive().map(|drive| {
         let spindle = runs.present.spindle(&**prepared).map(|spindle| spindle.motion);
         let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.stretches(Mover::Spindle)));
-        motion.work(drive.rotor)
+        motion.motor_load(drive.rotor)
     });
-    let works = motors.iter().map(|(motion, rotor)| motion.work(*rotor)).chain(inverter);
+    let loads = motors.iter().map(|(motion, rotor)| motion.motor_load(*rotor)).chain(inverter);
     let (given, returned) =
-        works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
+        loads.fold((0.0, 0.0), |(given, returned), load| (given + load.given, returned + load.returned));
     let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
-    let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |work| work.returned);
+    let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |load| load.returned);
     let drives = axes.iter().map(|axis| axis.id).chain(prepared.inverter_drive().map(|drive| drive.id));
     let drives: Vec<&str> = drives.collect();
     // The form may leave a motor out.

@@ -1,7 +1,7 @@
 //! Refusals of motors: the reason with its numbers, and the order of the list by reason.
 
-use crate::drives::duty::OperatingPoint;
 use crate::drives::servo::{Acceptance, MotorDemand, Reason, Servo, Shares, WEIGHT_SHARE};
+use crate::drives::shaft_motion::OperatingPoint;
 use crate::machines::driven::DrivenAxis;
 use crate::msg;
 use crate::text::Message;

@@ -289,7 +289,7 @@ fn control_without_a_current_motor_shows_the_demand() {
     let machine = macroline::machines::find("ribbon-line").unwrap();
     for control in machine.controls() {
         let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
-        for axis in sizing.axes.iter().filter(|axis| axis.work.is_some()) {
+        for axis in sizing.axes.iter().filter(|axis| axis.motor_load.is_some()) {
             let mut passing = axis.candidates.iter().filter(|motor| motor.refusal.is_none());
             let bought = |motor: &Candidate| motor.part.status == Some(Status::Current) && motor.amplifier.is_some();
             let (lacks, shortage) = (!passing.any(bought), axis.shortage());
@@ -578,7 +578,7 @@ fn strikes_of_the_cut_count_for_the_motors_of_a_polygon_lathe() {
     for axis in ["work", "tool"] {
         let found = sizing.axes.iter().find(|row| row.id == axis).unwrap();
         // The gear of the default is 1 : 1; its losses are in the torque at the motor.
-        let peak = found.work.unwrap().peak.torque;
+        let peak = found.motor_load.unwrap().peak.torque;
         assert!(peak >= p(&format!("{axis}-torque")), "{axis}: {peak} of {}", p(&format!("{axis}-torque")));
         let ordered = found.ordered().and_then(|motor| motor.part.servo()).unwrap();
         assert!(0.8 * ordered.peak >= peak, "{axis}: {} of {peak}", ordered.peak);
