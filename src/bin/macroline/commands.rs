@@ -131,7 +131,7 @@ fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<()
 fn design(path: &Path, json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let (answer, all) = answers::design(&project, file);
+    let (answer, all) = answers::design_with_findings(&project, file);
     if json {
         print_json(&answer)?;
     } else {
@@ -146,10 +146,10 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
 fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let (sizing, all) = answers::sized(&project, file);
+    let (sizing, all) = answers::size_with_findings(&project, file);
     let chance = (draws > 0).then(|| chance(&project, draws, seed));
     if json {
-        print_json(&answers::sizing(&sizing, chance.as_ref(), &all))?;
+        print_json(&answers::sizing_json(&sizing, chance.as_ref(), &all))?;
     } else {
         print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
         print_findings(&all)?;
@@ -187,7 +187,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
 fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Path>)>) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
-    let (export, all) = answers::exported(&project, date, file);
+    let (export, all) = answers::export_with_findings(&project, date, file);
     print_findings(&all)?;
     fail_on_errors(&all)?;
     let mut files: Vec<_> = export.bytes().collect();

@@ -115,19 +115,19 @@ pub struct Sizing {
 
 /// Sizes a project with these programs. Total: a run that stops early is sized as far as it came.
 pub fn size(project: &Project, written: &Written) -> Sizing {
-    size_telling(project, written, &mut |_| ())
+    size_with_progress(project, written, &mut |_| ())
 }
 
 /// Sizes a project with these programs and reports the share done, 0 to 1.
-pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f64)) -> Sizing {
-    tell(0.0);
+pub fn size_with_progress(project: &Project, written: &Written, progress: &mut dyn FnMut(f64)) -> Sizing {
+    progress(0.0);
     let runs = SizingRuns::new(project, written);
-    // Progress counts the runs, each event, and the answers.
+    // Progress counts the runs, each event, and the rest.
     let parts = OperatingEvent::IDS.len() + 2;
     let mut done = 0;
     let mut part = || {
         done += 1;
-        tell(f64::from(done) / parts as f64);
+        progress(f64::from(done) / parts as f64);
     };
     part();
     let envelope = envelope::envelope(project, &runs, &mut part);
@@ -138,13 +138,13 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     } else {
         envelope::holding_limits(project, &envelope)
     };
-    let sizing = Sizing { envelope, holding_limits, ..answers(project, &runs) };
+    let sizing = Sizing { envelope, holding_limits, ..size_without_envelope(project, &runs) };
     part();
     sizing
 }
 
-/// The sizing of a project from finished runs, without the envelope, which needs runs of its own.
-pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
+/// Sizes a project by finished runs, without the envelope, which needs runs of its own.
+pub fn size_without_envelope(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let mut axes = choice::axes(project, &prepared, runs);
     axes.extend(inverter_motor::axis(project, &prepared, runs));

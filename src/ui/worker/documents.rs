@@ -12,7 +12,7 @@ use crate::project::parts;
 use crate::project::repairs::{self, RepairWay};
 use crate::project::saved::with_line;
 use crate::project::size::sections::SizingSection;
-use crate::project::size::{size, size_telling};
+use crate::project::size::{size, size_with_progress};
 use crate::project::variants::compare;
 use crate::project::{Project, encode};
 use crate::text::number::four_digits;
@@ -76,13 +76,13 @@ pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Vec<ShownS
         html: section_html(&section, project),
         answer: section.answer,
     };
-    size_telling(project, &project.written(), tell).sections().into_iter().map(shown).collect()
+    size_with_progress(project, &project.written(), tell).sections().into_iter().map(shown).collect()
 }
 
 /// The chance that every verdict holds, as a sheet; reports the share done.
 pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> String {
     let mut out = String::new();
-    table(&mut out, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
+    table(&mut out, &chance::chance_with_progress(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
     out
 }
 
