@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::chance::Chance;
 use super::export::{Export, ExportOptions};
-use super::file_findings::{FileFindings, Sources, list_json};
+use super::findings::file_findings::{FileFindings, Sources, list_json};
 use super::repairs::repairs;
 use super::size::{Sizing, size};
 use super::{Project, list, origins};

@@ -7,14 +7,15 @@ use macroline::controls::Control;
 use macroline::machines;
 use macroline::msg;
 use macroline::project::chance::chance;
-use macroline::project::file_findings::list_json;
+use macroline::project::findings::file_findings::list_json;
+use macroline::project::findings::render::summary;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
-use macroline::project::render::summary;
 use macroline::project::repairs::repairs;
+use macroline::project::requests::check_request;
 use macroline::project::run::AtStop;
 use macroline::project::size::words::sheet_text;
-use macroline::project::{Project, answers, drawing, list, origins, parts, request, variants};
+use macroline::project::{Project, answers, drawing, list, origins, parts, variants};
 use macroline::text::catalog::{self, words};
 use macroline::text::units;
 use macroline::view::Theme;
@@ -92,7 +93,7 @@ impl Command {
 
 /// The control with this id, if one is given; an error for an unknown id.
 fn control(id: Option<&str>) -> Result<Option<&'static Control>, Failure> {
-    id.map(request::control).transpose().map_err(|message| Failure::usage(&message))
+    id.map(check_request::control).transpose().map_err(|message| Failure::usage(&message))
 }
 
 fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool) -> Result<(), Failure> {
@@ -246,7 +247,7 @@ fn check(
 ) -> Result<(), Failure> {
     let choices = input::choices(switches, silenced)?;
     let subject = input::subject(paths, control, format)?;
-    let checked = request::check(subject, &choices).map_err(|why| refused(why, format))?;
+    let checked = check_request::check(subject, &choices).map_err(|why| refused(why, format))?;
     print_diagnostics(format, &checked.findings)?;
     if format == Format::Text {
         if checked.findings.iter().all(|findings| findings.list.is_empty()) {

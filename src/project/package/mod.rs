@@ -17,8 +17,8 @@ use self::requests::{
     read_request,
 };
 pub use self::steps::StepAnswers;
-use super::file_findings::{has_errors, list_json};
-use super::request::{Refused, check};
+use super::findings::file_findings::{has_errors, list_json};
+use super::requests::check_request::{Refused, check};
 use super::run::AtStop;
 use super::{Project, answers, list};
 use crate::motion::Retention;

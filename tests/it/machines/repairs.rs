@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use macroline::machines;
 use macroline::project::Project;
 use macroline::project::answers;
-use macroline::project::file_findings::FileFindings;
+use macroline::project::findings::file_findings::FileFindings;
 use macroline::project::list::repairs_text;
 use macroline::project::repairs::{RepairWay, repairs, ways};
 use macroline::text::Severity;
