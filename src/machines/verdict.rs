@@ -159,18 +159,6 @@ fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) ->
     NumberEntry { field: id, value, text: number_text(value, decimals) }
 }
 
-/// Halvings by which a share is found.
-const HALVINGS: u32 = 20;
-
-/// The greatest share from `least` to 1 with which a condition holds that does not hold with more; none if it does not hold with the least.
-pub fn greatest_share(least: f64, holds: impl Fn(f64) -> bool) -> Option<f64> {
-    let halved = |(holding, failing): (f64, f64), _| {
-        let middle = 0.5 * (holding + failing);
-        if holds(middle) { (middle, failing) } else { (holding, middle) }
-    };
-    holds(least).then(|| (0..HALVINGS).fold((least, 1.0), halved).0)
-}
-
 /// The results that apply to the form, each with the judgement of every rule about it.
 pub fn results<M>(rows: &[ReadoutRow<M>], machine: &M, rules: &[Rule<M>]) -> impl Iterator<Item = Readout> {
     rows.iter().filter(|row| (row.shown)(machine)).map(|row| judge(row, machine, rules))

@@ -5,7 +5,8 @@ use super::resolved::PolygonLathe;
 use crate::drives::bending::{NOTABLE, cantilever};
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::machines::knobs;
-use crate::machines::verdict::{Judgement, down, fail, greatest_share, ok, up, warn};
+use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
+use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 use crate::view::Advice;
@@ -69,7 +70,7 @@ impl PolygonLathe {
         if least >= self.p.depth {
             return None;
         }
-        Some(self.p.depth * greatest_share(least / self.p.depth, |share| force(share * self.p.depth) <= limit)?)
+        Some(self.p.depth * math::greatest_share(least / self.p.depth, |share| force(share * self.p.depth) <= limit)?)
     }
 }
 

@@ -19,7 +19,7 @@ use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::drives::{Bound, spindle_motor};
 use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
-use crate::machines::verdict::{Judgement, Rule, down, fail, greatest_share, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, ok, up, warn};
 use crate::machines::{scaling, turret};
 use crate::math;
 use crate::msg;
@@ -469,7 +469,7 @@ const LEAST_FEED: f64 = 0.1;
 /// Greatest share of the present feed at which a condition holds; none where less feed does not help.
 fn slower_feed(lathe: &TurningSpindle, holds: impl Fn(&TurningSpindle) -> bool) -> Option<f64> {
     let slower = |share: f64| lathe.with(Params { feed: lathe.form.feed * share, ..lathe.form.clone() });
-    greatest_share(LEAST_FEED, |share| holds(&slower(share)))
+    math::greatest_share(LEAST_FEED, |share| holds(&slower(share)))
 }
 
 /// A gear stage in which the torque suffices and the speed is the same.
