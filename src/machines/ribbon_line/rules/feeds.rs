@@ -4,10 +4,11 @@ use super::slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
+use crate::machines::form::entry::{at_least, at_most};
 use crate::machines::ribbon_line::calculated_once::calculated_once;
 use crate::machines::ribbon_line::params::{FIELDS, PathMode, Variant};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -67,10 +68,10 @@ pub(in super::super) fn with_speed(line: &RibbonLine, speed: f64, advice: Messag
     let RibbonLine { p, d, fast, .. } = line;
     let mut sets = Vec::new();
     if d.asked_speed > speed {
-        sets.push(down(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
+        sets.push(at_most(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
     }
     if fast.actual_speed > speed {
-        sets.push(down(FIELDS, "speed-clamp", speed));
+        sets.push(at_most(FIELDS, "speed-clamp", speed));
     }
     let button = match sets.first() {
         Some(set) if set.field == "spindle-speed" => msg!("advice.set-speed", speed = set.text.as_str()),
@@ -237,7 +238,7 @@ pub(in super::super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let advice = match p.variant {
         Variant::ReadyMade => {
             let wanted = if turned.is_infinite() { needed } else { turned };
-            let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
+            let set = at_least(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
             let (lacks, time, count) = (if steady { turned } else { needed }, (lasts, 1), (set.value, 0));
             let sentence = if steady {
                 msg!("ribbon.more-pitches-to-turn", needed = (lacks, 1), time, percent = knob, count)
@@ -281,7 +282,7 @@ pub(in super::super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     if p.speed_clamp > p.speed_at_10v {
         let advice =
             Advice::from(msg!("ribbon.clamp-above-output", clamp = (p.speed_clamp, 1), speed = (p.speed_at_10v, 1)));
-        let set = down(FIELDS, "speed-clamp", p.speed_at_10v);
+        let set = at_most(FIELDS, "speed-clamp", p.speed_at_10v);
         return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.text.as_str()), [set])]);
     }
     if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {
