@@ -13,7 +13,7 @@ use macroline::nc::Files;
 use macroline::project::Project;
 use macroline::project::chance::chance;
 use macroline::project::run::{AtStop, RunOptions, of_programs, to_end};
-use macroline::project::size::{SizingRuns, answers, size};
+use macroline::project::size::{SizingRuns, size, size_without_envelope};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::Criterion;
 use work::{COUNT, flat, formulas, parse, run};
@@ -44,13 +44,13 @@ fn section() -> Vec<f64> {
 
 /// The first machine: design, choice of motors, sensitivities and inverse, by runs that are there.
 fn sized(project: &Project, runs: &SizingRuns) -> usize {
-    project.design().readouts.len() + answers(project, runs).axes.len()
+    project.design().readouts.len() + size_without_envelope(project, runs).axes.len()
 }
 
 fn sizing() {
     let project = Project::of("ribbon-line", None).unwrap();
     let runs = SizingRuns::new(&project, &project.written());
-    let motors: usize = answers(&project, &runs).axes.iter().map(|axis| axis.candidates.len()).sum();
+    let motors: usize = size_without_envelope(&project, &runs).axes.iter().map(|axis| axis.candidates.len()).sum();
     // 10 ms natively, 25 ms in wasm, with 50 motors.
     assert!(motors >= 50, "{motors} motors");
     let asked = if cfg!(target_arch = "wasm32") { 1.0 / 25e-3 } else { 1.0 / 10e-3 };

@@ -11,7 +11,7 @@ use std::rc::Rc;
 use criterion::{Criterion, Throughput};
 use macroline::controls;
 use macroline::nc::{Files, Parsed, emit, parse, tokens};
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 
 /// Blocks of the flat program.
 const COUNT: u64 = 100_000;

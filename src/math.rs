@@ -24,6 +24,29 @@ pub fn whole_up(x: f64) -> f64 {
     ((x * 1e9).round() / 1e9).ceil()
 }
 
+/// Bisection of the interval between a value at which a condition holds and a value, above or below it, at which it fails: the ends after
+/// so many halvings. The condition is taken to hold at the first end and to fail at the second one.
+pub fn bisect(holds: f64, fails: f64, halvings: u32, mut condition: impl FnMut(f64) -> bool) -> (f64, f64) {
+    let halved = |(holds, fails): (f64, f64), _| {
+        let middle = 0.5 * (holds + fails);
+        if condition(middle) { (middle, fails) } else { (holds, middle) }
+    };
+    (0..halvings).fold((holds, fails), halved)
+}
+
+/// The last value, from `holds` towards `fails`, at which a condition holds, by [`bisect`].
+pub fn last_holding(holds: f64, fails: f64, halvings: u32, condition: impl FnMut(f64) -> bool) -> f64 {
+    bisect(holds, fails, halvings, condition).0
+}
+
+/// Halvings by which [`greatest_share`] is found.
+const SHARE_HALVINGS: u32 = 20;
+
+/// The greatest share from `least` to 1 with which a condition holds that does not hold with more; none if it does not hold with the least.
+pub fn greatest_share(least: f64, holds: impl Fn(f64) -> bool) -> Option<f64> {
+    holds(least).then(|| last_holding(least, 1.0, SHARE_HALVINGS, &holds))
+}
+
 /// Sine of an angle in radians.
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)

@@ -1,7 +1,7 @@
 //! Load of a motion on a gear unit, and the check against its ratings: torque at the output, speed at the input.
 
-use super::duty::Motion;
 use super::parts::GearRatings;
+use super::shaft_motion::Motion;
 use crate::math::{self, RPM};
 
 /// Load on a gear unit.
@@ -20,11 +20,11 @@ pub struct GearDuty {
 impl GearDuty {
     /// Load of a motion of the output on a gear of this ratio.
     pub fn new(output: &Motion, ratio: f64) -> GearDuty {
-        let work = output.work(0.0);
+        let load = output.motor_load(0.0);
         GearDuty {
-            peak: work.peak.torque,
+            peak: load.peak.torque,
             mean: lasting(output),
-            speed: work.speed / RPM * ratio,
+            speed: load.speed / RPM * ratio,
             mean_speed: output.mean_speed() * ratio,
         }
     }
@@ -44,9 +44,9 @@ impl GearDuty {
 /// planetary gear units; 0 at standstill. Source: their catalogues, from memory.
 fn lasting(output: &Motion) -> f64 {
     let (mut sum, mut way) = (0.0, 0.0);
-    for turn in output.turns() {
-        let turned = 0.5 * (turn.from + turn.to).abs() * turn.seconds;
-        let torque = output.torque(turn, 0.0).abs();
+    for segment in output.segments() {
+        let turned = 0.5 * (segment.from + segment.to).abs() * segment.seconds;
+        let torque = output.torque(segment, 0.0).abs();
         sum += turned * torque * torque * torque;
         way += turned;
     }

@@ -1,4 +1,4 @@
-//! Engineering formulas shared by the machines: inertia, load and duty of motors, slides on ball screws, servo motors, their derating and holding brakes, parts to order, cams, analog output, spindle speed and positioning, gear units, cutting, web and reel, timing of a servo’s block, induction motors, polygon turning, axis scaling.
+//! Engineering formulas shared by the machines: inertia, load, motion and duty of motors, slides on ball screws, servo motors, their derating and holding brakes, parts to order, cams, analog output, spindle speed and positioning, gear units, cutting, web and reel, timing of a servo’s block, induction motors, polygon turning, axis scaling.
 
 pub mod inertia;
 
@@ -9,6 +9,8 @@ pub mod slide;
 pub mod duty;
 
 pub mod servo;
+
+pub mod shaft_motion;
 
 pub mod holding_brake;
 

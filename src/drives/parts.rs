@@ -1,7 +1,7 @@
 //! Parts as data: servo and induction motors, amplifiers, inverters, gear units, brake resistors and encoders with ratings and evidence.
 
-use super::duty::ResistorLoad;
 use super::servo::{Acceptance, Servo};
+use super::shaft_motion::ResistorLoad;
 use crate::text::{Citation, Grade};
 
 /// A part for ordering.

@@ -19,12 +19,12 @@ pub struct Servo {
     pub rotor: f64,
 }
 
-/// Load on a motor. Nm, r/min.
+/// Demand of a cycle on a motor. Nm, r/min.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Duty {
+pub struct MotorDemand {
     /// Highest torque.
     pub peak: f64,
-    /// Effective torque of a cycle.
+    /// Effective torque.
     pub effective: f64,
     /// Highest speed.
     pub speed: f64,
@@ -122,13 +122,13 @@ impl Servo {
         self.peak * (self.rated_speed / speed).min(1.0)
     }
 
-    /// Utilization by a load and a duty.
-    pub fn shares(&self, load: &Load, duty: &Duty) -> Shares {
+    /// Utilization by the inertia of a load and by a demand.
+    pub fn shares(&self, load: &Load, demand: &MotorDemand) -> Shares {
         Shares {
             inertia_ratio: load.inertia / self.rotor,
-            peak: duty.peak / self.peak,
-            effective: duty.effective / self.stall,
-            speed: duty.speed / self.top_speed,
+            peak: demand.peak / self.peak,
+            effective: demand.effective / self.stall,
+            speed: demand.speed / self.top_speed,
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Drives that a machine is sized by: the servo motors of its axes, the motor on its inverter, and quantities checked during operation.
 
 use crate::drives::ShortTime;
-use crate::drives::duty::{CutSpan, Motion, OperatingPoint, Strikes, Turn};
 use crate::drives::holding_brake;
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::servo::{Acceptance, Servo};
+use crate::drives::shaft_motion::{CutSpan, Motion, OperatingPoint, SpeedSegment, Strikes};
 use crate::drives::spindle_motor::MotorCurve;
 use crate::math::RPM;
 use crate::motion::{Mover, Snapshot, Stretch};
@@ -150,9 +150,13 @@ pub struct FormGear {
 }
 
 impl FormGear {
-    /// Motion of the output shaft while the input shaft makes these turns.
-    pub fn output_motion(&self, input: &[Turn]) -> Motion {
-        let slower = |turn: &Turn| Turn { from: turn.from / self.ratio, to: turn.to / self.ratio, ..*turn };
+    /// Motion of the output shaft under these segments of the speed of the input shaft.
+    pub fn output_motion(&self, input: &[SpeedSegment]) -> Motion {
+        let slower = |segment: &SpeedSegment| SpeedSegment {
+            from: segment.from / self.ratio,
+            to: segment.to / self.ratio,
+            ..*segment
+        };
         Motion::new(input.iter().map(slower), self.output, self.hold)
             .with_strikes(pulled_taut(Strikes::default(), self.taut))
     }
@@ -192,12 +196,12 @@ impl DrivenAxis {
 
     /// The motion of the motor's shaft in a part of a run, under the torque of its work within these spans (s); without spans always.
     pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
-        let motion = Motion::new(turns(stretches, self.turn), self.load, self.hold)
+        let motion = Motion::new(speed_segments(stretches, self.turn), self.load, self.hold)
             .with_weight(self.weight)
             .with_strikes(pulled_taut(self.strikes, self.taut));
         match (works, self.cut) {
             (None, _) => motion,
-            (Some(works), None) => motion.with_work(works.to_vec()),
+            (Some(works), None) => motion.with_loaded_spans(works.to_vec()),
             (Some(works), Some(torque)) => {
                 motion.with_cuts(works.iter().map(|&(begin, end)| CutSpan { begin, end, torque }).collect())
             }
@@ -210,9 +214,9 @@ fn pulled_taut(strikes: Strikes, taut: f64) -> Strikes {
     Strikes { peak: strikes.peak.max(taut), ..strikes }
 }
 
-/// Stretches of a run as turns of a shaft, in radians per unit of the run.
-pub fn turns(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = Turn> {
-    stretches.iter().map(move |stretch| Turn {
+/// Stretches of a run as segments of the speed of a shaft, with its radians per unit of the run.
+pub fn speed_segments(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = SpeedSegment> {
+    stretches.iter().map(move |stretch| SpeedSegment {
         t: stretch.t,
         seconds: stretch.seconds,
         from: stretch.from * per_unit,
@@ -267,18 +271,18 @@ pub struct InverterDrive {
 impl InverterDrive {
     /// Motion of the motor's shaft in a part of a run; for a main spindle without the torque of its cut.
     pub fn motion(&self, stretches: &[Stretch]) -> Motion {
-        Motion::new(turns(stretches, self.turn), self.load_at_motor, 0.0)
+        Motion::new(speed_segments(stretches, self.turn), self.load_at_motor, 0.0)
     }
 
-    /// Turns of the motor's shaft in run-up, work and stop; without a cycle of ramps, in the work alone.
-    pub fn turns(&self) -> Vec<Turn> {
+    /// Segments of the speed of the motor's shaft in run-up, work and stop; without a cycle of ramps, in the work alone.
+    pub fn speed_segments(&self) -> Vec<SpeedSegment> {
         let speed = self.speed.abs() * RPM;
-        let steady = |t: f64, seconds: f64| Turn { t, seconds, from: speed, to: speed };
+        let steady = |t: f64, seconds: f64| SpeedSegment { t, seconds, from: speed, to: speed };
         match self.cycle {
             None => vec![steady(0.0, 1.0)],
             Some(InverterCycle { of, .. }) => {
-                let rise = Turn { t: 0.0, seconds: of.ramp, from: 0.0, to: speed };
-                let fall = Turn { t: of.ramp + of.run, seconds: of.ramp, from: speed, to: 0.0 };
+                let rise = SpeedSegment { t: 0.0, seconds: of.ramp, from: 0.0, to: speed };
+                let fall = SpeedSegment { t: of.ramp + of.run, seconds: of.ramp, from: speed, to: 0.0 };
                 vec![rise, steady(of.ramp, of.run), fall]
             }
         }
@@ -351,7 +355,7 @@ impl SpindleRun {
     /// stock, over the run and its pause (s).
     pub fn resistor(&self, percent: f64, pause: f64) -> Option<ResistorDemand> {
         let energies = self.idle.returns(self.rotor);
-        let seconds: f64 = self.idle.turns().iter().map(|turn| turn.seconds).sum();
+        let seconds: f64 = self.idle.segments().iter().map(|segment| segment.seconds).sum();
         let is_asked = percent > WITHOUT_RESISTOR && !energies.is_empty();
         is_asked.then_some(ResistorDemand { name: self.name, percent, energies, cycle: seconds + pause })
     }

@@ -1,5 +1,7 @@
 //! A form as data: fields with unit, range, default and help, and their values.
 
+pub mod entry;
+
 pub mod fill;
 
 mod read;

@@ -1,7 +1,7 @@
 //! The operator's override knobs of feed and spindle: the cut of a lathe at their ends, in the same way for every lathe.
 
 use super::devices::forced_cooling_advice;
-use super::verdict::NumberEntry;
+use super::form::entry::NumberEntry;
 use crate::drives::speed::{KnobEnds, Steps};
 use crate::msg;
 use crate::text::Message;

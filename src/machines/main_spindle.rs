@@ -3,11 +3,12 @@
 use super::devices::{AskedDevice, BillItem};
 use super::driven::SpindleRun;
 use super::form::Field;
+use super::form::entry::{at_least, field_max};
 use super::form::rows::{Member, flag, number};
-use super::verdict::{Judgement, fail, maximum, ok, up, warn};
-use crate::drives::duty::{CutSpan, Motion};
+use super::verdict::{Judgement, fail, ok, warn};
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
+use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::drives::{MainSpindle, ShortTime};
 use crate::msg;
@@ -192,21 +193,21 @@ pub(super) fn judge_ramp<P>(
         if shortest == f64::INFINITY {
             return warn(limit, [msg!("lathe.friction-stalls-at-knob", percent = (percent, 0)).into()]);
         }
-        let set = up(fields, id, shortest);
+        let set = at_least(fields, id, shortest);
         let advice =
             Advice::from(msg!("lathe.ramp-at-knob", percent = (percent, 0), needed = (shortest, 2), ramp = (ramp, 2)));
         let button = msg!("advice.set-ramp", time = set.text.as_str());
-        return warn(limit, [if shortest <= maximum(fields, id) { advice.setting(button, [set]) } else { advice }]);
+        return warn(limit, [if shortest <= field_max(fields, id) { advice.setting(button, [set]) } else { advice }]);
     }
     if shortest == f64::INFINITY {
         let gives = spindle.driving_motor().torque(highest);
         let friction = (spindle.load_at_spindle.torque, 1);
         return fail(limit, [msg!("lathe.friction-stalls", friction, torque = (gives, 1)).into()]);
     }
-    let set = up(fields, id, shortest);
+    let set = at_least(fields, id, shortest);
     let advice = Advice::from(msg!("lathe.ramp-too-short", needed = (shortest, 2), ramp = (ramp, 2)));
     let button = msg!("advice.set-ramp", time = set.text.as_str());
-    fail(limit, [if shortest <= maximum(fields, id) { advice.setting(button, [set]) } else { advice }])
+    fail(limit, [if shortest <= field_max(fields, id) { advice.setting(button, [set]) } else { advice }])
 }
 
 /// The fan with a supply of its own, where a drive has forced cooling (IC 416).

@@ -1,9 +1,7 @@
 //! Results as rows, and the rules that judge them.
 
-use super::form::{Field, FieldKind};
-use crate::text::catalog::number_text;
 use crate::text::{Citation, Grade, Phrase};
-use crate::view::{Advice, FieldEntry, Limit, Readout, Verdict};
+use crate::view::{Advice, Limit, Readout, Verdict};
 
 /// Another unit of a result, and whether a machine `M` has it.
 pub type OtherUnit<M> = (fn(&M) -> bool, &'static str);
@@ -97,78 +95,6 @@ pub fn fail(limit: impl Into<Option<Limit>>, advice: impl Into<Vec<Advice>>) -> 
 
 fn judgement(verdict: Verdict, limit: impl Into<Option<Limit>>, advice: impl Into<Vec<Advice>>) -> Option<Judgement> {
     Some(Judgement { verdict, limit: limit.into(), advice: advice.into() })
-}
-
-/// An entry of a number field with the decimals that the field keeps.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NumberEntry {
-    /// Id of the field.
-    pub field: &'static str,
-    /// Value in the unit of the field.
-    pub value: f64,
-    /// Text to be typed.
-    pub text: String,
-}
-
-impl From<NumberEntry> for FieldEntry {
-    fn from(entry: NumberEntry) -> FieldEntry {
-        FieldEntry { field: entry.field, text: entry.text }
-    }
-}
-
-/// The greatest entry of a number field that is not above `value`.
-pub fn down<P>(fields: &[Field<P>], id: &'static str, value: f64) -> NumberEntry {
-    entry(fields, id, value, f64::floor)
-}
-
-/// The least entry of a number field that is not below `value`.
-pub fn up<P>(fields: &[Field<P>], id: &'static str, value: f64) -> NumberEntry {
-    entry(fields, id, value, f64::ceil)
-}
-
-/// The entry of a number field that is nearest to `value`.
-pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> NumberEntry {
-    entry(fields, id, value, f64::round)
-}
-
-/// The greatest entry of a number field; infinite for other fields.
-pub fn maximum<P>(fields: &[Field<P>], id: &str) -> f64 {
-    let kind = fields.iter().find(|field| field.id == id).map(|field| &field.kind);
-    match kind {
-        Some(FieldKind::Number { max, .. }) => *max,
-        _ => f64::INFINITY,
-    }
-}
-
-/// The least entry of a number field; minus infinity for other fields.
-pub fn minimum<P>(fields: &[Field<P>], id: &str) -> f64 {
-    let kind = fields.iter().find(|field| field.id == id).map(|field| &field.kind);
-    match kind {
-        Some(FieldKind::Number { min, .. }) => *min,
-        _ => f64::NEG_INFINITY,
-    }
-}
-
-fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> NumberEntry {
-    let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
-        FieldKind::Number { decimals, .. } => decimals,
-        _ => 0,
-    });
-    let unit = crate::nc::dec::POW10[usize::from(decimals.min(12))] as f64;
-    let value = round(value * unit) / unit;
-    NumberEntry { field: id, value, text: number_text(value, decimals) }
-}
-
-/// Halvings by which a share is found.
-const HALVINGS: u32 = 20;
-
-/// The greatest share from `least` to 1 with which a condition holds that does not hold with more; none if it does not hold with the least.
-pub fn greatest_share(least: f64, holds: impl Fn(f64) -> bool) -> Option<f64> {
-    let halved = |(holding, failing): (f64, f64), _| {
-        let middle = 0.5 * (holding + failing);
-        if holds(middle) { (middle, failing) } else { (holding, middle) }
-    };
-    holds(least).then(|| (0..HALVINGS).fold((least, 1.0), halved).0)
 }
 
 /// The results that apply to the form, each with the judgement of every rule about it.

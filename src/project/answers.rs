@@ -4,13 +4,13 @@ use serde_json::{Value as Json, json};
 
 use super::chance::Chance;
 use super::export::{Export, ExportOptions};
-use super::file_findings::{FileFindings, Sources, list_json};
+use super::findings::file_findings::{FileFindings, Sources, list_json};
 use super::repairs::repairs;
 use super::size::{Sizing, size};
 use super::{Project, list, origins};
 
 /// Results of a project with limits and verdicts, the changes with which failing ones hold, origins of its values and diagnostics; `file` has the diagnostics about its file.
-pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>) {
+pub fn design_with_findings(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>) {
     let design = project.design();
     let mut answer = origins::json(project);
     answer["readouts"] = list::readouts_json(&design.readouts);
@@ -23,7 +23,7 @@ pub fn design(project: &Project, file: FileFindings) -> (Json, Vec<FileFindings>
 }
 
 /// A sizing with its diagnostics, and the chance that every verdict holds, if requested.
-pub fn sizing(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings]) -> Json {
+pub fn sizing_json(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings]) -> Json {
     let mut answer = sizing.json();
     answer["chance"] = json!(chance.map(Chance::json));
     answer["diagnostics"] = list_json(all);
@@ -31,7 +31,7 @@ pub fn sizing(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings]) ->
 }
 
 /// A project sized by runs of its program; `file` has the diagnostics about its file.
-pub fn sized(project: &Project, file: FileFindings) -> (Sizing, Vec<FileFindings>) {
+pub fn size_with_findings(project: &Project, file: FileFindings) -> (Sizing, Vec<FileFindings>) {
     let written = project.written();
     let sizing = size(project, &written);
     let list = written.diagnostics.into_iter().chain(sizing.findings()).collect();
@@ -39,7 +39,7 @@ pub fn sized(project: &Project, file: FileFindings) -> (Sizing, Vec<FileFindings
 }
 
 /// The files for the machine, with the documents of a sizing; `date` is that of the title block.
-pub fn exported(project: &Project, date: &str, file: FileFindings) -> (Export, Vec<FileFindings>) {
+pub fn export_with_findings(project: &Project, date: &str, file: FileFindings) -> (Export, Vec<FileFindings>) {
     let written = project.written();
     let (advice, sizing) = (project.advice(&written), size(project, &written));
     let options = ExportOptions { advice: &advice, date, sizing: Some(&sizing) };

@@ -40,14 +40,14 @@ pub struct Chance {
 /// Draws machines, each with every assumed fact evenly between 0.9 and 1.1 of its value: within the range of its field, rounded to its decimals.
 /// The same seed draws the same machines everywhere.
 pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
-    chance_telling(project, draws, seed, &mut |_| ())
+    chance_with_progress(project, draws, seed, &mut |_| ())
 }
 
 /// Number of draws between two reports of progress.
 const DRAWS_PER_REPORT: u32 = 500;
 
 /// Draws machines and reports the share done, 0 to 1.
-pub fn chance_telling(project: &Project, draws: u32, seed: u64, tell: &mut dyn FnMut(f64)) -> Chance {
+pub fn chance_with_progress(project: &Project, draws: u32, seed: u64, tell: &mut dyn FnMut(f64)) -> Chance {
     let facts = assumed_numbers(project);
     let mut random = fastrand::Rng::with_seed(seed);
     let mut values = project.values.clone();

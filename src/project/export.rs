@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::Project;
+use super::files::encode;
+use super::findings::silence::silence;
 use super::program::Written;
-use super::silence::silence;
 use super::size::Sizing;
-use super::{Project, encode};
 use crate::controls::options::CommentCharacters;
 use crate::machines::{MachineFile, PreparedMachine};
 use crate::msg;

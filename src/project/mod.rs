@@ -1,20 +1,12 @@
 //! The interface to all computation: a project in, a run out. Page and command line compute with nothing else.
 
-mod json;
+pub mod files;
 
-mod json_reason;
-
-mod findings;
-
-mod file_names;
-
-pub mod file_findings;
+pub mod findings;
 
 pub mod parts;
 
 pub mod saved;
-
-pub mod decode;
 
 pub mod import;
 
@@ -28,37 +20,19 @@ mod io_names;
 
 pub mod operator;
 
-mod checksum;
-
-pub mod encode;
-
-pub mod check;
-
 pub mod setting;
 
 pub mod run;
 
-pub mod debug;
+pub mod debugger;
 
 pub mod drawing;
-
-pub mod breakpoints;
-
-pub mod console;
 
 pub mod export;
 
 mod report;
 
-pub mod render;
-
-pub mod silence;
-
-pub mod request;
-
-pub mod run_request;
-
-pub mod session;
+pub mod requests;
 
 pub mod answers;
 
@@ -73,8 +47,6 @@ pub mod sensitivity;
 pub mod size;
 
 mod customer;
-
-pub mod variant;
 
 pub mod variants;
 
@@ -95,7 +67,7 @@ pub mod help;
 
 use std::sync::Arc;
 
-use self::variant::Variant;
+use self::variants::variant::Variant;
 use crate::controls::{Control, Switches};
 use crate::drives::parts::Part;
 use crate::machines::form::{Origins, Values, with_entries};
@@ -135,7 +107,7 @@ pub struct Project {
     pub edited: Option<Files>,
     /// Parts that the user has added to the catalogue, by [`Project::add_parts`].
     pub parts: Vec<Part>,
-    /// Other settings of the machine, to compare and to take again, by [`Project::keep_variant`]; at most [`variant::MAX_VARIANTS`].
+    /// Other settings of the machine, to compare and to take again, by [`Project::keep_variant`]; at most [`variants::variant::MAX_VARIANTS`].
     pub variants: Vec<Variant>,
     memo: prepared::Memo,
 }

@@ -1,9 +1,9 @@
 //! The report of a project: the parts of machine and control, a run of the programs, and their checksums.
 
 use super::Project;
-use super::checksum::crc32;
-use super::encode;
 use super::export::ExportOptions;
+use super::files::checksum::crc32;
+use super::files::encode;
 use super::program::Written;
 use super::repairs::repairs;
 use super::run::{RunOptions, of_project, program_number};

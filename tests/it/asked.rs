@@ -5,7 +5,7 @@ use macroline::machines::AnyMachine;
 use macroline::machines::form::Values;
 use macroline::motion::{Planner, Snapshot};
 use macroline::project::Project;
-use macroline::project::size::{Sizing, SizingRuns, answers, size};
+use macroline::project::size::{Sizing, SizingRuns, size, size_without_envelope};
 use macroline::view::Readout;
 
 /// A result of the design by its id.
@@ -37,7 +37,7 @@ pub(crate) fn sized(project: &Project) -> Sizing {
 
 /// The sizing without the operating envelope.
 pub(crate) fn sized_without_envelope(project: &Project) -> Sizing {
-    answers(project, &SizingRuns::new(project, &project.written()))
+    size_without_envelope(project, &SizingRuns::new(project, &project.written()))
 }
 
 /// Cells of the table of stops.

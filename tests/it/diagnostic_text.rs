@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use macroline::controls;
 use macroline::nc::{Files, parse};
-use macroline::project::render::{Renderer, summary};
+use macroline::project::findings::render::{Renderer, summary};
 
 #[track_caller]
 fn check(id: &str, text: &str, expected: Expect) {

@@ -13,7 +13,7 @@ use macroline::machines;
 use macroline::motion::{Action, Budget, Event, Panel, Planner, Retention, RunEnd, Snapshot};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 use macroline::project::run::{self, RunOptions};
 
 /// A clause of a paper: its section, its sentence, the test that shows it.

@@ -7,8 +7,8 @@ use std::rc::Rc;
 use macroline::controls;
 use macroline::controls::Switches;
 use macroline::nc::{self, Files};
-use macroline::project::check::review;
-use macroline::project::render::Renderer;
+use macroline::project::findings::check::review;
+use macroline::project::findings::render::Renderer;
 use serde_json::{Value as Json, json};
 
 use super::command;

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use macroline::machines::form::{Provenance, Value};
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::{File, Files};
-use macroline::project::render::Renderer;
+use macroline::project::findings::render::Renderer;
 use macroline::project::saved::{MAX_PROGRAM, panel_from_json, steps_from_json, steps_to_json};
 use macroline::project::{Project, import};
 use macroline::text::Severity;

@@ -31,7 +31,7 @@ use macroline::drives::cam::{Coefficients, Correction, Law};
 use macroline::drives::induction::Induction;
 use macroline::drives::inertia::{self, Cylinder, STEEL};
 use macroline::drives::load::{self, Load, Move, Phase, Regeneration, effective};
-use macroline::drives::servo::{Acceptance, Duty, Reason, Servo};
+use macroline::drives::servo::{Acceptance, MotorDemand, Reason, Servo};
 use macroline::drives::web;
 use macroline::machines::form;
 use macroline::math::{self, PI};
@@ -466,8 +466,8 @@ fn motors_are_judged_as_by_the_oracle() {
         let (motor, axis) = (motor(name), if case["axis"] == "X" { pull() } else { print() });
         let (peak, steady) = (axis.peak(&motor), axis.load.torque);
         let phases: [Phase; 4] = axis.load.phases(motor.rotor, axis.step_by_step());
-        let through = motor.shares(&axis.load, &Duty { peak, effective: steady, speed: axis.rpm });
-        let stepping = Duty { peak: phases[0].torque, effective: effective(&phases), speed: axis.rpm };
+        let through = motor.shares(&axis.load, &MotorDemand { peak, effective: steady, speed: axis.rpm });
+        let stepping = MotorDemand { peak: phases[0].torque, effective: effective(&phases), speed: axis.rpm };
         let stepping = motor.shares(&axis.load, &stepping);
         for (key, own) in [
             ("ratio", through.inertia_ratio),
@@ -492,14 +492,15 @@ fn motors_are_judged_as_by_the_oracle() {
 fn first_reason_is_the_speed_then_torque_then_inertia() {
     let (axis, motor) = (print(), motor("HC52"));
     let limits = Acceptance::mitsubishi(5.0);
-    let fails = |peak, effective, speed| motor.shares(&axis.load, &Duty { peak, effective, speed }).fails(&limits);
+    let fails =
+        |peak, effective, speed| motor.shares(&axis.load, &MotorDemand { peak, effective, speed }).fails(&limits);
     assert_eq!(fails(1.0, 1.0, 2000.0), None);
     assert_eq!(fails(100.0, 100.0, 2000.1), Some(Reason::Speed));
     assert_eq!(fails(9.5, 100.0, 2000.0), Some(Reason::Peak));
     assert_eq!(fails(1.0, 2.4, 2000.0), Some(Reason::Effective));
     assert_eq!(fails(f64::NAN, 1.0, 2000.0), Some(Reason::Peak));
     let light = Servo { rotor: 1e-4, ..motor };
-    let light = light.shares(&axis.load, &Duty { peak: 1.0, effective: 1.0, speed: 100.0 });
+    let light = light.shares(&axis.load, &MotorDemand { peak: 1.0, effective: 1.0, speed: 100.0 });
     assert_eq!(light.fails(&limits), Some(Reason::Inertia));
 }
 

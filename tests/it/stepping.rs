@@ -10,12 +10,12 @@ use macroline::controls::{Control, Switches, find};
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use macroline::nc::{self, Files};
-use macroline::project::breakpoints::{Breakpoints, Location};
-use macroline::project::console::{Console, Outcome};
-use macroline::project::debug::{Debugger, Goal, Stop};
-use macroline::project::render::Renderer;
+use macroline::project::Project;
+use macroline::project::debugger::breakpoints::{Breakpoints, Location};
+use macroline::project::debugger::console::{Console, Outcome};
+use macroline::project::debugger::stepping::{Debugger, Goal, Stop};
+use macroline::project::findings::render::{self, Renderer};
 use macroline::project::run::{self, Run, RunOptions};
-use macroline::project::{Project, render};
 use macroline::text::FileId;
 use proptest::prelude::*;
 

@@ -5,9 +5,9 @@ use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::Files;
 use macroline::project::Project;
-use macroline::project::render::Renderer;
-use macroline::project::variant::{MAX_VARIANT_NAME, MAX_VARIANTS};
+use macroline::project::findings::render::Renderer;
 use macroline::project::variants::comparison_text;
+use macroline::project::variants::variant::{MAX_VARIANT_NAME, MAX_VARIANTS};
 use macroline::view::Comparison;
 
 fn ribbon() -> Project {

@@ -8,7 +8,7 @@ use std::rc::Rc;
 use expect_test::{Expect, expect};
 use macroline::controls::{Switches, find};
 use macroline::nc::{self, Files};
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 use macroline::text::catalog::sentence;
 use macroline::text::{Diagnostic, LineIndex};
 

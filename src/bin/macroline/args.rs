@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use macroline::project::chance;
-use macroline::project::run_request::BUDGET;
+use macroline::project::requests::run_request::BUDGET;
 use macroline::text::units::Lengths;
 
 /// Sizes special CNC machines, writes their macro programs and runs that very text.

@@ -7,14 +7,15 @@ use macroline::controls::Control;
 use macroline::machines;
 use macroline::msg;
 use macroline::project::chance::chance;
-use macroline::project::file_findings::list_json;
+use macroline::project::findings::file_findings::list_json;
+use macroline::project::findings::render::summary;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
-use macroline::project::render::summary;
 use macroline::project::repairs::repairs;
+use macroline::project::requests::check_request;
 use macroline::project::run::AtStop;
 use macroline::project::size::words::sheet_text;
-use macroline::project::{Project, answers, drawing, list, origins, parts, request, variants};
+use macroline::project::{Project, answers, drawing, list, origins, parts, variants};
 use macroline::text::catalog::{self, words};
 use macroline::text::units;
 use macroline::view::Theme;
@@ -92,7 +93,7 @@ impl Command {
 
 /// The control with this id, if one is given; an error for an unknown id.
 fn control(id: Option<&str>) -> Result<Option<&'static Control>, Failure> {
-    id.map(request::control).transpose().map_err(|message| Failure::usage(&message))
+    id.map(check_request::control).transpose().map_err(|message| Failure::usage(&message))
 }
 
 fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool) -> Result<(), Failure> {
@@ -131,7 +132,7 @@ fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<()
 fn design(path: &Path, json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let (answer, all) = answers::design(&project, file);
+    let (answer, all) = answers::design_with_findings(&project, file);
     if json {
         print_json(&answer)?;
     } else {
@@ -146,10 +147,10 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
 fn size(path: &Path, (draws, seed): (u32, u64), json: bool) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], json)) };
-    let (sizing, all) = answers::sized(&project, file);
+    let (sizing, all) = answers::size_with_findings(&project, file);
     let chance = (draws > 0).then(|| chance(&project, draws, seed));
     if json {
-        print_json(&answers::sizing(&sizing, chance.as_ref(), &all))?;
+        print_json(&answers::sizing_json(&sizing, chance.as_ref(), &all))?;
     } else {
         print(&(sizing.text() + &chance.map_or(String::new(), |chance| sheet_text(&chance.sheet(), usize::MAX))))?;
         print_findings(&all)?;
@@ -187,7 +188,7 @@ fn compare(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
 fn export(path: &Path, folder: &Path, date: &str, pdf: Option<(Paper, Option<&Path>)>) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
-    let (export, all) = answers::exported(&project, date, file);
+    let (export, all) = answers::export_with_findings(&project, date, file);
     print_findings(&all)?;
     fail_on_errors(&all)?;
     let mut files: Vec<_> = export.bytes().collect();
@@ -246,7 +247,7 @@ fn check(
 ) -> Result<(), Failure> {
     let choices = input::choices(switches, silenced)?;
     let subject = input::subject(paths, control, format)?;
-    let checked = request::check(subject, &choices).map_err(|why| refused(why, format))?;
+    let checked = check_request::check(subject, &choices).map_err(|why| refused(why, format))?;
     print_diagnostics(format, &checked.findings)?;
     if format == Format::Text {
         if checked.findings.iter().all(|findings| findings.list.is_empty()) {

@@ -7,9 +7,9 @@ use macroline::drives::parts::Part;
 use macroline::motion::Panel;
 use macroline::msg;
 use macroline::nc::{File, Files};
-use macroline::project::decode::{Decoded, Encoding};
-use macroline::project::file_findings::{FileFindings, FileRead, Sources};
-use macroline::project::request::{self, Choices, ProgramSource};
+use macroline::project::files::decode::{Decoded, Encoding};
+use macroline::project::findings::file_findings::{FileFindings, FileRead, Sources};
+use macroline::project::requests::check_request::{self, Choices, ProgramSource};
 use macroline::project::{Project, parts, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
@@ -83,7 +83,7 @@ pub(crate) fn subject(
     let format = format.into();
     match control {
         Some(id) => {
-            let control = request::control(id).map_err(|message| Failure::usage(&message))?;
+            let control = check_request::control(id).map_err(|message| Failure::usage(&message))?;
             Ok(ProgramSource::Programs(control, programs(paths, format)?))
         }
         None => {
@@ -122,7 +122,7 @@ pub(crate) fn choices(switches: &[String], silenced: &[String]) -> Result<Choice
 
 /// Reads program files, with an error for each that no control could read; a file that is no text is refused.
 fn programs(paths: &[PathBuf], format: Format) -> Result<FileFindings, Failure> {
-    request::few_files(paths.len()).map_err(|message| Failure::usage(&message))?;
+    check_request::few_files(paths.len()).map_err(|message| Failure::usage(&message))?;
     let (mut files, mut decoded, mut list, mut other) = (Vec::new(), Vec::new(), Vec::new(), false);
     for (path, id) in paths.iter().zip(0..) {
         let file = read(path)?;

@@ -4,9 +4,9 @@ use std::io::{self, BufWriter, StdoutLock, Write};
 use std::process::ExitCode;
 
 use macroline::msg;
-use macroline::project::file_findings::{FileFindings, has_errors, list_json, list_sarif};
-use macroline::project::render::summary;
-use macroline::project::request::Refused;
+use macroline::project::findings::file_findings::{FileFindings, has_errors, list_json, list_sarif};
+use macroline::project::findings::render::summary;
+use macroline::project::requests::check_request::Refused;
 use macroline::text::Message;
 use macroline::text::catalog::sentence;
 use macroline::text::escape::terminal;

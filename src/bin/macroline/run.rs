@@ -4,11 +4,11 @@ use std::io::{self, IsTerminal};
 
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::msg;
-use macroline::project::console::{Console, Outcome};
-use macroline::project::file_findings::{FileFindings, Sources};
+use macroline::project::debugger::console::{Console, Outcome};
+use macroline::project::findings::file_findings::{FileFindings, Sources};
+use macroline::project::findings::silence::silence;
+use macroline::project::requests::run_request::{ReadyRun, RunRequest};
 use macroline::project::run::{AtStop, Setting};
-use macroline::project::run_request::{ReadyRun, RunRequest};
-use macroline::project::silence::silence;
 use serde_json::{Value as Json, json};
 
 use crate::args::RunArgs;

@@ -2,7 +2,7 @@
 
 use super::curve::{Branch, Curve};
 use super::setup::{CutterSetup, Pass};
-use crate::math::PI;
+use crate::math::{self, PI};
 
 /// Half of a pass on one side of its normal, over one branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,7 +84,7 @@ fn lower(arcs: Vec<Arc>, new: Arc, stock: f64) -> Vec<Arc> {
         }
         let deeper = |angle: f64| new.radius(stock, angle) < arc.radius(stock, angle) - ROUNDING;
         let (first, last) = (deeper(from), deeper(to));
-        let cross = if first == last { to } else { halve(from, to, |angle| deeper(angle) == first) };
+        let cross = if first == last { to } else { boundary(from, to, |angle| deeper(angle) == first) };
         let one = |new_one: bool, from: f64, to: f64| Arc { from, to, cut: if new_one { new.cut } else { arc.cut } };
         push(&mut out, Arc { to: from, ..arc });
         push(&mut out, one(first, from, cross));
@@ -94,12 +94,12 @@ fn lower(arcs: Vec<Arc>, new: Arc, stock: f64) -> Vec<Arc> {
     out
 }
 
-/// Bisection for the boundary between `from`, where `holds` is true, and `to`, where it is false.
-pub(super) fn halve(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (from + to);
-        *(if holds(middle) { &mut from } else { &mut to }) = middle;
-    }
+/// Halvings until the ends of an interval of angles are neighbours.
+const HALVINGS: u32 = 60;
+
+/// The boundary between `from`, where `holds` is true, and `to`, where it is false.
+pub(super) fn boundary(from: f64, to: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let (from, to) = math::bisect(from, to, HALVINGS, holds);
     0.5 * (from + to)
 }
 

@@ -1,6 +1,6 @@
 //! Remainder of the stock after all inserts have passed: the exact section, and its measures.
 
-use super::envelope::{self, Arc, OutlinePiece, halve};
+use super::envelope::{self, Arc, OutlinePiece, boundary};
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
@@ -265,7 +265,7 @@ impl Section {
             // At the normal itself the slope is 0, so the direction is tested slightly beside it.
             let before = rises(at + 1e-6 * (next - at));
             if before != rises(next - 1e-6 * (next - at)) {
-                let turns = off(halve(at, next, |sigma| rises(sigma) == before));
+                let turns = off(boundary(at, next, |sigma| rises(sigma) == before));
                 (low, high) = (low.min(turns), high.max(turns));
             }
             at = next;

@@ -4,8 +4,10 @@ use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
 use crate::drives::bending::{NOTABLE, cantilever};
 use crate::drives::cutting::LEAST_DEPTH;
+use crate::machines::form::entry::{at_least, at_most};
 use crate::machines::knobs;
-use crate::machines::verdict::{Judgement, down, fail, greatest_share, ok, up, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 use crate::view::Advice;
@@ -69,7 +71,7 @@ impl PolygonLathe {
         if least >= self.p.depth {
             return None;
         }
-        Some(self.p.depth * greatest_share(least / self.p.depth, |share| force(share * self.p.depth) <= limit)?)
+        Some(self.p.depth * math::greatest_share(least / self.p.depth, |share| force(share * self.p.depth) <= limit)?)
     }
 }
 
@@ -108,7 +110,7 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
             None => ok(limit),
         };
     }
-    let (free, needed) = (lathe.free_length(), up(FIELDS, "free-length", lathe.length_to_jaws()));
+    let (free, needed) = (lathe.free_length(), at_least(FIELDS, "free-length", lathe.length_to_jaws()));
     let fact = Advice::from(msg!(
         "polygon.work-bends",
         bending = (bending, 3),
@@ -121,7 +123,7 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
     let advice = if is_short_enough {
         fact.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
     } else if let Some(depth) = fed.shallower(p.flatness / fed.bending()) {
-        let set = down(FIELDS, "depth", depth);
+        let set = at_most(FIELDS, "depth", depth);
         fact.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
     } else {
         fact

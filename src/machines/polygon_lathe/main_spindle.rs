@@ -5,16 +5,17 @@ use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
-use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::load::{Load, through_gear};
+use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::speed::KnobEnds;
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::machines::devices::{AskedDevice, forced_cooling_advice};
-use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, turns};
+use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, speed_segments};
+use crate::machines::form::entry::at_most;
 use crate::machines::knobs::{self, KnobPositions, TorqueAtKnobs, TorqueRemedy};
 use crate::machines::main_spindle::{self, SpeedCurves, SpindleGear};
 use crate::machines::samples::Samples;
-use crate::machines::verdict::{Judgement, down, fail, ok, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math::RPM;
 use crate::motion::Stretch;
 use crate::msg;
@@ -128,7 +129,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     }
     let weak = Advice::from(msg!("polygon.main-spindle-weak", torque = shown, speed = (speed, 0), limit));
     let share = (most - p.main.friction) / (torque - p.main.friction);
-    let set = down(FIELDS, field, end.depth * share);
+    let set = at_most(FIELDS, field, end.depth * share);
     let depth = set.value;
     let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(p.stock_diameter);
     advice.push(if depth >= cutting::LEAST_DEPTH && !is_endless {
@@ -166,7 +167,7 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
         let cut = |torque: f64| (torque - p.main.friction).max(0.0);
         let shares = torques_at_knobs(lathe, end).into_iter().map(|of| cut(of.limit) / cut(of.torque));
         let share = shares.fold(1.0, f64::min);
-        (share < 1.0).then(|| down(FIELDS, field, end.feed * cutting::feed_share(share, p.specific().exponent)))
+        (share < 1.0).then(|| at_most(FIELDS, field, end.feed * cutting::feed_share(share, p.specific().exponent)))
     };
     let slower = |message: Message| {
         let ends = p.turned_ends.iter().zip(END_FEEDS).filter(|(end, _)| end.on);
@@ -186,7 +187,7 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     }
     let fields = ["before-speed", "after-speed"].into_iter().zip(&lathe.p.turned_ends);
     let fast = fields.filter(|(_, end)| end.on && end.speed > most);
-    let sets: Vec<_> = fast.map(|(field, _)| down(FIELDS, field, most)).collect();
+    let sets: Vec<_> = fast.map(|(field, _)| at_most(FIELDS, field, most)).collect();
     let advice = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
     fail(AtMost(most), [advice.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
 }
@@ -233,7 +234,7 @@ pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stret
     let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
     let cut = cutting::torque(lathe.greatest_end_force(), p.stock_diameter);
     let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
-    let idle = Motion::new(turns(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
+    let idle = Motion::new(speed_segments(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
     let spans = super::progress::turning_spans(lathe, run, until);
     let cuts = spans.into_iter().map(|(begin, end)| CutSpan { begin, end, torque }).collect();
     lathe.has_main_spindle().then(|| p.main.run(NAME, idle, cuts))

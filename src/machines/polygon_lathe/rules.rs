@@ -11,8 +11,9 @@ use super::resolved::PolygonLathe;
 use crate::drives::polygon::SAME_LENGTH;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
+use crate::machines::form::entry::{at_least, at_most, field_max, field_min, nearest};
 use crate::machines::scaling;
-use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, minimum, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
@@ -118,7 +119,7 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
         return None;
     }
     let mut sets = own_shape(lathe.p.sides, f64::from(inserts), (tool, work));
-    sets.push(near(FIELDS, "tip-radius", best.radius).into());
+    sets.push(nearest(FIELDS, "tip-radius", best.radius).into());
     let advice = msg!(
         "polygon.better",
         inserts,
@@ -173,7 +174,7 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     if !other_sides(lathe) && uneven(lathe) && d.even && d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
         let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
         let larger = Advice::from(msg!("polygon.larger-cutter", radius = (radius, 1)));
-        let set = up(FIELDS, "tip-radius", radius);
+        let set = at_least(FIELDS, "tip-radius", radius);
         let fits = radius <= p.greatest_radius;
         advice.push(if fits {
             larger.setting(msg!("advice.set-tips", radius = set.text.as_str()), [set])
@@ -188,7 +189,7 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
 /// Advice to turn the tool in the sense of the work.
 fn same_sense(lathe: &PolygonLathe) -> Advice {
     let p = &lathe.p;
-    let set = near(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());
+    let set = nearest(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());
     Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", tool_turns = set.text.as_str()), [set])
 }
 
@@ -258,10 +259,10 @@ fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Advice with a speed B, a whole number, or that no B is a remedy.
 fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Advice {
-    if !(1.0..=maximum(FIELDS, "speed")).contains(&speed) {
+    if !(1.0..=field_max(FIELDS, "speed")).contains(&speed) {
         return msg!("polygon.no-b").into();
     }
-    Advice::from(advice(speed)).setting(msg!("advice.set-b", speed = (speed, 0)), [near(FIELDS, "speed", speed)])
+    Advice::from(advice(speed)).setting(msg!("advice.set-b", speed = (speed, 0)), [nearest(FIELDS, "speed", speed)])
 }
 
 fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) -> Option<Judgement> {
@@ -325,14 +326,14 @@ fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.reach <= overhang + SAME_LENGTH {
         return ok(AtMost(overhang));
     }
-    let stock = down(FIELDS, "stock-diameter", p.across_flats + 2.0 * overhang);
+    let stock = at_most(FIELDS, "stock-diameter", p.across_flats + 2.0 * overhang);
     let fact = msg!(
         "polygon.body-touches",
         overlap = (d.reach - overhang, 3),
         overhang = (d.reach, 3),
         diameter = stock.text.as_str()
     );
-    let set = up(FIELDS, "overhang", d.reach);
+    let set = at_least(FIELDS, "overhang", d.reach);
     let fits = d.reach < p.tip_radius;
     let advice = Advice::from(fact);
     let advice =
@@ -354,7 +355,7 @@ fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
         return warn(limit, []);
     }
     let advice = Advice::from(msg!("polygon.turned", error = (d.orientation_error, 3), angle = (d.work_start, 3)));
-    let set = near(FIELDS, "work-start", d.work_start);
+    let set = nearest(FIELDS, "work-start", d.work_start);
     warn(limit, [advice.setting(msg!("advice.set-a", angle = (d.work_start, 3)), [set])])
 }
 
@@ -366,10 +367,10 @@ fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     }
     let (slow, soft) = (p.work_time_constant.max(p.tool_time_constant), p.work_gain.min(p.tool_gain));
     let sets = [
-        near(FIELDS, "work-time-constant", slow),
-        near(FIELDS, "tool-time-constant", slow),
-        near(FIELDS, "work-gain", soft),
-        near(FIELDS, "tool-gain", soft),
+        nearest(FIELDS, "work-time-constant", slow),
+        nearest(FIELDS, "tool-time-constant", slow),
+        nearest(FIELDS, "work-gain", soft),
+        nearest(FIELDS, "tool-gain", soft),
     ];
     let advice =
         Advice::from(msg!("polygon.out-of-phase", tool_angle = (d.phase, 3), work_angle = (d.phase_on_work, 3)));
@@ -435,13 +436,13 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
     }
     let message = msg!("polygon.short-run-in", needed = (needed, 2), clearance = (p.clearance, 2));
     let mut advice = Vec::new();
-    let set = up(FIELDS, "clearance", needed);
+    let set = at_least(FIELDS, "clearance", needed);
     let wider = Params { clearance: set.value, ..p.clone() };
-    if wider.clearance <= maximum(FIELDS, "clearance") && wider.has_room(lathe.length_to_jaws() - p.clearance) {
+    if wider.clearance <= field_max(FIELDS, "clearance") && wider.has_room(lathe.length_to_jaws() - p.clearance) {
         let button = msg!("advice.set-clearance", clearance = set.text.as_str());
         advice.push(Advice::from(message.clone()).setting(button, [set]));
     }
-    let set = down(FIELDS, speed, end.speed * p.clearance / needed);
+    let set = at_most(FIELDS, speed, end.speed * p.clearance / needed);
     let slower = Advice::from(if advice.is_empty() { message } else { msg!("polygon.slower-thread") });
     advice.push(if set.value >= 1.0 {
         slower.setting(msg!("advice.set-speed", speed = set.text.as_str()), [set])
@@ -469,9 +470,9 @@ fn run_out(lathe: &PolygonLathe, end: &TurnedEnd, field: &'static str) -> Option
     if limit.holds(needed) {
         return ok(limit);
     }
-    let set = down(FIELDS, field, end.length - needed + SAME_LENGTH);
+    let set = at_most(FIELDS, field, end.length - needed + SAME_LENGTH);
     let needed = (needed, 2);
-    if set.value < minimum(FIELDS, field) {
+    if set.value < field_min(FIELDS, field) {
         return fail(limit, [msg!("polygon.no-run-out", needed, length = (end.length, 3)).into()]);
     }
     let length = set.text.as_str();
@@ -484,7 +485,7 @@ fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Op
     if feed <= clamp {
         return ok(AtMost(clamp));
     }
-    let set = down(FIELDS, field, per_turn * clamp / feed);
+    let set = at_most(FIELDS, field, per_turn * clamp / feed);
     let advice = Advice::from(msg!("polygon.above-clamp", feed = (feed, 0), clamp = (clamp, 0)));
     fail(AtMost(clamp), [advice.setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])])
 }

@@ -135,12 +135,7 @@ impl Cam {
         if !most.is_finite() || keeps(&self.at(most)) {
             return 60e3 * most;
         }
-        let (mut holds, mut fails) = (0.0, most);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (holds + fails);
-            if keeps(&self.at(middle)) { holds = middle } else { fails = middle }
-        }
-        60e3 * holds
+        60e3 * math::last_holding(0.0, most, HALVINGS, |speed| keeps(&self.at(speed)))
     }
 
     /// Acceleration of the roller's surface, m/s², by the peak torque that the steady torque leaves up to rated speed, over inertia.

@@ -7,7 +7,8 @@ use super::resolved::RibbonLine;
 use super::rules::slack;
 use crate::drives::holding_brake::{BrakedStop, CLOSING_TIME};
 use crate::drives::{load, web};
-use crate::machines::verdict::{Judgement, fail, ok, up};
+use crate::machines::form::entry::at_least;
+use crate::machines::verdict::{Judgement, fail, ok};
 use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
@@ -117,7 +118,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
         let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;
         if brake <= STRONGEST * line.p.unwinding.torque {
-            let set = up(FIELDS, "unwinder-motor-brake", brake);
+            let set = at_least(FIELDS, "unwinder-motor-brake", brake);
             let button = msg!("advice.set-motor-brake", torque = set.text.as_str());
             advice.push(Advice::from(message.clone()).setting(button, [set]));
         }

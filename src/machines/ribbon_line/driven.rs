@@ -7,8 +7,8 @@ use super::tension_switch::{self, TensionSwitch};
 use super::unwinder_motor::SHORT_TIME;
 use super::variables::PITCH;
 use crate::drives::ShortTime;
-use crate::drives::duty::Strikes;
 use crate::drives::load::{Load, Move};
+use crate::drives::shaft_motion::Strikes;
 use crate::machines::driven::{
     DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
     MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,

@@ -7,7 +7,7 @@ use crate::drives::block;
 use crate::drives::duty::{counted_pause, with_pause};
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
-use crate::drives::servo::{Acceptance, Duty, Servo, Shares};
+use crate::drives::servo::{Acceptance, MotorDemand, Servo, Shares};
 use crate::drives::web;
 use crate::math::RPM;
 
@@ -34,7 +34,7 @@ pub(super) struct ServoAxis {
     pub output_taut: f64,
     /// Mean speed of the motor over a cycle with its pause, r/min.
     pub mean_speed: f64,
-    pub duty: Duty,
+    pub demand: MotorDemand,
 }
 
 /// The drives of the line.
@@ -97,20 +97,20 @@ impl ServoAxis {
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
         let taut = load::through_gear(side.taut, ratio, efficiency);
         let peak = others.fold((load.torque + rise).abs().max(taut.abs()), f64::max);
-        let duty = Duty { peak, effective, speed: side.rpm };
+        let demand = MotorDemand { peak, effective, speed: side.rpm };
         let limits = limits.at_starts(starts(p, d)).derated(p.site().share());
-        ServoAxis { load, output, motor, limits, ramp, hold, rise, taut, output_taut: side.taut, mean_speed, duty }
+        ServoAxis { load, output, motor, limits, ramp, hold, rise, taut, output_taut: side.taut, mean_speed, demand }
     }
 
     /// Demand of the run as shares of the motor's ratings.
     pub(super) fn shares(&self) -> Shares {
-        self.motor.shares(&self.load, &self.duty)
+        self.motor.shares(&self.load, &self.demand)
     }
 
     /// Seconds of the shortest ramp, up and down, with the torque that the limits leave; infinite where standstill takes more.
     pub(super) fn shortest_ramp(&self) -> f64 {
-        let torque = self.limits.peak * self.motor.short_time_torque(self.duty.speed);
-        let speed = self.duty.speed * RPM;
+        let torque = self.limits.peak * self.motor.short_time_torque(self.demand.speed);
+        let speed = self.demand.speed * RPM;
         let left = torque + self.load.torque;
         if left <= 0.0 || self.hold.abs() > torque {
             return f64::INFINITY;
@@ -122,7 +122,7 @@ impl ServoAxis {
     /// Whether the torque at the teeth of its gear changes its sign while dots are printed: without a steady torque, and at exact stop
     /// where the load is braked with more than that. The rotor is in front of the teeth.
     pub(super) fn reverses(&self, path_mode: PathMode) -> bool {
-        let (load, speed) = (&self.load, self.duty.speed * RPM);
+        let (load, speed) = (&self.load, self.demand.speed * RPM);
         let driven = load.torque + load.accelerating(0.0, speed, self.ramp);
         let braked = load.torque - load.braking(0.0, speed, self.ramp);
         match path_mode {
@@ -138,7 +138,7 @@ impl ServoAxis {
 
     /// Energy in J that a stop gives back, from its speed or from the highest one of its motor.
     pub(super) fn stop_energy(&self) -> f64 {
-        let speed = self.duty.speed.min(self.motor.top_speed) * RPM;
+        let speed = self.demand.speed.min(self.motor.top_speed) * RPM;
         self.load.stop_energy(self.motor.rotor, speed, self.ramp).max(0.0)
     }
 }

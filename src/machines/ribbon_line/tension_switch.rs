@@ -4,7 +4,8 @@ use super::params::FIELDS;
 use super::pose::TIGHT;
 use super::resolved::RibbonLine;
 use crate::drives::web;
-use crate::machines::verdict::{Judgement, fail, ok, up};
+use crate::machines::form::entry::at_least;
+use crate::machines::verdict::{Judgement, fail, ok};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -82,6 +83,6 @@ pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> A
     }
     // Half of what the nip holds is allowed.
     let grip = (2.0 * (allowed - p.web.tension_behind)).max(holds - p.web.tension_behind);
-    let set = up(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
+    let set = at_least(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
     Advice::from(message).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])
 }

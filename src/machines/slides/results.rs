@@ -5,7 +5,8 @@ use core::marker::PhantomData;
 use super::servo::{HasSlides, ServoSlide};
 use crate::drives::inertia::CM2;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
-use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, down, fail, maximum, ok, up, warn};
+use crate::machines::form::entry::{at_least, at_most, field_max};
+use crate::machines::verdict::{self, Judgement, ReadoutRow, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Limit::AtMost;
@@ -128,7 +129,7 @@ fn speed<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
     if speed <= most {
         return ok(AtMost(most));
     }
-    let set = down(M::fields(), field, slide.rapid * most / speed);
+    let set = at_most(M::fields(), field, slide.rapid * most / speed);
     let advice = Advice::from(msg!("slides.motor-too-fast", speed = (speed, 0), limit = (most, 0)));
     fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
 }
@@ -139,7 +140,7 @@ fn whirl<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
     if speed <= most {
         return ok(AtMost(most));
     }
-    let set = down(M::fields(), field, slide.rapid * most / speed);
+    let set = at_most(M::fields(), field, slide.rapid * most / speed);
     let advice = Advice::from(msg!("slides.screw-whirls", speed = (speed, 0), limit = (most, 0)));
     fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
 }
@@ -169,10 +170,10 @@ fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {
         return ok(AtMost(most));
     }
     let ramp = slide.shortest_ramp() * 1e3;
-    if ramp > maximum(M::fields(), "time-constant") {
+    if ramp > field_max(M::fields(), "time-constant") {
         return fail(AtMost(most), [msg!("slides.no-ramp", torque = (torque, 2), limit = (most, 2)).into()]);
     }
-    let set = up(M::fields(), "time-constant", ramp);
+    let set = at_least(M::fields(), "time-constant", ramp);
     let milliseconds = set.value;
     let advice =
         Advice::from(msg!("slides.ramp-too-short", torque = (torque, 2), limit = (most, 2), time = (milliseconds, 1)));

@@ -2,14 +2,13 @@
 
 use super::form::SlideParams;
 use super::lathe::LatheSlides;
-use crate::drives::duty::Strikes;
 use crate::drives::inertia::{CM2, Cylinder, STEEL};
 use crate::drives::servo::{Acceptance, Servo, WEIGHT_SHARE};
+use crate::drives::shaft_motion::Strikes;
 use crate::drives::slide::Slide;
 use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
 use crate::machines::machine::Machine;
-use crate::machines::verdict::greatest_share;
-use crate::math::{PI, RPM};
+use crate::math::{self, PI, RPM};
 use crate::motion::Mover;
 use crate::view::Advice;
 
@@ -174,7 +173,7 @@ impl ServoSlide {
     /// Greatest share of the force of the cut with which its torque stays within the limit; none where friction and weight exceed it.
     pub(super) fn force_share(&self) -> Option<f64> {
         let with = |share: f64| ServoSlide { feed_force: share * self.feed_force, ..*self };
-        greatest_share(0.0, |share| with(share).cut_torque() <= self.cut_torque_limit())
+        math::greatest_share(0.0, |share| with(share).cut_torque() <= self.cut_torque_limit())
     }
 
     /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.

@@ -6,12 +6,12 @@ use super::params::{Params, Path, SpeedMode};
 use super::program::cut_block;
 use super::resolved::TurningSpindle;
 use crate::drives::cutting;
-use crate::drives::duty::{CutSpan, Motion};
 use crate::drives::load::through_gear;
+use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::spindle_motor::MotorCurve;
-use crate::machines::driven::{SpindleRun, turns};
+use crate::machines::driven::{SpindleRun, speed_segments};
 use crate::machines::samples::Samples;
-use crate::math::RPM;
+use crate::math::{self, RPM};
 use crate::motion::Stretch;
 
 /// Relative change of a diameter by which a change of the speed with it is found.
@@ -75,7 +75,7 @@ impl Derived {
 /// The spindle's motor in stretches of a run: chuck and work against friction and cut, at its shaft.
 pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
     let (p, gear) = (&lathe.p, driven::gear(lathe));
-    let idle = Motion::new(turns(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
+    let idle = Motion::new(speed_segments(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
     p.spindle.run(driven::NAME, idle, cuts(lathe, run, stretches))
 }
 
@@ -146,20 +146,16 @@ impl Tip {
 
 /// The part of a span of a cutting block in which the tool moves in the stock, from the tool at its ends.
 fn within_stock(lathe: &TurningSpindle, run: &dyn Samples, a: Tip, b: Tip) -> Option<(Tip, Tip)> {
-    let between = |a: Tip, b: Tip| Tip::at(lathe, run, 0.5 * (a.t + b.t));
     let edge = |inside: Tip, outside: Tip| {
-        let halved = |(inside, outside), _| {
-            let middle = between(inside, outside);
-            if middle.cuts { (middle, outside) } else { (inside, middle) }
-        };
-        (0..HALVINGS).fold((inside, outside), halved).0
+        let cuts = |t: f64| Tip::at(lathe, run, t).cuts;
+        Tip::at(lathe, run, math::last_holding(inside.t, outside.t, HALVINGS, cuts))
     };
     match (a.cuts, b.cuts) {
         (true, true) => Some((a, b)),
         (true, false) => Some((a, edge(a, b))),
         (false, true) => Some((edge(b, a), b)),
         (false, false) => {
-            let middle = between(a, b);
+            let middle = Tip::at(lathe, run, 0.5 * (a.t + b.t));
             middle.cuts.then(|| (edge(middle, a), edge(middle, b)))
         }
     }

@@ -7,9 +7,9 @@ use super::run_up;
 use crate::drives::cutting;
 use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
+use crate::machines::form::entry::at_most;
 use crate::machines::knobs;
 use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
-use crate::machines::verdict::down;
 use crate::math::RPM;
 use crate::msg;
 use crate::text::Message;
@@ -126,7 +126,7 @@ impl HasSlides for TurningSpindle {
 
     fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice {
         let exponent = self.p.material.kienzle().map(|row| row.exponent);
-        let set = exponent.map(|exponent| down(FIELDS, "feed", self.p.feed * cutting::feed_share(share, exponent)));
+        let set = exponent.map(|exponent| at_most(FIELDS, "feed", self.p.feed * cutting::feed_share(share, exponent)));
         knobs::setting_feeds(advice, set.into_iter().collect())
     }
 }

@@ -17,9 +17,10 @@ use crate::drives::bending::NOTABLE;
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::drives::{Bound, spindle_motor};
+use crate::machines::form::entry::{at_least, at_most};
 use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
-use crate::machines::verdict::{Judgement, Rule, down, fail, greatest_share, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::machines::{scaling, turret};
 use crate::math;
 use crate::msg;
@@ -67,7 +68,7 @@ fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     let limit = AtMost(p.chuck_limit);
     if p.upper_limit > p.chuck_limit {
-        let set = down(FIELDS, "upper-limit", p.chuck_limit);
+        let set = at_most(FIELDS, "upper-limit", p.chuck_limit);
         let advice =
             Advice::from(msg!("turning.limit-above-chuck", speed = (p.upper_limit, 0), limit = (p.chuck_limit, 0)))
                 .setting(msg!("advice.set-speed", speed = set.text.as_str()), [set]);
@@ -154,7 +155,7 @@ fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, .. } = lathe;
     let shift = gear_times(lathe);
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
-    let set = down(FIELDS, "gear-time", 2.0 * patience);
+    let set = at_most(FIELDS, "gear-time", 2.0 * patience);
     let advice = Advice::from(msg!(
         "turning.gear-too-late",
         time = (shift.meshing, 2),
@@ -167,7 +168,7 @@ fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// An advice with the feed that is `share` of the present one.
 fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
-    let set = down(FIELDS, "feed", lathe.p.feed * share);
+    let set = at_most(FIELDS, "feed", lathe.p.feed * share);
     Advice::from(message).setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])
 }
 
@@ -232,7 +233,7 @@ fn overloaded(lathe: &TurningSpindle, limit: f64, at_knobs: Option<Judgement>) -
 /// A demand above the continuous rating that the motor's overload would cover if the pause to the next part were longer.
 fn overload_without_pause(lathe: &TurningSpindle, demand: f64, rated: f64) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
-    let set = up(FIELDS, "pause", d.pause_for_overload());
+    let set = at_least(FIELDS, "pause", d.pause_for_overload());
     let with_pause = Params { pause: set.value, ..p.clone() };
     if demand <= d.for_the_cut(p, rated) || demand > d.for_the_cut(&with_pause, rated) {
         return None;
@@ -305,7 +306,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
         |share: f64| lathe.with(Params { cutting_speed: lathe.form.cutting_speed * share, ..lathe.form.clone() });
     let suffices = |slower: &TurningSpindle| slower.d.power <= slower.d.power_available;
     // The speed limit may hold the work below the entered cutting speed: less of that changes nothing at first.
-    let share = greatest_share((1.0 / p.cutting_speed).min(1.0), |share| suffices(&at_share(share)));
+    let share = math::greatest_share((1.0 / p.cutting_speed).min(1.0), |share| suffices(&at_share(share)));
     let slower = share.map_or(0.0, |share| (p.cutting_speed * share).floor());
     // Friction keeps its power with less depth.
     let friction = spindle_motor::power(p.spindle.friction, d.speed_largest.max(d.speed_smallest));
@@ -314,7 +315,7 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let has_torque = |slower: &TurningSpindle| slower.d.torque <= slower.d.torque_available;
     let advice = match slower >= 1.0 && has_torque(&at_share(slower / p.cutting_speed)) {
         true => {
-            let set = down(FIELDS, "cutting-speed", slower);
+            let set = at_most(FIELDS, "cutting-speed", slower);
             Advice::from(msg!(
                 "turning.too-little-power",
                 power = (d.power, 2),
@@ -338,7 +339,7 @@ fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let advice = Advice::from(message);
     // The first of more passes is at a larger diameter, at most that of the stock.
     let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.largest_cut);
-    let set = down(FIELDS, "depth", lathe.p.depth * share / grows);
+    let set = at_most(FIELDS, "depth", lathe.p.depth * share / grows);
     let depth = set.value;
     let passes = Params { depth, ..lathe.p.clone() };
     if lathe.p.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= super::derive::PASSES {
@@ -387,7 +388,7 @@ fn slender(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// An advice to hold the end of the work by the tailstock, and to start where the turret turns clear of it.
 fn fit_tailstock(p: &Params, message: Message) -> Advice {
-    let beside = up(FIELDS, "start-x", turret::beside(p.stock_diameter, p.turret_room));
+    let beside = at_least(FIELDS, "start-x", turret::beside(p.stock_diameter, p.turret_room));
     let start = (p.start_x < beside.value).then(|| FieldEntry::from(beside));
     let entries: Vec<_> = core::iter::once(FieldEntry::new("tailstock", "true")).chain(start).collect();
     Advice::from(message).setting(msg!("advice.tailstock"), entries)
@@ -477,7 +478,7 @@ const LEAST_FEED: f64 = 0.1;
 /// Greatest share of the present feed at which a condition holds; none where less feed does not help.
 fn slower_feed(lathe: &TurningSpindle, holds: impl Fn(&TurningSpindle) -> bool) -> Option<f64> {
     let slower = |share: f64| lathe.with(Params { feed: lathe.form.feed * share, ..lathe.form.clone() });
-    greatest_share(LEAST_FEED, |share| holds(&slower(share)))
+    math::greatest_share(LEAST_FEED, |share| holds(&slower(share)))
 }
 
 /// A gear stage in which the torque suffices and the speed is the same.
@@ -623,7 +624,8 @@ fn falling_cone(p: &Params) -> Option<Diagnostic> {
         let message = msg!("turning.cone-falls-too-steep", angle, edge, slim = (slim, 0), most);
         let found = Diagnostic::error(message).about("length");
         let slope = math::tan_degrees(clear - slim).filter(|slope| *slope > 0.0);
-        let longer = slope.map(|slope| up(FIELDS, "length", depth / slope).value).filter(|length| *length <= p.reach());
+        let longer =
+            slope.map(|slope| at_least(FIELDS, "length", depth / slope).value).filter(|length| *length <= p.reach());
         return Some(longer.into_iter().fold(found, Diagnostic::mended_by));
     }
     let message =

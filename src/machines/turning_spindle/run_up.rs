@@ -5,8 +5,9 @@ use super::keyway;
 use super::params::FIELDS;
 use super::resolved::TurningSpindle;
 use crate::drives::MainSpindle;
+use crate::machines::form::entry::at_most;
 use crate::machines::main_spindle;
-use crate::machines::verdict::{Judgement, down, fail, ok};
+use crate::machines::verdict::{Judgement, fail, ok};
 use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
@@ -54,7 +55,7 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let friction = spindle.load_at_spindle.torque;
     let slower = lathe.p.positioning_acceleration * (most - friction) / (torque - friction);
     let advice = Advice::from(msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1)));
-    let set = down(FIELDS, "positioning-acceleration", slower);
+    let set = at_most(FIELDS, "positioning-acceleration", slower);
     let button = msg!("advice.set-positioning-acceleration", acceleration = set.text.as_str());
     let advice = if slower >= 1.0 { advice.setting(button, [set]) } else { advice };
     fail(AtMost(most), core::iter::once(advice).chain(sign).collect::<Vec<_>>())

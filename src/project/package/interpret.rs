@@ -12,9 +12,9 @@ use crate::interp::{End, Interp, StartProgram, run};
 use crate::motion::Action;
 use crate::msg;
 use crate::nc::{self, Parsed};
-use crate::project::file_findings::Sources;
-use crate::project::request::{ProgramSource, Refused};
-use crate::project::run_request::program_of_name;
+use crate::project::findings::file_findings::Sources;
+use crate::project::requests::check_request::{ProgramSource, Refused};
+use crate::project::requests::run_request::program_of_name;
 
 /// Program of a request, program to start, and the files of its diagnostics.
 fn program(request: &InterpretRequest) -> Result<(Rc<Parsed>, StartProgram, Sources), Refused> {

@@ -17,8 +17,8 @@ use self::requests::{
     read_request,
 };
 pub use self::steps::StepAnswers;
-use super::file_findings::{has_errors, list_json};
-use super::request::{Refused, check};
+use super::findings::file_findings::{has_errors, list_json};
+use super::requests::check_request::{Refused, check};
 use super::run::AtStop;
 use super::{Project, answers, list};
 use crate::motion::Retention;
@@ -42,18 +42,18 @@ fn answered(ask: &str, request: &str) -> Result<Json, Refused> {
         }
         "design" => {
             let (project, file) = read_request::<ProjectRequest>(request)?.project()?;
-            Ok(answers::design(&project, file).0)
+            Ok(answers::design_with_findings(&project, file).0)
         }
         "size" => {
             let request: SizeRequest = read_request(request)?;
             let (project, file) = request.project()?;
-            let (sizing, all) = answers::sized(&project, file);
-            Ok(answers::sizing(&sizing, request.chance(&project).as_ref(), &all))
+            let (sizing, all) = answers::size_with_findings(&project, file);
+            Ok(answers::sizing_json(&sizing, request.chance(&project).as_ref(), &all))
         }
         "export" => {
             let request: ExportRequest = read_request(request)?;
             let (project, file) = request.project()?;
-            let (export, all) = answers::exported(&project, request.date(), file);
+            let (export, all) = answers::export_with_findings(&project, request.date(), file);
             // Errors in the file of the project refuse the export as those of its program do.
             let files = if has_errors(&all) { Vec::new() } else { export.into_files() };
             let files: Vec<Json> = files.iter().map(|file| json!({ "name": file.name, "text": file.text })).collect();

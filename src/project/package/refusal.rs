@@ -3,8 +3,8 @@
 use serde_json::{Value as Json, json};
 
 use crate::msg;
-use crate::project::file_findings::list_json;
-use crate::project::request::Refused;
+use crate::project::findings::file_findings::list_json;
+use crate::project::requests::check_request::Refused;
 use crate::text::catalog::sentence;
 use crate::text::{Message, Severity};
 

@@ -10,11 +10,11 @@ use crate::motion::{Budget, Panel, Retention};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::chance::{Chance, SEED, chance};
-use crate::project::file_findings::{FileFindings, FileRead, Sources};
-use crate::project::json::reason;
-use crate::project::request::{self, Choices, ProgramSource, Refused};
+use crate::project::files::json::reason;
+use crate::project::findings::file_findings::{FileFindings, FileRead, Sources};
+use crate::project::requests::check_request::{self, Choices, ProgramSource, Refused};
+use crate::project::requests::run_request::{BUDGET, RunRequest};
 use crate::project::run::{AtStop, Setting};
-use crate::project::run_request::{BUDGET, RunRequest};
 use crate::project::{Project, saved};
 use crate::text::Diagnostic;
 
@@ -103,10 +103,10 @@ impl RequestSubject<'_> {
             return Ok(ProgramSource::Project(Box::new(self.0.project())));
         }
         let Programs { control, files } = read(json)?;
-        request::few_files(files.len())?;
+        check_request::few_files(files.len())?;
         let files = files.into_iter().map(|file| File { name: file.name, text: file.text });
         let sources = Sources::written(Files(files.collect()));
-        Ok(ProgramSource::Programs(request::control(&control)?, FileFindings { sources, list: Vec::new() }))
+        Ok(ProgramSource::Programs(check_request::control(&control)?, FileFindings { sources, list: Vec::new() }))
     }
 }
 

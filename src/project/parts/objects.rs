@@ -9,7 +9,7 @@ use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
 use super::table;
 use crate::drives::parts::Part;
 use crate::msg;
-use crate::project::json::{self, JsonMembers};
+use crate::project::files::json::{self, JsonMembers};
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 

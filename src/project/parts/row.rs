@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::columns::{self, KINDS, OVERLOAD, PERCENTAGES, REQUIRED, SHARES};
 use crate::drives::parts::{Evidence, Part, PartGrade, Ratings, Status};
 use crate::msg;
-use crate::project::findings::Findings;
+use crate::project::findings::project_file::Findings;
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 

@@ -6,8 +6,8 @@ use miniz_oxide::deflate::compress_to_vec;
 use miniz_oxide::inflate::{decompress_to_vec_with_limit, decompress_to_vec_zlib_with_limit};
 
 use super::super::Project;
-use super::super::checksum::crc32;
-use super::super::findings::Findings;
+use super::super::files::checksum::crc32;
+use super::super::findings::project_file::Findings;
 use super::Loaded;
 use crate::msg;
 use crate::text::{Diagnostic, Message};

@@ -1,7 +1,7 @@
 //! The project that a file gives, with the findings about it, and how large files may be.
 
 use crate::project::Project;
-use crate::project::findings::Findings;
+use crate::project::findings::project_file::Findings;
 use crate::text::Diagnostic;
 
 /// Bytes of a project file at most. [`MAX_PROGRAM`] bytes of edited programs fit, with each byte escaped.

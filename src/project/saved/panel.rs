@@ -10,8 +10,8 @@ use serde_json::value::RawValue;
 use crate::drives::speed::SpeedLimit;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
-use crate::project::findings::Findings;
-use crate::project::json::{JsonMember, JsonMembers, number};
+use crate::project::files::json::{JsonMember, JsonMembers, number};
+use crate::project::findings::project_file::Findings;
 use crate::text::escape::clip;
 
 /// Events of a panel at most.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::project::json::{JsonMembers, Located};
+use crate::project::files::json::{JsonMembers, Located};
 
 /// A project file of version 1. Keys without a default here are reported later if missing, each with a sentence of its own.
 #[derive(Debug, Default, Serialize, Deserialize)]

@@ -4,11 +4,12 @@
 
 use std::collections::BTreeMap;
 
-use super::choice::{Candidate, MotorDemand, SizedAxis, name, named};
+use super::choice::{Candidate, SizedAxis, name, named};
 use super::runs::SizingRuns;
-use crate::drives::duty::ResistorLoad;
 use crate::drives::holding_brake::{SERVICE, SERVICE_FACTOR};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
+use crate::drives::servo::MotorDemand;
+use crate::drives::shaft_motion::ResistorLoad;
 use crate::machines::PreparedMachine;
 use crate::machines::devices::{BillItem, wired};
 use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
@@ -242,7 +243,7 @@ fn brake(axis: &SizedAxis) -> Option<BillRow> {
         return None;
     }
     let described = |asked| described(BillItem::Brake, Some(axis.name), asked, PartGrade::Entered);
-    if axis.work.is_none() {
+    if axis.motor_load.is_none() {
         return Some(described(format!("{} Nm", number_text(axis.brake, 2))));
     }
     let torque = (HUNDREDTHS * axis.brake - ROUNDING).ceil() / HUNDREDTHS;
@@ -303,7 +304,7 @@ fn amplifier_item(is_servo: bool) -> BillItem {
 }
 
 fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<BillRow> {
-    let item = amplifier_item(axis.work.is_some());
+    let item = amplifier_item(axis.motor_load.is_some());
     let open = |words| described(item, Some(axis.name), say(words), PartGrade::Open);
     let of = |item, part: &Part, proposed| of_part(item, axis.name, part, proposed);
     let pair = |chosen: &Candidate, proposed| {
@@ -323,10 +324,10 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
         }
         let of_axis = chosen.resistor.as_ref()?;
         if of_axis.is_unknown {
-            return Some(unknown_resistor(axis.name, &of_axis.asked));
+            return Some(unknown_resistor(axis.name, &of_axis.demand));
         }
         let amplifier = chosen.amplifier.as_ref().map(|part| part.model.as_str()).unwrap_or_default();
-        let (power, energy) = ((of_axis.asked.mean, 1), (of_axis.asked.stop, 1));
+        let (power, energy) = ((of_axis.demand.mean, 1), (of_axis.demand.stop, 1));
         let asked = msg!("size.bill.resistor", power, energy, amplifier);
         Some(part_or_open((BillItem::Resistor, axis.name), of_axis.part.as_ref(), proposed, &asked))
     };
@@ -350,7 +351,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
                 }
                 return rows;
             }
-            let MotorDemand { peak, effective, speed } = axis.asked;
+            let MotorDemand { peak, effective, speed } = axis.demand;
             let duty = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
             let motor = described(BillItem::Motor, Some(axis.name), sentence(&duty), PartGrade::Open);
             let motor = BillRow { open: message.into_iter().collect(), ..motor };

@@ -5,7 +5,7 @@
 
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
-use crate::drives::duty::OperatingPoint;
+use crate::drives::shaft_motion::OperatingPoint;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, ProductSize};
 use crate::machines::sheets::say;
 use crate::machines::{DrivenMachine, PreparedMachine};
@@ -443,7 +443,7 @@ impl Envelope<'_> {
     /// Effective torque of the form's motor over a whole run and the pause after it: it heats the motor.
     fn heat(&self, event: OperatingEvent, axis: &DrivenAxis, whole: &WholeRun) -> EnvelopeRow {
         let Fitted { motor, limits } = axis.fitted;
-        let effective = whole.motion(axis).with_pause(self.prepared.pause()).work(motor.rotor).effective;
+        let effective = whole.motion(axis).with_pause(self.prepared.pause()).motor_load(motor.rotor).effective;
         let limit = Some(Limit::AtMost(limits.effective * motor.stall));
         EnvelopeRow {
             id: format!("{}-effective-torque", axis.id),

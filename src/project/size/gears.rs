@@ -1,9 +1,9 @@
 //! The choice of gear units: units of the catalogue with the form's ratio against the demand of the runs at output and input.
 
-use crate::drives::duty::Motion;
 use crate::drives::gear::{GearDuty, GearRefusal};
 use crate::drives::inertia::CM2;
 use crate::drives::parts::{GearRatings, Part, Ratings};
+use crate::drives::shaft_motion::Motion;
 use crate::machines::driven::{DrivenAxis, FormGear, InverterDrive};
 use crate::msg;
 use crate::text::Message;
@@ -65,14 +65,14 @@ impl GearCandidate {
 /// The gear unit of a servo axis, over the motions of its motor in several runs; none without a gear unit.
 pub(super) fn of_axis(axis: &DrivenAxis, motions: &[Motion], catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = axis.gear.as_ref()?;
-    let duties = motions.iter().map(|motion| GearDuty::new(&gear.output_motion(motion.turns()), gear.ratio));
+    let duties = motions.iter().map(|motion| GearDuty::new(&gear.output_motion(motion.segments()), gear.ratio));
     Some(sized(gear, duties.reduce(GearDuty::max).unwrap_or_default(), catalogue))
 }
 
 /// The gear unit of the motor on the inverter; none without one.
 pub(super) fn of_inverter(drive: &InverterDrive, catalogue: &[&Part]) -> Option<SizedGear> {
     let gear = drive.gear.as_ref()?;
-    Some(sized(gear, GearDuty::new(&gear.output_motion(&drive.turns()), gear.ratio), catalogue))
+    Some(sized(gear, GearDuty::new(&gear.output_motion(&drive.speed_segments()), gear.ratio), catalogue))
 }
 
 fn sized(gear: &FormGear, duty: GearDuty, catalogue: &[&Part]) -> SizedGear {

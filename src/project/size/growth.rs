@@ -196,14 +196,13 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
     if !is_found {
         return Some(growth(trial.entry(holds), false, binding));
     }
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (holds + fails);
-        match trial.fails(trial.entry(middle)) {
-            Some(found) => (fails, binding) = (middle, Some(found)),
-            None => holds = middle,
-        }
-    }
-    Some(growth(trial.entry(holds), true, binding))
+    let last = math::last_holding(holds, fails, HALVINGS, |value| {
+        let found = trial.fails(trial.entry(value));
+        let holds = found.is_none();
+        binding = found.or(binding);
+        holds
+    });
+    Some(growth(trial.entry(last), true, binding))
 }
 
 fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {

@@ -1,16 +1,17 @@
 //! The choice of the motor on the inverter, and of an inverter with its current, against the demand of the run.
 
-use super::choice::{
-    Candidate, MotorDemand, Rank, Refusal, SizedAxis, in_order, name, named, share_turning, smallest, unknown,
-};
+use super::amplifier::smallest;
+use super::choice::{Candidate, SizedAxis, in_order, name, named, share_turning, unknown};
 use super::gears;
+use super::refusal::{Rank, Refusal};
 use super::runs::{SizingRuns, WholeRun};
 use crate::controls::Control;
 use crate::drives::cage_motor::{RATED_FREQUENCY, highest_speed, no_load_speed, shaft_fan_torque_share};
-use crate::drives::duty::{OperatingPoint, with_pause};
+use crate::drives::duty::with_pause;
 use crate::drives::load::{Phase, effective, power};
 use crate::drives::parts::{InductionRatings, InverterRatings, Part, Ratings};
-use crate::drives::servo::Shares;
+use crate::drives::servo::{MotorDemand, Shares};
+use crate::drives::shaft_motion::OperatingPoint;
 use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::{InverterCycle, InverterDrive, SpindleRun};
@@ -41,7 +42,8 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         spindles.chain(fed).map(|spindle| SpindleRun { motion: spindle.motion.with_pause(pause), ..spindle }).collect();
     let candidates = motors.map(|part| induction(part, &drive, &spindles, &catalogue, project)).collect();
     let turning = share_turning(of, Mover::Spindle, pause);
-    let in_run = spindles.first().map(|spindle| spindle.motion.loaded() / (of.present.run.timeline().end() + pause));
+    let in_run =
+        spindles.first().map(|spindle| spindle.motion.loaded_time() / (of.present.run.timeline().end() + pause));
     Some(SizedAxis {
         id: drive.id,
         name: drive.name,
@@ -53,8 +55,8 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         brake: drive.brake,
         gear: gears::of_inverter(&drive, &catalogue),
         ampere_per_torque: None,
-        asked: demand(&drive, &spindles),
-        work: None,
+        demand: demand(&drive, &spindles),
+        motor_load: None,
         returned: None,
         knob: None,
         peak_is_at_knob: false,
@@ -158,7 +160,7 @@ fn induction(
         shortage,
         shares: Some(shares),
         short_time_current,
-        refusal: refusal.map(|(rank, message)| Refusal { rank, message }),
+        refusal: refusal.map(|(rank, message)| Refusal::new(rank, message)),
         entries: entries.unwrap_or_default(),
         ..unknown(part)
     }

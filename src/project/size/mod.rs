@@ -1,19 +1,25 @@
 //! Sizing: motors that carry the machine, envelope of operation, limits of growth, bill of materials.
 //!
 //! Torque and energy come from runs of the program itself, over stretches of constant acceleration; see
-//! [`Motion`](crate::drives::duty::Motion).
+//! [`Motion`](crate::drives::shaft_motion::Motion).
 
 mod inverter_motor;
+
+mod amplifier;
 
 mod bill;
 
 mod choice;
+
+mod demand;
 
 mod envelope;
 
 mod gears;
 
 mod growth;
+
+mod refusal;
 
 mod runs;
 
@@ -27,11 +33,13 @@ mod terminals;
 
 mod tornado;
 
+pub use amplifier::Resistor;
 pub use bill::BillRow;
-pub use choice::{Candidate, MotorDemand, Refusal, Resistor, SizedAxis};
+pub use choice::{Candidate, SizedAxis};
 pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth, ResultName};
+pub use refusal::Refusal;
 pub use runs::{CutRun, SizingRuns};
 pub use terminals::{TerminalRow, WireEnd};
 pub use tornado::{Swing, Tornado};
@@ -39,7 +47,7 @@ pub use tornado::{Swing, Tornado};
 use super::Project;
 use super::program::Written;
 use super::sensitivity::{Flip, Sensitivity};
-use crate::drives::duty::{Motion, on_one_bus};
+use crate::drives::shaft_motion::{Motion, on_one_bus};
 use crate::machines::PreparedMachine;
 use crate::machines::driven::FormMotor;
 use crate::motion::Mover;
@@ -107,19 +115,19 @@ pub struct Sizing {
 
 /// Sizes a project with these programs. Total: a run that stops early is sized as far as it came.
 pub fn size(project: &Project, written: &Written) -> Sizing {
-    size_telling(project, written, &mut |_| ())
+    size_with_progress(project, written, &mut |_| ())
 }
 
 /// Sizes a project with these programs and reports the share done, 0 to 1.
-pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f64)) -> Sizing {
-    tell(0.0);
+pub fn size_with_progress(project: &Project, written: &Written, progress: &mut dyn FnMut(f64)) -> Sizing {
+    progress(0.0);
     let runs = SizingRuns::new(project, written);
-    // Progress counts the runs, each event, and the answers.
+    // Progress counts the runs, each event, and the rest.
     let parts = OperatingEvent::IDS.len() + 2;
     let mut done = 0;
     let mut part = || {
         done += 1;
-        tell(f64::from(done) / parts as f64);
+        progress(f64::from(done) / parts as f64);
     };
     part();
     let envelope = envelope::envelope(project, &runs, &mut part);
@@ -130,13 +138,13 @@ pub fn size_telling(project: &Project, written: &Written, tell: &mut dyn FnMut(f
     } else {
         envelope::holding_limits(project, &envelope)
     };
-    let sizing = Sizing { envelope, holding_limits, ..answers(project, &runs) };
+    let sizing = Sizing { envelope, holding_limits, ..size_without_envelope(project, &runs) };
     part();
     sizing
 }
 
-/// The sizing of a project from finished runs, without the envelope, which needs runs of its own.
-pub fn answers(project: &Project, runs: &SizingRuns) -> Sizing {
+/// Sizes a project by finished runs, without the envelope, which needs runs of its own.
+pub fn size_without_envelope(project: &Project, runs: &SizingRuns) -> Sizing {
     let prepared = project.prepared();
     let mut axes = choice::axes(project, &prepared, runs);
     axes.extend(inverter_motor::axis(project, &prepared, runs));
@@ -168,13 +176,13 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let inverter = prepared.inverter_drive().map(|drive| {
         let spindle = runs.present.spindle(&**prepared).map(|spindle| spindle.motion);
         let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.stretches(Mover::Spindle)));
-        motion.work(drive.rotor)
+        motion.motor_load(drive.rotor)
     });
-    let works = motors.iter().map(|(motion, rotor)| motion.work(*rotor)).chain(inverter);
+    let loads = motors.iter().map(|(motion, rotor)| motion.motor_load(*rotor)).chain(inverter);
     let (given, returned) =
-        works.fold((0.0, 0.0), |(given, returned), work| (given + work.given, returned + work.returned));
+        loads.fold((0.0, 0.0), |(given, returned), load| (given + load.given, returned + load.returned));
     let together: Vec<(&Motion, f64)> = motors.iter().map(|(motion, rotor)| (motion, *rotor)).collect();
-    let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |work| work.returned);
+    let returned_on_one_bus = on_one_bus(&together).1 + inverter.map_or(0.0, |load| load.returned);
     let drives = axes.iter().map(|axis| axis.id).chain(prepared.inverter_drive().map(|drive| drive.id));
     let drives: Vec<&str> = drives.collect();
     // The form may leave a motor out.

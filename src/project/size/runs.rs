@@ -1,6 +1,6 @@
 //! The runs of a sizing: the program on the machine, with the knob near its ends and the feed override at its highest position too.
 
-use crate::drives::duty::Motion;
+use crate::drives::shaft_motion::Motion;
 use crate::drives::speed::Steps;
 use crate::machines::driven::{DrivenAxis, SpindleRun};
 use crate::machines::{DrivenMachine, PreparedMachine};

@@ -1,11 +1,12 @@
 //! A sizing as sheets, for page, report and command line.
 
-use super::choice::{Candidate, MotorDemand};
+use super::choice::Candidate;
 use super::envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Growth, ResultName, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
 use crate::drives::parts::{PartGrade, Status};
+use crate::drives::servo::MotorDemand;
 use crate::machines::sheets::{row, say};
 use crate::math::RPM;
 use crate::msg;
@@ -208,12 +209,12 @@ impl Sizing {
 
     /// Demand of the run on the form's motor, with its chart.
     fn asked(&self, axis: &SizedAxis) -> Option<Sheet> {
-        let (work, chart) = (axis.work?, axis.chart.as_ref()?);
+        let (load, chart) = (axis.motor_load?, axis.chart.as_ref()?);
         let (continuous, peak, effective, at) =
             (say("size.continuous"), say("size.peak"), say("size.effective"), say("size.at"));
         let knob = axis.knob.map(|percent| sentence(&msg!("size.knob-at", percent))).unwrap_or_default();
         let words = TorqueWords { continuous: &continuous, peak: &peak, effective: &effective, at: &at, knob: &knob };
-        let (torque, time) = (units::text(work.peak.torque, 3, "Nm"), (work.peak.t, 2));
+        let (torque, time) = (units::text(load.peak.torque, 3, "Nm"), (load.peak.t, 2));
         let torque = torque.as_str();
         let feed = axis.peak_feed.map(|percent| sentence(&msg!("size.feed-at", percent)));
         let peak_at = match feed.as_deref().or(Some(knob.as_str()).filter(|_| axis.peak_is_at_knob)) {
@@ -223,17 +224,17 @@ impl Sizing {
         let heat = self.heat(axis);
         let beyond = if heat.is_some_and(|heat| heat.verdict >= Verdict::Warn) { "✕ " } else { "" };
         let limit = heat.and_then(limit).map(|limit| format!(" / {limit}")).unwrap_or_default();
-        let effective_torque = format!("{beyond}{}{limit}", units::text(work.effective, 3, "Nm"));
+        let effective_torque = format!("{beyond}{}{limit}", units::text(load.effective, 3, "Nm"));
         let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
         let cells = [
             ("size.torque", sentence(&peak_at)),
             ("size.effective", effective_torque),
-            ("size.speed", units::text(work.speed / RPM, 0, "r/min")),
-            ("size.given", units::text(work.given, 1, "J")),
-            ("size.returned", units::text(work.returned, 1, "J")),
+            ("size.speed", units::text(load.speed / RPM, 0, "r/min")),
+            ("size.given", units::text(load.given, 1, "J")),
+            ("size.returned", units::text(load.returned, 1, "J")),
         ];
         let currents =
-            [("size.current", amperes(work.peak.torque)), ("size.effective-current", amperes(work.effective))];
+            [("size.current", amperes(load.peak.torque)), ("size.effective-current", amperes(load.effective))];
         let currents = currents.into_iter().filter_map(|(label, value)| Some((label, value?)));
         Some(Sheet {
             id: "asked",
@@ -477,7 +478,7 @@ fn motors(axis: &SizedAxis) -> Sheet {
     };
     // The demand above the motors where the catalogue has none to be bought.
     let lacking = axis.shortage().map(|shortage| {
-        let MotorDemand { peak, effective, .. } = axis.asked;
+        let MotorDemand { peak, effective, .. } = axis.demand;
         let [effective, peak] = [effective, peak].map(|torque| units::text(torque, 2, "Nm"));
         row([say("size.asked-of-motor"), effective, peak, String::new(), String::new(), sentence(&shortage)], RUNS)
     });
@@ -563,13 +564,13 @@ fn answer(of: &Candidate) -> String {
     }
     let message = match (&of.amplifier, &of.resistor, of.regenerative) {
         (Some(amplifier), Some(resistor), _) => {
-            let (amplifier, power) = (amplifier.model.as_str(), (resistor.asked.mean, 1));
+            let (amplifier, power) = (amplifier.model.as_str(), (resistor.demand.mean, 1));
             match &resistor.part {
                 Some(part) => {
                     msg!("size.passes-with-external", amplifier, power, resistor = part.model.as_str())
                 }
                 None if resistor.is_unknown => {
-                    msg!("size.passes-with-unknown-resistor", amplifier, energy = (resistor.asked.stop, 1), power)
+                    msg!("size.passes-with-unknown-resistor", amplifier, energy = (resistor.demand.stop, 1), power)
                 }
                 None => msg!("size.passes-with-open-resistor", amplifier, power),
             }

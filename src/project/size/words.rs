@@ -54,13 +54,13 @@ impl Sizing {
 }
 
 fn axis(axis: &SizedAxis) -> Json {
-    let work = axis.work.map(|work| {
+    let demand = axis.motor_load.map(|load| {
         json!({
-            "peak_torque_nm": work.peak.torque, "peak_at_s": work.peak.t,
+            "peak_torque_nm": load.peak.torque, "peak_at_s": load.peak.t,
             "peak_at_knob_percent": axis.knob.filter(|_| axis.peak_is_at_knob),
-            "peak_at_feed_percent": axis.peak_feed, "effective_torque_nm": work.effective,
+            "peak_at_feed_percent": axis.peak_feed, "effective_torque_nm": load.effective,
             "current_per_torque_a_nm": axis.ampere_per_torque,
-            "speed_rad_s": work.speed, "energy_given_j": work.given, "energy_returned_j": work.returned,
+            "speed_rad_s": load.speed, "energy_given_j": load.given, "energy_returned_j": load.returned,
         })
     });
     json!({
@@ -69,7 +69,7 @@ fn axis(axis: &SizedAxis) -> Json {
         "turning": percent(axis.turning),
         "loaded": percent(axis.loaded),
         "least": axis.least().map(Part::name),
-        "asked": work,
+        "asked": demand,
         "shortage": axis.shortage().map(|shortage| sentence(&shortage)),
         "candidates": axis.candidates.iter().map(candidate).collect::<Vec<_>>(),
         "gear": axis.gear.as_ref().map(gear),
@@ -89,7 +89,7 @@ fn candidate(candidate: &Candidate) -> Json {
         "inertia_ratio": shares.map(|shares| shares.inertia_ratio),
         "status": status(part.status),
         "grade": grade(part.evidence.grade),
-        "resistor_w": candidate.resistor.as_ref().map(|resistor| resistor.asked.mean),
+        "resistor_w": candidate.resistor.as_ref().map(|resistor| resistor.demand.mean),
         "resistor": candidate.resistor.as_ref().and_then(|resistor| Some(resistor.part.as_ref()?.name())),
         "amplifier": candidate.amplifier.as_ref().map(Part::name),
         "entries": entries(&candidate.entries),

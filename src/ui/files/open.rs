@@ -12,7 +12,7 @@ use super::shelf;
 use crate::controls::options::CommentCharacters;
 use crate::nc;
 use crate::project::Project;
-use crate::project::decode::{Decoded, Encoding};
+use crate::project::files::decode::{Decoded, Encoding};
 use crate::project::import::{MAX_PROGRAM, is_program, open};
 use crate::project::parts::is_table;
 use crate::project::saved::{is_panel, with_line};

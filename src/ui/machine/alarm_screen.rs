@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::machines::MachineVariable;
 use crate::motion::{Action, Event, Mode, RunEnd};
-use crate::project::check::reported;
+use crate::project::findings::check::reported;
 use crate::project::run;
 use crate::text::catalog::of_program;
 use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Phrase, Place};

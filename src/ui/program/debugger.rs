@@ -119,7 +119,7 @@ fn levels(stepper: &Stepper, written: &Written) -> Vec<Row> {
 
 /// The breakpoints with their numbers.
 fn points(stepper: &Stepper, written: &Written) -> Vec<(u32, Row)> {
-    let row = |point: &crate::project::breakpoints::Breakpoint| {
+    let row = |point: &crate::project::debugger::breakpoints::Breakpoint| {
         let mut text = match point.place {
             Some(place) => written.files.get(place.file).map_or("", |file| place.span.of(&file.text)),
             None => t("page.stepping-absent"),

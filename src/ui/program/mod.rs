@@ -18,7 +18,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, MouseEvent};
 
-use crate::project::check::{FixChoice, fixes};
+use crate::project::findings::check::{FixChoice, fixes};
 use crate::text::{Diagnostic, FileId, Severity};
 use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;

@@ -9,7 +9,7 @@ use web_sys::Element;
 
 use crate::msg;
 use crate::project::Project;
-use crate::project::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_name};
+use crate::project::variants::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_name};
 use crate::ui::dom;
 use crate::ui::dom::delayed::Delayed;
 use crate::ui::state::view::Compared;

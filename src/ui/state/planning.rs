@@ -9,7 +9,7 @@ use super::player::{AHEAD, PlannedPart, Player};
 use super::put::put;
 use crate::motion::{Budget, PlanProgress, Retention};
 use crate::project::Project;
-use crate::project::debug::Goal;
+use crate::project::debugger::stepping::Goal;
 use crate::project::program::Written;
 use crate::project::run::{self, Run, RunOptions};
 use crate::text::Diagnostic;

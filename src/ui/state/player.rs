@@ -15,7 +15,7 @@ use crate::interp::inspect::ChangeSubject;
 use crate::machines::{Frame, PreparedMachine};
 use crate::math;
 use crate::motion::{Action, Event, Mode, RunEnd, Snapshot, Timeline};
-use crate::project::debug::Debugger;
+use crate::project::debugger::stepping::Debugger;
 use crate::project::run::{self, Run};
 use crate::text::{Diagnostic, Message, Place};
 use crate::ui::dom::{self, Frames};

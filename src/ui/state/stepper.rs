@@ -1,7 +1,7 @@
 //! The debugger of the page as data: where it is, breakpoints, watches.
 
-use crate::project::breakpoints::Breakpoints;
-use crate::project::debug::{Debugger, Stop};
+use crate::project::debugger::breakpoints::Breakpoints;
+use crate::project::debugger::stepping::{Debugger, Stop};
 use crate::text::{FileId, Place};
 use crate::ui::dom;
 

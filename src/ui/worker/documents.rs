@@ -6,15 +6,16 @@ use super::messages::{
 use super::sheet_html::{html, section_html, table, tagged};
 use crate::controls::options::CommentCharacters;
 use crate::nc::File;
+use crate::project::Project;
 use crate::project::chance;
 use crate::project::export::ExportOptions;
+use crate::project::files::encode;
 use crate::project::parts;
 use crate::project::repairs::{self, RepairWay};
 use crate::project::saved::with_line;
 use crate::project::size::sections::SizingSection;
-use crate::project::size::{size, size_telling};
+use crate::project::size::{size, size_with_progress};
 use crate::project::variants::compare;
-use crate::project::{Project, encode};
 use crate::text::number::four_digits;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
@@ -76,13 +77,13 @@ pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Vec<ShownS
         html: section_html(&section, project),
         answer: section.answer,
     };
-    size_telling(project, &project.written(), tell).sections().into_iter().map(shown).collect()
+    size_with_progress(project, &project.written(), tell).sections().into_iter().map(shown).collect()
 }
 
 /// The chance that every verdict holds, as a sheet; reports the share done.
 pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> String {
     let mut out = String::new();
-    table(&mut out, &chance::chance_telling(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
+    table(&mut out, &chance::chance_with_progress(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
     out
 }
 

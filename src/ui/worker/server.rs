@@ -13,9 +13,9 @@ use super::messages::{Finding, Question, Reply, Request, Response, SHOWN, TextRe
 use super::{documents, editor, help, pictures, shelf};
 use crate::nc::{self, Files};
 use crate::project::Project;
+use crate::project::findings::silence::silence;
 use crate::project::help::texts::Texts;
 use crate::project::sensitivity::Sensitivity;
-use crate::project::silence::silence;
 use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
 use crate::ui::words::{Tone, counts, sentence_with_hints, t};
@@ -137,7 +137,7 @@ fn check(text: String, project: &Project) -> TextReport {
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
     let head = text.get(..end).unwrap_or_default().to_owned();
     let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
-    let mut found = crate::project::check::review(&Rc::new(parsed), None, &[]);
+    let mut found = crate::project::findings::check::review(&Rc::new(parsed), None, &[]);
     silence(&mut found, &project.silenced);
     let row = |diagnostic: &Diagnostic| {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));

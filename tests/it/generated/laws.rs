@@ -7,8 +7,8 @@ use macroline::interp::canon::AXES;
 use macroline::interp::{Interp, MachineClock, StartProgram, Step, World, precheck};
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::{self, Block, Files, Parsed, Stmt};
-use macroline::project::check::review;
-use macroline::project::render::Renderer;
+use macroline::project::findings::check::review;
+use macroline::project::findings::render::Renderer;
 use macroline::project::run::{AtStop, RunOptions, of_programs, to_end};
 use macroline::text::{Diagnostic, Fix, Place, Severity, Span};
 

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use macroline::controls::{self, Control, find};
 use macroline::nc::symbols::{Role, Symbols};
 use macroline::nc::{Files, fix, parse};
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 use macroline::text::Diagnostic;
 
 /// Controls with loops of DO and END.

@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use macroline::controls::find;
 use macroline::nc::{Files, fix_all};
-use macroline::project::check::{FixChoice, fixes};
+use macroline::project::findings::check::{FixChoice, fixes};
 
 use super::{findings, read_on};
 

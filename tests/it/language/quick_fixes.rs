@@ -8,7 +8,7 @@ use macroline::interp::world::MachineAtRest;
 use macroline::interp::{Canon, Feed, Interp, StartProgram, Step};
 use macroline::nc::{Files, fix, parse};
 use macroline::project::Project;
-use macroline::project::check::FixChoice;
+use macroline::project::findings::check::FixChoice;
 use macroline::text::Severity;
 
 use super::findings;

@@ -114,7 +114,7 @@ fn list_refuses_main_motors_too_weak_for_the_cut() {
     let sizing = size(&shaft(&[]), &shaft(&[]).written());
     let axis = sizing.axes.iter().find(|axis| axis.id == "main").unwrap();
     // (8.75 + 2) Nm through 0.75 : 1 with 90 %.
-    near(axis.asked.effective, 10.75 / (0.75 * 0.9), 1e-9);
+    near(axis.demand.effective, 10.75 / (0.75 * 0.9), 1e-9);
     assert!(axis.least().is_some());
     let weak: Vec<String> =
         axis.candidates.iter().filter_map(|motor| Some(sentence(&motor.refusal.as_ref()?.message))).collect();

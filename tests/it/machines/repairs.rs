@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use macroline::machines;
 use macroline::project::Project;
 use macroline::project::answers;
-use macroline::project::file_findings::FileFindings;
+use macroline::project::findings::file_findings::FileFindings;
 use macroline::project::list::repairs_text;
 use macroline::project::repairs::{RepairWay, repairs, ways};
 use macroline::text::Severity;
@@ -41,7 +41,7 @@ fn repairs_of_the_published_line_change_the_machine_only() {
 #[test]
 fn answer_names_the_repairs_with_their_entries() {
     let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
-    let (told, _) = answers::design(&paper, FileFindings::default());
+    let (told, _) = answers::design_with_findings(&paper, FileFindings::default());
     let repairs = &told["repairs"];
     assert_eq!(repairs["still_failing"], 0);
     assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));

@@ -17,7 +17,7 @@ use macroline::math::{self, PI, hypot};
 use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, RunEnd, Setup};
 use macroline::nc::{self, Emitted, Parsed};
 use macroline::project::Project;
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Verdict};

@@ -131,8 +131,8 @@ fn cut_of_a_run_has_the_energy_of_its_force() {
     // Work of the cut: force over the way of the tool on the surface, π (r₁² - r₂²) / f for each of both passes, through a gear of 80 %.
     let lathe = project("gsk-980tdc", &FACE);
     let spindle = run(&lathe);
-    let friction = spindle.idle.clone().without_inertia().work(0.0).given;
-    let cut = spindle.motion.clone().without_inertia().work(0.0).given - friction;
+    let friction = spindle.idle.clone().without_inertia().motor_load(0.0).given;
+    let cut = spindle.motion.clone().without_inertia().motor_load(0.0).given - friction;
     let way = std::f64::consts::PI * (80.0 * 80.0 - 15.0 * 15.0) / 0.3 / 1000.0;
     let expected = 2.0 * FORCE * way / 0.8;
     near(cut / expected, 1.0, 5e-3);

@@ -109,7 +109,7 @@ fn envelope_at_the_feed_knob_is_that_of_more_feed() {
         near_share(value, row(&more, OperatingEvent::Run, id).0, 1e-3);
     }
     // The motors of the list are judged with it: the spindle of the smaller feed asks as much as that of the larger one at 100 %.
-    let asked = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().asked.effective;
+    let asked = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().demand.effective;
     assert!(asked(&knob) >= row(&more, OperatingEvent::Run, "z-effective-torque").0 * 0.999);
 }
 

@@ -3,7 +3,7 @@
 use macroline::interp::canon::Feed;
 use macroline::math;
 use macroline::motion::Action;
-use macroline::project::check::FixChoice;
+use macroline::project::findings::check::FixChoice;
 use macroline::text::Severity;
 
 use super::*;

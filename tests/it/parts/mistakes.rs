@@ -2,8 +2,8 @@
 
 use expect_test::{Expect, expect};
 use macroline::nc::Files;
+use macroline::project::findings::render::Renderer;
 use macroline::project::parts::read;
-use macroline::project::render::Renderer;
 
 /// Findings about a table, and the number of parts that were taken.
 #[track_caller]

@@ -1,7 +1,7 @@
 //! A slide on a ball screw against mechanics: the worked example of the facts, and the energy of a weight.
 
-use macroline::drives::duty::{Motion, Turn};
 use macroline::drives::inertia::{CM2, Cylinder, STEEL};
+use macroline::drives::shaft_motion::{Motion, SpeedSegment};
 use macroline::drives::slide::Slide;
 use macroline::math::{self, RPM};
 use proptest::prelude::*;
@@ -43,14 +43,14 @@ fn belt_reduces_inertia_by_its_square_and_torque_by_its_ratio() {
 }
 
 /// Up and down again over the same turns, with a rest between.
-fn up_and_down(speed: f64, ramp: f64) -> [Turn; 5] {
-    let turn = |t: f64, seconds: f64, from: f64, to: f64| Turn { t, seconds, from, to };
+fn up_and_down(speed: f64, ramp: f64) -> [SpeedSegment; 5] {
+    let segment = |t: f64, seconds: f64, from: f64, to: f64| SpeedSegment { t, seconds, from, to };
     [
-        turn(0.0, ramp, 0.0, speed),
-        turn(ramp, ramp, speed, 0.0),
-        turn(2.0 * ramp, 1.0, 0.0, 0.0),
-        turn(2.0 * ramp + 1.0, ramp, 0.0, -speed),
-        turn(3.0 * ramp + 1.0, ramp, -speed, 0.0),
+        segment(0.0, ramp, 0.0, speed),
+        segment(ramp, ramp, speed, 0.0),
+        segment(2.0 * ramp, 1.0, 0.0, 0.0),
+        segment(2.0 * ramp + 1.0, ramp, 0.0, -speed),
+        segment(3.0 * ramp + 1.0, ramp, -speed, 0.0),
     ]
 }
 
@@ -58,17 +58,17 @@ proptest! {
     #[test]
     fn lifted_weight_comes_back_but_for_friction(degrees in 0.0_f64..90.0, speed in 10.0_f64..300.0, ramp in 0.05_f64..1.0) {
         let slide = Slide { rise: degrees.to_radians(), efficiency: 1.0, ..slide() };
-        let motion = |turns: &[Turn]| Motion::new(turns.to_vec(), slide.load(), 0.0).with_weight(slide.weight());
-        let turns = up_and_down(speed, ramp);
+        let motion = |segments: &[SpeedSegment]| Motion::new(segments.to_vec(), slide.load(), 0.0).with_weight(slide.weight());
+        let segments = up_and_down(speed, ramp);
         let way = speed * ramp * slide.lead / (2.0 * std::f64::consts::PI);
-        let energy = |turns: &[Turn]| { let work = motion(turns).work(0.0); work.given - work.returned };
+        let energy = |segments: &[SpeedSegment]| { let work = motion(segments).motor_load(0.0); work.given - work.returned };
         let lifted = slide.mass * GRAVITY * math::sin(degrees.to_radians()) * way;
-        let up = energy(&turns[..2]);
+        let up = energy(&segments[..2]);
         prop_assert!((up - lifted - slide.friction * way).abs() < 1e-9 * (1.0 + up), "{up}, {lifted}");
-        let both = energy(&turns);
+        let both = energy(&segments);
         prop_assert!((both - 2.0 * slide.friction * way).abs() < 1e-9 * (1.0 + up), "{both}");
         // The motor holds the weight at rest.
-        prop_assert!((motion(&turns[2..3]).work(0.0).peak.torque - slide.weight()).abs() < 1e-12);
+        prop_assert!((motion(&segments[2..3]).motor_load(0.0).peak.torque - slide.weight()).abs() < 1e-12);
     }
 }
 
@@ -76,7 +76,7 @@ proptest! {
 fn screw_with_losses_takes_more_up_and_gives_less_down() {
     let slide = Slide { rise: std::f64::consts::FRAC_PI_4, friction: 0.0, ..slide() };
     let motion = Motion::new([], slide.load(), 0.0).with_weight(slide.weight());
-    let steady = |speed: f64| motion.torque(&Turn { t: 0.0, seconds: 1.0, from: speed, to: speed }, 0.0);
+    let steady = |speed: f64| motion.torque(&SpeedSegment { t: 0.0, seconds: 1.0, from: speed, to: speed }, 0.0);
     near_share(
         slide.weight(),
         250.0 * GRAVITY * std::f64::consts::FRAC_1_SQRT_2 * 0.005 / (2.0 * std::f64::consts::PI),

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use macroline::controls::{ALL, CodeId, Control, find};
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 use macroline::text::catalog::sentence;
 
 use super::{log_of, start_on};

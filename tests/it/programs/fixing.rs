@@ -2,7 +2,7 @@
 
 use macroline::controls::{self, Control, Switches};
 use macroline::nc::{self, Files, fix_all};
-use macroline::project::check::{FixChoice, fixes};
+use macroline::project::findings::check::{FixChoice, fixes};
 
 use super::{fixtures, log_of, settings, start_on};
 

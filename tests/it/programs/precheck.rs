@@ -7,7 +7,7 @@ use expect_test::{Expect, expect};
 use macroline::controls::{self, Control};
 use macroline::interp::{End, Interp, precheck};
 use macroline::nc::Parsed;
-use macroline::project::check::review;
+use macroline::project::findings::check::review;
 use macroline::text::{Diagnostic, Severity};
 
 use super::{BUDGET, alarm_and_place, fixtures, interp, start_fixture, start_on, world};

@@ -2,8 +2,8 @@
 
 use macroline::machines::form::{FieldRole, Provenance, Value};
 use macroline::project::Project;
-use macroline::project::chance::{chance, chance_telling};
-use macroline::project::size::{size, size_telling};
+use macroline::project::chance::{chance, chance_with_progress};
+use macroline::project::size::{size, size_with_progress};
 
 /// A line whose facts are all measured.
 fn measured() -> Project {
@@ -52,9 +52,9 @@ fn seed_decides_which_machines_are_drawn() {
 fn work_tells_how_far_it_is() {
     let project = Project::named("ribbon-line", None, None).unwrap();
     let (mut drawn, mut sized) = (Vec::new(), Vec::new());
-    let found = chance_telling(&project, 1200, 1, &mut |share| drawn.push(share));
+    let found = chance_with_progress(&project, 1200, 1, &mut |share| drawn.push(share));
     assert_eq!((found == chance(&project, 1200, 1), drawn), (true, vec![0.0, 500.0 / 1200.0, 1000.0 / 1200.0]));
-    let found = size_telling(&project, &project.written(), &mut |share| sized.push(share));
+    let found = size_with_progress(&project, &project.written(), &mut |share| sized.push(share));
     assert_eq!(found, size(&project, &project.written()));
     assert!(sized.is_sorted() && sized.len() > 8, "{sized:?}");
     assert_eq!((sized.first(), sized.last()), (Some(&0.0), Some(&1.0)));

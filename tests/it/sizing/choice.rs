@@ -289,14 +289,14 @@ fn control_without_a_current_motor_shows_the_demand() {
     let machine = macroline::machines::find("ribbon-line").unwrap();
     for control in machine.controls() {
         let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
-        for axis in sizing.axes.iter().filter(|axis| axis.work.is_some()) {
+        for axis in sizing.axes.iter().filter(|axis| axis.motor_load.is_some()) {
             let mut passing = axis.candidates.iter().filter(|motor| motor.refusal.is_none());
             let bought = |motor: &Candidate| motor.part.status == Some(Status::Current) && motor.amplifier.is_some();
             let (lacks, shortage) = (!passing.any(bought), axis.shortage());
             assert!(!lacks || shortage.is_some(), "{control} {}", axis.id);
             let Some(shortage) = shortage else { continue };
             // Its demand is at the top of the list, in the offer too.
-            let (told, asked) = (sentence(&shortage), axis.asked);
+            let (told, asked) = (sentence(&shortage), axis.demand);
             assert!(
                 told.contains(&format!("{:.2} Nm", asked.peak).replace(' ', "\u{202f}"))
                     || told.contains(&format!("{:.2} Nm", asked.peak)),
@@ -578,7 +578,7 @@ fn strikes_of_the_cut_count_for_the_motors_of_a_polygon_lathe() {
     for axis in ["work", "tool"] {
         let found = sizing.axes.iter().find(|row| row.id == axis).unwrap();
         // The gear of the default is 1 : 1; its losses are in the torque at the motor.
-        let peak = found.work.unwrap().peak.torque;
+        let peak = found.motor_load.unwrap().peak.torque;
         assert!(peak >= p(&format!("{axis}-torque")), "{axis}: {peak} of {}", p(&format!("{axis}-torque")));
         let ordered = found.ordered().and_then(|motor| motor.part.servo()).unwrap();
         assert!(0.8 * ordered.peak >= peak, "{axis}: {} of {peak}", ordered.peak);

@@ -4,7 +4,7 @@ use macroline::drives::derating::Site;
 use macroline::drives::servo::{Acceptance, Servo};
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
-use macroline::project::size::{BillRow, Candidate, SizedAxis, SizingRuns, answers, size};
+use macroline::project::size::{BillRow, Candidate, SizedAxis, SizingRuns, size, size_without_envelope};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Verdict};
@@ -209,7 +209,7 @@ fn severe_site_is_an_open_point_of_every_amplifier() {
         let found = project.design().diagnostics.into_iter().filter(|found| is_site(found.message.id));
         let fields: Vec<Option<&str>> = found.map(|found| found.field).collect();
         assert_eq!(fields, field.map(Some).into_iter().collect::<Vec<_>>(), "{machine} {entries:?}");
-        let sizing = answers(&project, &SizingRuns::new(&project, &project.written()));
+        let sizing = size_without_envelope(&project, &SizingRuns::new(&project, &project.written()));
         let drives = |row: &&BillRow| matches!(row.item, BillItem::Amplifier | BillItem::Inverter);
         assert!(sizing.bill.iter().any(|row| drives(&row)), "{machine}");
         for row in sizing.bill.iter().filter(drives) {
@@ -224,7 +224,7 @@ fn severe_site_is_in_the_bill_sheet_of_an_open_inverter() {
     let lathe = Project::named("turning-spindle", None, None).unwrap();
     let entries = [("material", "none".to_owned()), ("site-share", "90".to_owned())];
     let lathe = lathe.with_entries(&entries).unwrap();
-    let sizing = answers(&lathe, &SizingRuns::new(&lathe, &lathe.written()));
+    let sizing = size_without_envelope(&lathe, &SizingRuns::new(&lathe, &lathe.written()));
     let inverter = sizing.bill.iter().position(|row| row.item == BillItem::Inverter).unwrap();
     assert!(sizing.bill[inverter].maker.is_empty());
     let cells = &sizing.bill_sheet().rows[inverter].cells;

@@ -1,7 +1,8 @@
 //! Energy on a bus that several motors share, duty types, currents.
 
-use macroline::drives::duty::{DutyType, Motion, Turn, duty_type, on_one_bus};
+use macroline::drives::duty::{DutyType, duty_type};
 use macroline::drives::load::Load;
+use macroline::drives::shaft_motion::{Motion, SpeedSegment, on_one_bus};
 use macroline::machines::form::Value;
 use macroline::project::Project;
 use macroline::project::size::OperatingEvent;
@@ -9,20 +10,20 @@ use proptest::prelude::*;
 
 use crate::asked::sized;
 
-fn motion(turns: &[(f64, f64, f64)], torque: f64) -> Motion {
+fn motion(segments: &[(f64, f64, f64)], torque: f64) -> Motion {
     let mut t = 0.0;
-    let turns = turns.iter().map(|(seconds, from, to)| {
-        let turn = Turn { t, seconds: *seconds, from: *from, to: *to };
+    let segments = segments.iter().map(|(seconds, from, to)| {
+        let segment = SpeedSegment { t, seconds: *seconds, from: *from, to: *to };
         t += seconds;
-        turn
+        segment
     });
-    Motion::new(turns.collect::<Vec<_>>(), Load { inertia: 1e-3, torque, efficiency: 0.9 }, 0.0)
+    Motion::new(segments.collect::<Vec<_>>(), Load { inertia: 1e-3, torque, efficiency: 0.9 }, 0.0)
 }
 
 #[test]
 fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
     let own = motion(&[(0.1, 0.0, 100.0), (1.0, 100.0, 100.0), (0.1, 100.0, 0.0)], 0.05);
-    let alone = own.work(2e-4);
+    let alone = own.motor_load(2e-4);
     let (given, returned) = on_one_bus(&[(&own, 2e-4)]);
     super::same("given", given, alone.given, 1e-12);
     super::same("returned", returned, alone.returned, 1e-12);
@@ -31,14 +32,14 @@ fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
 #[test]
 fn motor_that_starts_takes_what_another_gives_back() {
     // Without friction and losses: one stops while its like starts.
-    let turns = |from: f64, to: f64| {
+    let segments = |from: f64, to: f64| {
         Motion::new(
-            [Turn { t: 0.0, seconds: 0.2, from, to }],
+            [SpeedSegment { t: 0.0, seconds: 0.2, from, to }],
             Load { inertia: 1e-3, torque: 0.0, efficiency: 1.0 },
             0.0,
         )
     };
-    let (stops, starts) = (turns(100.0, 0.0), turns(0.0, 100.0));
+    let (stops, starts) = (segments(100.0, 0.0), segments(0.0, 100.0));
     // With equal torques J ω / t = 0.5 Nm one gives 0.5 ω (1 - t / T), the other takes 0.5 ω t / T; over the first half of the time the
     // first has more.
     let (given, returned) = on_one_bus(&[(&stops, 0.0), (&starts, 0.0)]);
@@ -59,25 +60,25 @@ proptest! {
     ) {
         let course = |points: &[(f64, f64)]| {
             let mut from = 0.0;
-            let turns: Vec<_> = points.iter().map(|(seconds, to)| (*seconds, core::mem::replace(&mut from, *to), *to)).collect();
-            motion(&turns, friction)
+            let segments: Vec<_> = points.iter().map(|(seconds, to)| (*seconds, core::mem::replace(&mut from, *to), *to)).collect();
+            motion(&segments, friction)
         };
         let motions = [course(&one), course(&two)];
-        let works = [motions[0].work(rotor), motions[1].work(rotor)];
+        let works = [motions[0].motor_load(rotor), motions[1].motor_load(rotor)];
         let (given, returned) = on_one_bus(&[(&motions[0], rotor), (&motions[1], rotor)]);
         let (alone, back) = (works[0].given + works[1].given, works[0].returned + works[1].returned);
         prop_assert!((given - returned - (alone - back)).abs() <= 1e-9 * (alone + back), "{given} {returned} {alone} {back}");
         prop_assert!(returned <= back * (1.0 + 1e-9) + 1e-9 && returned >= 0.0, "{returned} of {back}");
         let power = |motion: &Motion, t: f64| {
-            let turn = motion.turns().iter().find(|turn| turn.t <= t && t < turn.t + turn.seconds);
-            turn.map_or(0.0, |turn| {
-                let speed = turn.from + (turn.to - turn.from) * (t - turn.t) / turn.seconds;
-                motion.torque(turn, rotor) * speed
+            let segment = motion.segments().iter().find(|segment| segment.t <= t && t < segment.t + segment.seconds);
+            segment.map_or(0.0, |segment| {
+                let speed = segment.from + (segment.to - segment.from) * (t - segment.t) / segment.seconds;
+                motion.torque(segment, rotor) * speed
             })
         };
         // Between the ends of all turns the power is straight: it is sampled finely there.
         let mut ends: Vec<f64> =
-            motions.iter().flat_map(|motion| motion.turns()).flat_map(|turn| [turn.t, turn.t + turn.seconds]).collect();
+            motions.iter().flat_map(|motion| motion.segments()).flat_map(|segment| [segment.t, segment.t + segment.seconds]).collect();
         ends.sort_by(f64::total_cmp);
         let sampled: f64 = ends.windows(2).map(|pair| {
             let dt = (pair[1] - pair[0]) / 1000.0;
@@ -147,21 +148,21 @@ proptest! {
         (pause, hold, rotor) in (0.0f64..3000.0, 0.0f64..0.5, 0.0f64..1e-3),
     ) {
         let load = Load { inertia: 1e-3, torque: 0.05, efficiency: 0.9 };
-        let (mut t, mut from, mut turns) = (0.0, 0.0, Vec::new());
+        let (mut t, mut from, mut segments) = (0.0, 0.0, Vec::new());
         for (seconds, to) in points.iter().chain([&(0.5, 0.0)]) {
-            turns.push(Turn { t, seconds: *seconds, from, to: *to });
+            segments.push(SpeedSegment { t, seconds: *seconds, from, to: *to });
             (t, from) = (t + seconds, *to);
         }
         let counted = if t < 600.0 { pause.min(600.0 - t) } else { 0.0 };
-        let own = Motion::new(turns.clone(), load, hold);
-        let paused = own.clone().with_pause(pause).work(rotor);
-        turns.push(Turn { t, seconds: counted, from: 0.0, to: 0.0 });
-        let stands = Motion::new(turns, load, hold);
-        let wanted = if pause >= 600.0 { stands.work(rotor).effective.max(hold) } else { stands.work(rotor).effective };
+        let own = Motion::new(segments.clone(), load, hold);
+        let paused = own.clone().with_pause(pause).motor_load(rotor);
+        segments.push(SpeedSegment { t, seconds: counted, from: 0.0, to: 0.0 });
+        let stands = Motion::new(segments, load, hold);
+        let wanted = if pause >= 600.0 { stands.motor_load(rotor).effective.max(hold) } else { stands.motor_load(rotor).effective };
         super::same("effective", paused.effective, wanted, 1e-12);
         super::same("speed", own.clone().with_pause(pause).mean_speed(), stands.mean_speed(), 1e-12);
         // The energy of a part is that of its run.
-        let alone = own.work(rotor);
+        let alone = own.motor_load(rotor);
         prop_assert_eq!((paused.given, paused.returned, paused.seconds), (alone.given, alone.returned, alone.seconds));
     }
 }
@@ -178,7 +179,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
         super::same("parts", later.cycle.unwrap().parts_per_hour(), 3600.0 / (seconds + pause), 1e-4);
         for (axis, paused) in now.axes.iter().zip(&later.axes) {
             assert!(paused.turning < axis.turning && paused.loaded <= axis.loaded, "{machine} {}", axis.id);
-            let Some((work, rests)) = axis.work.zip(paused.work) else { continue };
+            let Some((work, rests)) = axis.motor_load.zip(paused.motor_load) else { continue };
             assert!(rests.effective < work.effective, "{machine} {}: {} {}", axis.id, work.effective, rests.effective);
             super::same("peak", rests.peak.torque, work.peak.torque, 1e-6);
             super::same("speed", rests.speed, work.speed, 1e-9);

@@ -488,7 +488,7 @@ fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
         let mut there = project.clone();
         there.values.insert("override".to_owned(), Value::Number(if at_highest_knob { KNOB } else { 100.0 }));
         super::same("speed", speed, value(&there, "x-motor-speed"), 1e-3);
-        assert_eq!(most < x.work.unwrap().peak.torque, !at_highest_knob);
+        assert_eq!(most < x.motor_load.unwrap().peak.torque, !at_highest_knob);
     }
     let asked = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
     assert!(asked.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", asked.rows[0].cells);
@@ -512,7 +512,7 @@ fn web_that_pulls_the_roller_along_asks_most_in_the_stop() {
     let peak = design.readouts.iter().find(|row| row.id == "x-peak-torque").unwrap();
     assert_eq!(peak.verdict, Verdict::Fail);
     let sizing = sized(&project);
-    super::same("peak", peak.value, sizing.axes[0].work.unwrap().peak.torque, 1e-3);
+    super::same("peak", peak.value, sizing.axes[0].motor_load.unwrap().peak.torque, 1e-3);
 }
 
 #[test]

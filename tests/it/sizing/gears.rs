@@ -1,9 +1,9 @@
 //! The choice of gear units: by the torque at their output and the speed of their input, in the run of the program.
 
-use macroline::drives::duty::{Motion, Turn};
 use macroline::drives::gear::{GearDuty, GearRefusal};
 use macroline::drives::load::Load;
 use macroline::drives::parts::GearRatings;
+use macroline::drives::shaft_motion::{Motion, SpeedSegment};
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::math::{self, PI, RPM};
@@ -153,21 +153,21 @@ fn torque_at_the_output_agrees_with_that_at_the_motor() {
     let (ratio, efficiency, rotor, input) = (10.0, 0.9, 2e-5, 6e-5);
     let output = Load { inertia: 0.02, torque: 1.2, efficiency: 1.0 };
     let load = Load { inertia: 0.02 / 100.0 + input, torque: 1.2 / (ratio * efficiency), efficiency };
-    let rise = |speed: f64| [Turn { t: 0.0, seconds: 0.1, from: 0.0, to: speed }];
+    let rise = |speed: f64| [SpeedSegment { t: 0.0, seconds: 0.1, from: 0.0, to: speed }];
     let motor = Motion::new(rise(30.0), load, 0.0);
     let behind = Motion::new(rise(30.0 / ratio), output, 0.0);
-    let at_motor = motor.work(rotor).peak.torque;
+    let at_motor = motor.motor_load(rotor).peak.torque;
     // The form's load counts the gear's own inertia at the output, after its efficiency.
     let of_rotors = (rotor + input / efficiency) * 300.0;
-    same("torque", behind.work(0.0).peak.torque, (at_motor - of_rotors) * ratio * efficiency, SAME);
+    same("torque", behind.motor_load(0.0).peak.torque, (at_motor - of_rotors) * ratio * efficiency, SAME);
 }
 
 proptest! {
     /// At a steady speed the mean torque is that of the load, and input turns as often as the ratio has it.
     #[test]
     fn lasting_torque_of_a_steady_motion_is_its_torque(torque in 0.1_f64..50.0, speed in 1.0_f64..300.0, ratio in 1.0_f64..50.0) {
-        let turn = Turn { t: 0.0, seconds: 2.0, from: speed, to: speed };
-        let duty = GearDuty::new(&Motion::new([turn], Load { inertia: 1.0, torque, efficiency: 1.0 }, 0.0), ratio);
+        let segment = SpeedSegment { t: 0.0, seconds: 2.0, from: speed, to: speed };
+        let duty = GearDuty::new(&Motion::new([segment], Load { inertia: 1.0, torque, efficiency: 1.0 }, 0.0), ratio);
         for (own, wanted) in [(duty.mean, torque), (duty.peak, torque), (duty.speed, speed / RPM * ratio), (duty.mean_speed, speed / RPM * ratio)] {
             prop_assert!((own - wanted).abs() <= 1e-9 * wanted);
         }
@@ -177,8 +177,8 @@ proptest! {
     #[test]
     fn lasting_torque_of_ramps_agrees_with_the_closed_form(inertia in 1e-4_f64..1.0, speed in 1.0_f64..100.0, ramp in 0.05_f64..2.0) {
         let load = Load { inertia, torque: 0.0, efficiency: 1.0 };
-        let up = Turn { t: 0.0, seconds: ramp, from: 0.0, to: speed };
-        let down = Turn { t: ramp, seconds: 2.0 * ramp, from: speed, to: 0.0 };
+        let up = SpeedSegment { t: 0.0, seconds: ramp, from: 0.0, to: speed };
+        let down = SpeedSegment { t: ramp, seconds: 2.0 * ramp, from: speed, to: 0.0 };
         let duty = GearDuty::new(&Motion::new([up, down], load, 0.0), 1.0);
         let torque = inertia * speed / ramp;
         // Ways v t / 2 and v t, with the whole torque and half of it.

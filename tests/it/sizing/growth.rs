@@ -2,7 +2,7 @@
 
 use macroline::machines::ALL;
 use macroline::project::Project;
-use macroline::project::size::{ResultName, Sizing, SizingRuns, answers};
+use macroline::project::size::{ResultName, Sizing, SizingRuns, size_without_envelope};
 use macroline::view::Verdict;
 
 /// Results that fail with S in r/min, beside those that fail at any S.
@@ -16,7 +16,7 @@ fn failing(project: &Project, speed: f64, failing_anyway: &[ResultName]) -> Vec<
 /// The sizing without the envelope.
 fn sized(project: &Project) -> Sizing {
     let short = project.with_entries(&[("pitch-count", "10")]).unwrap_or_else(|| project.clone());
-    answers(project, &SizingRuns::new(&short, &short.written()))
+    size_without_envelope(project, &SizingRuns::new(&short, &short.written()))
 }
 
 #[test]

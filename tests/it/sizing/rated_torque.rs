@@ -1,6 +1,6 @@
 //! The continuous torque of a motor at its speed, in the form and in an electronic cam, and the encoder of each axis.
 
-use macroline::project::size::{SizingRuns, answers};
+use macroline::project::size::{SizingRuns, size_without_envelope};
 use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
@@ -21,7 +21,7 @@ fn effective_torque_is_limited_by_the_curve_at_speed() {
     let flat = line(&[("gear-y", 100.0), ("friction-y", 209.0), ("motor-rated-torque-y", 2.94)]);
     assert_eq!(readout(&flat, "y-effective-torque").verdict, Verdict::Ok);
     // The list refuses the motor with these figures for the same reason.
-    let sizing = answers(&warm, &SizingRuns::new(&warm, &warm.written()));
+    let sizing = size_without_envelope(&warm, &SizingRuns::new(&warm, &warm.written()));
     let print = sizing.axes.iter().find(|axis| axis.id == "y").unwrap();
     let motor = print.candidates.iter().find(|motor| motor.part.model == "HC53").unwrap();
     let said = sentence(&motor.refusal.as_ref().unwrap().message);
@@ -57,7 +57,7 @@ fn cam_is_limited_by_the_power_above_rated_speed() {
 #[test]
 fn each_axis_has_the_encoder_of_its_motor() {
     let project = line(&[]);
-    let sizing = answers(&project, &SizingRuns::new(&project, &project.written()));
+    let sizing = size_without_envelope(&project, &SizingRuns::new(&project, &project.written()));
     let pull = sizing.axes.iter().find(|axis| axis.id == "x").unwrap();
     let motor = pull.candidates.iter().find(|motor| motor.part.model == "HG-KN43J").unwrap();
     assert!(motor.entries.contains(&FieldEntry::new("encoder-resolution-x", "131072")), "{:?}", motor.entries);

@@ -1,8 +1,8 @@
 //! Regeneration of an amplifier, and the brake resistor that takes it; the energy of all motors of a part.
 
-use macroline::drives::duty::{Motion, ResistorLoad, Turn};
 use macroline::drives::load::{Load, Regeneration};
 use macroline::drives::parts::{PartGrade, ResistorRatings};
+use macroline::drives::shaft_motion::{Motion, ResistorLoad, SpeedSegment};
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::size::{Candidate, Sizing};
@@ -12,16 +12,20 @@ use proptest::prelude::*;
 use crate::asked::sized;
 
 /// Starts, runs for a second and stops within 0.2 s, `times` times.
-fn starts(times: u32, speed: f64) -> Vec<Turn> {
+fn starts(times: u32, speed: f64) -> Vec<SpeedSegment> {
     let part = |at: u32| {
         let t = 2.0 * f64::from(at);
-        let turn =
-            |from: f64, seconds: f64, speeds: (f64, f64)| Turn { t: t + from, seconds, from: speeds.0, to: speeds.1 };
+        let segment = |from: f64, seconds: f64, speeds: (f64, f64)| SpeedSegment {
+            t: t + from,
+            seconds,
+            from: speeds.0,
+            to: speeds.1,
+        };
         [
-            turn(0.0, 0.3, (0.0, speed)),
-            turn(0.3, 1.0, (speed, speed)),
-            turn(1.3, 0.2, (speed, 0.0)),
-            turn(1.5, 0.5, (0.0, 0.0)),
+            segment(0.0, 0.3, (0.0, speed)),
+            segment(0.3, 1.0, (speed, speed)),
+            segment(1.3, 0.2, (speed, 0.0)),
+            segment(1.5, 0.5, (0.0, 0.0)),
         ]
     };
     (0..times).flat_map(part).collect()
@@ -66,29 +70,29 @@ proptest! {
         (first, long, gap, second) in (0.0f64..4.0, 0.01f64..2.0, 0.01f64..2.0, 0.01f64..2.0),
         rotor in 0.0f64..1e-3,
     ) {
-        let (mut t, mut from, mut turns) = (0.0, 0.0, Vec::new());
+        let (mut t, mut from, mut segments) = (0.0, 0.0, Vec::new());
         for (seconds, to) in points {
-            turns.push(Turn { t, seconds, from, to });
+            segments.push(SpeedSegment { t, seconds, from, to });
             (t, from) = (t + seconds, to);
         }
         let load = |torque: f64| Load { inertia: 1e-3, torque, efficiency: 0.9 };
-        let whole = Motion::new(turns.clone(), load(0.3), 0.0);
-        let all = whole.clone().with_work(vec![(0.0, t)]).work(rotor);
-        super::same("effective", all.effective, whole.work(rotor).effective, 1e-9);
+        let whole = Motion::new(segments.clone(), load(0.3), 0.0);
+        let all = whole.clone().with_loaded_spans(vec![(0.0, t)]).motor_load(rotor);
+        super::same("effective", all.effective, whole.motor_load(rotor).effective, 1e-9);
         let works = vec![(first, first + long), (first + long + gap, first + long + gap + second)];
-        let part = whole.clone().with_work(works.clone());
-        let seconds: f64 = part.turns().iter().map(|turn| turn.seconds).sum();
+        let part = whole.clone().with_loaded_spans(works.clone());
+        let seconds: f64 = part.segments().iter().map(|segment| segment.seconds).sum();
         super::same("seconds", seconds, t, 1e-9);
         // Work of the steady torque: its way within the works.
         let way = |motion: &Motion, within: &dyn Fn(f64) -> bool| -> f64 {
-            motion.turns().iter().filter(|turn| within(turn.t + 0.5 * turn.seconds)).map(|turn| 0.5 * (turn.from + turn.to).abs() * turn.seconds).sum()
+            motion.segments().iter().filter(|segment| within(segment.t + 0.5 * segment.seconds)).map(|segment| 0.5 * (segment.from + segment.to).abs() * segment.seconds).sum()
         };
         let within = |t: f64| works.iter().any(|(from, to)| (*from..*to).contains(&t));
-        let idle = Motion::new(turns, load(0.0), 0.0).work(rotor);
-        let work = part.work(rotor);
+        let idle = Motion::new(segments, load(0.0), 0.0).motor_load(rotor);
+        let work = part.motor_load(rotor);
         let balance = work.given - work.returned - (idle.given - idle.returned);
         prop_assert!((balance - 0.3 * way(&part, &within)).abs() < 1e-9 * (1.0 + work.given + work.returned), "{balance}");
-        prop_assert!(part.loaded() <= t * (1.0 + 1e-9));
+        prop_assert!(part.loaded_time() <= t * (1.0 + 1e-9));
     }
 }
 
@@ -128,7 +132,7 @@ fn resistor_rows(sizing: &Sizing) -> Vec<(String, PartGrade, f64)> {
 #[test]
 fn demand_beyond_every_resistor_is_an_open_row() {
     let (often, project) = (sized(&stopping()), line());
-    let asked = |of: &Candidate| of.resistor.as_ref().unwrap().asked;
+    let asked = |of: &Candidate| of.resistor.as_ref().unwrap().demand;
     assert!(braked(&often).into_iter().all(|motor| asked(motor).mean > 0.05 && asked(motor).peak > 0.0));
     let sizing = sized(&project);
     let strong = passing(&sizing);
@@ -143,7 +147,7 @@ fn demand_beyond_every_resistor_is_an_open_row() {
 fn resistor_that_is_paired_and_takes_it_is_billed() {
     let mut project = line();
     let strong = passing(&sized(&project)).clone();
-    let (amplifier, asked) = (strong.amplifier.as_ref().unwrap(), strong.resistor.as_ref().unwrap().asked);
+    let (amplifier, asked) = (strong.amplifier.as_ref().unwrap(), strong.resistor.as_ref().unwrap().demand);
     let table = format!(
         "kind,maker,series,model,regen_w,fits,source,grade\n\
          resistor,Mitsubishi Electric,{series},R-SMALL,{small},{model},own,entered\n\
@@ -221,7 +225,7 @@ fn polygon_is_cut_while_the_slide_is_in_the_stock_alone() {
     assert!(design(&lathe, "sides").is_some());
     // The list of motors has the same work as the energy of a part.
     let energy = sizing.cycle.unwrap().energy.unwrap();
-    let works = || sizing.axes.iter().map(|axis| axis.work.unwrap());
+    let works = || sizing.axes.iter().map(|axis| axis.motor_load.unwrap());
     super::same("given", works().map(|work| work.given).sum(), energy.given, 1e-9);
     super::same("returned", works().map(|work| work.returned).sum(), energy.returned, 1e-9);
 }
@@ -245,11 +249,11 @@ fn cut_does_not_help_the_stop_of_the_tool() {
     let tool = sizing.axes.iter().find(|axis| axis.id == "tool").unwrap();
     // The tool stops outside of the stock from 1000 r/min: ½ J ω² = ½ · 0.02 · 104.72² = 109.7 J.
     let omega = 1000.0 * std::f64::consts::TAU / 60.0;
-    super::same("returned", tool.work.unwrap().returned, 0.5 * 0.02 * omega * omega, 1e-3);
+    super::same("returned", tool.motor_load.unwrap().returned, 0.5 * 0.02 * omega * omega, 1e-3);
     // At the amplifier MR-J4-350A, with 85 % and 40 J in its capacitors, and the rotor of HG-SR352.
     let motor = tool.candidates.iter().find(|motor| motor.part.model == "HG-SR352").unwrap();
     let rotor = motor.part.servo().unwrap().rotor;
-    let asked = motor.resistor.as_ref().expect("a resistor").asked;
+    let asked = motor.resistor.as_ref().expect("a resistor").demand;
     super::same("stop", asked.stop, 0.85 * 0.5 * (0.02 + rotor) * omega * omega - 40.0, 1e-2);
 }
 
@@ -278,7 +282,7 @@ fn unknown_regeneration_is_an_open_row_with_its_energy() {
     let sizing = behind("", "");
     let told = open_resistor(&sizing).expect("an open row");
     let motor = sizing.axes[1].candidates.iter().find(|motor| motor.part.model == "S1").unwrap();
-    let asked = motor.resistor.as_ref().expect("a demand").asked;
+    let asked = motor.resistor.as_ref().expect("a demand").demand;
     assert!(asked.stop > 0.0 && asked.mean > 0.05, "{asked:?}");
     for figure in [format!("{:.1} J", asked.stop), format!("{:.1} W", asked.mean), "ask its maker".to_owned()] {
         assert!(told.contains(&figure), "{told} lacks {figure}");

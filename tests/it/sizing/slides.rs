@@ -34,7 +34,7 @@ fn run_asks_of_a_slide_what_the_formulas_say() {
                 let sizing = sized(&project);
                 for id in ["x", "z"] {
                     let (work, formula) =
-                        (axis(&sizing, id).work.unwrap(), readout(&project, &format!("{id}-peak-torque")));
+                        (axis(&sizing, id).motor_load.unwrap(), readout(&project, &format!("{id}-peak-torque")));
                     let about = format!("{name} on {control}, {angle}°, {id}: {work:?}, {}", formula.value);
                     // A short way ends before the rapid is reached.
                     assert!(
@@ -42,7 +42,7 @@ fn run_asks_of_a_slide_what_the_formulas_say() {
                         "{about}"
                     );
                 }
-                let (z, formula) = (axis(&sizing, "z").work.unwrap(), readout(&project, "z-peak-torque"));
+                let (z, formula) = (axis(&sizing, "z").motor_load.unwrap(), readout(&project, "z-peak-torque"));
                 let reaches = z.speed / math::RPM > 0.999 * readout(&project, "z-motor-speed").value;
                 assert!(!reaches || (z.peak.torque / formula.value - 1.0).abs() < 1e-3, "{name} on {control}: {z:?}");
             }
@@ -53,7 +53,10 @@ fn run_asks_of_a_slide_what_the_formulas_say() {
 #[test]
 fn cut_loads_the_slide_that_feeds() {
     let effective = |share: &str, id: &str| {
-        axis(&sized(&lathe("turning-spindle", "gsk-980tdc", &[("feed-force", share)])), id).work.unwrap().effective
+        axis(&sized(&lathe("turning-spindle", "gsk-980tdc", &[("feed-force", share)])), id)
+            .motor_load
+            .unwrap()
+            .effective
     };
     // The default example faces: X feeds, and Z moves beside the work.
     assert!(effective("200", "x") > 1.5 * effective("0", "x"));
@@ -66,7 +69,7 @@ fn slant_bed_is_held_at_rest_and_lifted() {
     let weight = 100.0 * 9.806_65 * math::sin(60_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
     let more = readout(&slant, "x-peak-torque").value - readout(&flat, "x-peak-torque").value;
     assert!((more - weight / 0.9).abs() < 1e-9, "{more}");
-    let [held, free] = [&slant, &flat].map(|project| axis(&sized(project), "x").work.unwrap().effective);
+    let [held, free] = [&slant, &flat].map(|project| axis(&sized(project), "x").motor_load.unwrap().effective);
     assert!(held > free, "{held} {free}");
     // Without current a brake holds it: it is ordered and wired.
     let brakes = |project: &Project| sized(project).bill.iter().filter(|row| row.item == BillItem::Brake).count();
@@ -265,7 +268,7 @@ fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
     // In a shorter part with more force: with the feed override at its highest position.
     assert_eq!((heat.verdict, heat.feed), (Verdict::Fail, Some(150.0)), "{} {:?}", heat.value, heat.limit);
     assert!((heat.limit.unwrap().value() - 0.8 * 4.8).abs() < 1e-12);
-    assert_eq!(heat.value, axis(&sizing, "z").work.unwrap().effective);
+    assert_eq!(heat.value, axis(&sizing, "z").motor_load.unwrap().effective);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use macroline::project::parts;
-use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, SizingRuns, answers, size};
+use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing, SizingRuns, size, size_without_envelope};
 use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
@@ -115,7 +115,7 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
         );
         listed.add_parts(parts::read(&table, "own.csv").0);
     }
-    let sizing = answers(&listed, &SizingRuns::new(&listed, &listed.written()));
+    let sizing = size_without_envelope(&listed, &SizingRuns::new(&listed, &listed.written()));
     let pull = sizing.axes.iter().find(|axis| axis.id == "x").unwrap();
     let refusal = |model: &str| {
         let found = pull.candidates.iter().find(|candidate| candidate.part.model == model).unwrap();

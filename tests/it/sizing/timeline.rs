@@ -1,7 +1,7 @@
 //! Torque and energy over the stretches of the program's own run against the closed forms.
 
-use macroline::drives::duty::{Motion, Turn};
 use macroline::drives::load::{Load, Move, effective};
+use macroline::drives::shaft_motion::{Motion, SpeedSegment};
 use macroline::machines::driven::DrivenAxis;
 use macroline::machines::form::Value;
 use macroline::motion::{Budget, Mover, Retention, Stretch};
@@ -47,7 +47,7 @@ fn torque_over_the_run_is_that_of_the_results() {
         let (run, axis) = (run_of(&project), axis(&project, "x"));
         let work = axis
             .motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end()), None)
-            .work(axis.fitted.motor.rotor);
+            .motor_load(axis.fitted.motor.rotor);
         // Before and after the product the axis holds the web.
         let (product, hold) = (result("product-time"), axis.hold);
         let square = work.effective * work.effective * work.seconds - hold * hold * (work.seconds - product);
@@ -99,8 +99,11 @@ fn stretches_of_a_run_add_up_to_its_travel() {
             }
         }
         // Turns of the spindle: r/min over seconds.
-        let turns = travelled(&run.timeline().stretches(Mover::Spindle, 0.0, end)) / 60.0;
-        assert!((turns - place(Mover::Spindle)).abs() < 1e-6 * turns.abs().max(1.0), "{machine}: {turns} turns");
+        let segments = travelled(&run.timeline().stretches(Mover::Spindle, 0.0, end)) / 60.0;
+        assert!(
+            (segments - place(Mover::Spindle)).abs() < 1e-6 * segments.abs().max(1.0),
+            "{machine}: {segments} turns"
+        );
     }
 }
 
@@ -114,7 +117,7 @@ fn energy_of_a_run_goes_into_friction_alone() {
     for id in ["x", "y"] {
         let axis = axis(&project, id);
         let stretches = run.timeline().stretches(axis.mover, 0.0, end);
-        let work = axis.motion(&stretches, None).work(axis.fitted.motor.rotor);
+        let work = axis.motion(&stretches, None).motor_load(axis.fitted.motor.rotor);
         let friction = axis.load.torque * axis.turn * travelled(&stretches);
         assert!(work.given > 1.0, "{id}: {work:?}");
         super::same(&format!("energy of {id}"), work.given - work.returned, friction, WITHIN);
@@ -137,16 +140,16 @@ fn energy_of_a_part_is_that_of_its_motors() {
     let run = run_of(&project);
     let works = project.prepared().driven_axes().into_iter().map(|axis| {
         axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end()), None)
-            .work(axis.fitted.motor.rotor)
+            .motor_load(axis.fitted.motor.rotor)
     });
     // Includes the unwinder, whose spindle speed is in r/min of its motor.
     let unwinder = project.prepared().inverter_drive().unwrap();
-    let turns = run.timeline().stretches(Mover::Spindle, 0.0, run.timeline().end());
-    let unwinder = unwinder.motion(&turns).work(unwinder.rotor);
+    let segments = run.timeline().stretches(Mover::Spindle, 0.0, run.timeline().end());
+    let unwinder = unwinder.motion(&segments).motor_load(unwinder.rotor);
     let given = works.map(|work| work.given).sum::<f64>() + unwinder.given;
     super::same("energy of a part", cycle.energy.unwrap().given, given, 1e-9);
     // Its steady torque over the turns of the run, and what runs it up, at least.
-    let turned: f64 = turns.iter().map(|turn| 0.5 * (turn.from + turn.to) * turn.seconds / 60.0).sum();
+    let turned: f64 = segments.iter().map(|segment| 0.5 * (segment.from + segment.to) * segment.seconds / 60.0).sum();
     let steady = project.design().readouts.into_iter().find(|row| row.id == "unwinder-torque").unwrap().value;
     assert!(unwinder.given > 0.9 * steady * turned * std::f64::consts::TAU, "{} J", unwinder.given);
     super::same("cycle time", cycle.seconds, run.ended_at().unwrap(), 1e-9);
@@ -157,7 +160,7 @@ fn energy_of_a_part_is_that_of_its_motors() {
 }
 
 /// A move from rest to rest as turns, forward or backward.
-fn turns(of: &Move, side: f64) -> Vec<Turn> {
+fn segments(of: &Move, side: f64) -> Vec<SpeedSegment> {
     let top = side * of.speed;
     let parts = [(of.ramp, 0.0, top), (of.run, top, top), (of.ramp, top, 0.0), (of.pause, 0.0, 0.0)];
     let mut t = 0.0;
@@ -165,7 +168,7 @@ fn turns(of: &Move, side: f64) -> Vec<Turn> {
         .into_iter()
         .map(|(seconds, from, to)| {
             t += seconds;
-            Turn { t: t - seconds, seconds, from, to }
+            SpeedSegment { t: t - seconds, seconds, from, to }
         })
         .collect()
 }
@@ -179,8 +182,8 @@ proptest! {
     ) {
         let load = Load { inertia, torque, efficiency };
         let of = Move { speed, ramp, run, pause, hold };
-        let motion = Motion::new(turns(&of, if backward { -1.0 } else { 1.0 }), load, hold);
-        let work = motion.work(rotor);
+        let motion = Motion::new(segments(&of, if backward { -1.0 } else { 1.0 }), load, hold);
+        let work = motion.motor_load(rotor);
         let phases = load.phases(rotor, of);
         let peak = phases.iter().map(|phase| phase.torque.abs()).fold(0.0, f64::max);
         prop_assert!((work.peak.torque - peak).abs() <= 1e-9 * peak);
@@ -199,13 +202,13 @@ proptest! {
     ) {
         // Without steady torque and losses the torque is the same before and after standstill.
         let load = Load { inertia: 0.01, torque: 0.0, efficiency: 1.0 };
-        let motion = Motion::new([Turn { t: 0.0, seconds, from, to }], load, 0.0);
+        let motion = Motion::new([SpeedSegment { t: 0.0, seconds, from, to }], load, 0.0);
         let torque = 0.01 * (to - from) / seconds;
-        for turn in motion.turns() {
-            prop_assert!((motion.torque(turn, 0.0) - torque).abs() <= 1e-9 * torque.abs().max(1e-9));
-            prop_assert!(turn.from * turn.to >= 0.0);
+        for segment in motion.segments() {
+            prop_assert!((motion.torque(segment, 0.0) - torque).abs() <= 1e-9 * torque.abs().max(1e-9));
+            prop_assert!(segment.from * segment.to >= 0.0);
         }
-        let (work, kinetic) = (motion.work(0.0), 0.5 * 0.01 * (to * to - from * from));
+        let (work, kinetic) = (motion.motor_load(0.0), 0.5 * 0.01 * (to * to - from * from));
         prop_assert!((work.given - work.returned - kinetic).abs() <= 1e-9 * (work.given + work.returned).max(1e-9));
     }
 }

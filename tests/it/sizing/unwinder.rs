@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use macroline::machines::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::Project;
-use macroline::project::size::{Candidate, Sizing, SizingRuns, answers};
+use macroline::project::size::{Candidate, Sizing, SizingRuns, size_without_envelope};
 use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
@@ -15,7 +15,7 @@ use crate::asked::readout;
 /// The sizing without the envelope, of a short product.
 fn sized(project: &Project) -> Sizing {
     let short = project.with_entries(&[("pitch-count", "10")]).unwrap();
-    answers(&short, &SizingRuns::new(&short, &short.written()))
+    size_without_envelope(&short, &SizingRuns::new(&short, &short.written()))
 }
 
 fn unwinder(sizing: &Sizing) -> &[Candidate] {

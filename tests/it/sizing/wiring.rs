@@ -8,10 +8,10 @@ use macroline::machines::devices::{BillItem, item_of_contact, item_of_output};
 use macroline::machines::form::Value;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::project::Project;
-use macroline::project::size::{Sizing, SizingRuns, answers};
+use macroline::project::size::{Sizing, SizingRuns, size_without_envelope};
 
 fn answered(project: &Project) -> Sizing {
-    answers(project, &SizingRuns::new(project, &project.written()))
+    size_without_envelope(project, &SizingRuns::new(project, &project.written()))
 }
 
 /// An item of the bill with its axis.

@@ -6,8 +6,8 @@ use std::rc::Rc;
 
 use lsp_types::{TextDocumentContentChangeEvent, Url};
 use macroline::nc::{self, File, Files, Parsed};
-use macroline::project::check::review;
-use macroline::project::silence::silence;
+use macroline::project::findings::check::review;
+use macroline::project::findings::silence::silence;
 use macroline::text::{Diagnostic, FileId};
 
 use super::convert::Lines;

@@ -8,7 +8,7 @@ use lsp_types::{
 };
 use macroline::msg;
 use macroline::nc;
-use macroline::project::check::{FixChoice, fixes};
+use macroline::project::findings::check::{FixChoice, fixes};
 use macroline::project::meaning::Meaning;
 use macroline::text::catalog::{sentence, words};
 use macroline::text::{Diagnostic, FileId, Fix, Phrase, Place, Severity, Span, headed};

@@ -7,7 +7,7 @@ use macroline::machines::ControlContext;
 use macroline::project::Project;
 use macroline::project::import::restored;
 use macroline::project::meaning::Words;
-use macroline::project::request::{Choices, control};
+use macroline::project::requests::check_request::{Choices, control};
 use macroline::project::run::set_by_operator;
 use macroline::text::Message;
 use serde_json::Value as Json;

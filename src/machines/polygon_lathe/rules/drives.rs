@@ -1,12 +1,13 @@
 //! Rules about the drives of work and tool: torque and power of the cut, torque of the run-up, each with its remedy.
 
 use crate::drives::cutting;
+use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max};
 use crate::machines::knobs;
 use crate::machines::polygon_lathe::demand::DemandKind;
 use crate::machines::polygon_lathe::load::{END_FEEDS, FEEDS, PolygonAxis};
 use crate::machines::polygon_lathe::params::FIELDS;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
-use crate::machines::verdict::{Judgement, NumberEntry, down, fail, maximum, ok, up, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -18,7 +19,7 @@ fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: 
     let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
     let sets = feeds.filter_map(|(cuts, (field, feed))| {
         let excess = at.excess(axis, kind, cuts);
-        (excess > 1.0).then(|| down(FIELDS, field, feed * cutting::feed_share(1.0 / excess, p.specific().exponent)))
+        (excess > 1.0).then(|| at_most(FIELDS, field, feed * cutting::feed_share(1.0 / excess, p.specific().exponent)))
     });
     knobs::setting_feeds(Advice::from(fact), sets.collect())
 }
@@ -34,7 +35,7 @@ impl PolygonLathe {
             END_FEEDS.into_iter().zip(p.turned_ends.iter().zip(&at.p.turned_ends)).filter(|(_, (end, _))| end.on);
         let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed)));
         let lower = |(field, feed, force): (&'static str, f64, f64)| {
-            let entry = || down(FIELDS, field, feed * cutting::feed_share(most / force, p.specific().exponent));
+            let entry = || at_most(FIELDS, field, feed * cutting::feed_share(most / force, p.specific().exponent));
             (force > most).then(entry)
         };
         flats.chain(ends).filter_map(lower).collect()
@@ -139,11 +140,11 @@ fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) ->
     }
     let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
     let advice = Advice::from(message(asked, limit));
-    let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));
+    let sets = ["work-time-constant", "tool-time-constant"].map(|field| at_least(FIELDS, field, ramp));
     let button = msg!("advice.set-ramps", time = sets[0].text.as_str());
     fail(
         AtMost(limit),
-        [if ramp <= maximum(FIELDS, "work-time-constant") { advice.setting(button, sets) } else { advice }],
+        [if ramp <= field_max(FIELDS, "work-time-constant") { advice.setting(button, sets) } else { advice }],
     )
 }
 

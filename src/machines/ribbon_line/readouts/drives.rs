@@ -31,12 +31,12 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3,
         formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest, torque of the tautest ribbon",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.peak, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.demand.peak, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-effective-torque", label: "ribbon.readout.x-effective-torque", unit: "Nm", decimals: 3,
         formula: "SQRT[Σ T² t / Σ t] over a product, or a block with exact stop",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.effective, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.demand.effective, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-shortest-ramp", label: "ribbon.readout.x-shortest-ramp", unit: "ms", decimals: 1,
@@ -71,12 +71,12 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "y-peak-torque", label: "ribbon.readout.y-peak-torque", unit: "Nm", decimals: 3,
         formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.peak, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.demand.peak, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-effective-torque", label: "ribbon.readout.y-effective-torque", unit: "Nm", decimals: 3,
         formula: "SQRT[Σ T² t / Σ t] over a product, or a block with exact stop",
-        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.effective, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.demand.effective, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-shortest-ramp", label: "ribbon.readout.y-shortest-ramp", unit: "ms", decimals: 1,

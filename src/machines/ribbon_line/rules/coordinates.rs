@@ -2,9 +2,10 @@
 
 use crate::controls::dialect::CoordinateFrame;
 use crate::controls::{Code, ParamRole};
+use crate::machines::form::entry::at_most;
 use crate::machines::ribbon_line::params::{Endless, FIELDS, PrintAxis};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, down, fail, ok, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math::PI;
 use crate::msg;
 use crate::text::Diagnostic;
@@ -104,9 +105,9 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
         let pitches = (max / travel).floor();
         let advice = Advice::from(msg!("ribbon.range-product", axis, limit = max, count = (pitches, 0)));
         let set = if line.p.is_length(line.control) {
-            down(FIELDS, "product-length", pitches * line.p.pitch)
+            at_most(FIELDS, "product-length", pitches * line.p.pitch)
         } else {
-            down(FIELDS, "pitch-count", pitches)
+            at_most(FIELDS, "pitch-count", pitches)
         };
         let button = msg!("advice.shorter-product", count = pitches);
         return fail(None, with(if pitches >= 1.0 { advice.setting(button, [set]) } else { advice }, false));

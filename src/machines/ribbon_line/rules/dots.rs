@@ -1,11 +1,12 @@
 //! The rule of the error budget of a dot: all parts together stay within its tolerance.
 
 use super::slack::equal_entries;
+use crate::machines::form::entry::{NumberEntry, at_least, at_most};
 use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource};
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
-use crate::machines::verdict::{Judgement, NumberEntry, Rule, down, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Advice;
@@ -34,21 +35,22 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
     let share = if alone { room / mm } else { 0.5 };
     let one = |button: fn(&str) -> Message, entry: NumberEntry| (button(&entry.text), vec![entry]);
     let (button, entries) = match part {
-        ErrorSource::RunOut => {
-            one(|run_out| msg!("advice.set-run-out", run_out), down(FIELDS, "roller-run-out", p.roller_run_out * share))
-        }
+        ErrorSource::RunOut => one(
+            |run_out| msg!("advice.set-run-out", run_out),
+            at_most(FIELDS, "roller-run-out", p.roller_run_out * share),
+        ),
         ErrorSource::Encoders => {
             let both = [("encoder-resolution-x", p.encoder_x), ("encoder-resolution-y", p.encoder_y)];
-            let entries = both.map(|(id, pulses)| up(FIELDS, id, pulses / share)).to_vec();
+            let entries = both.map(|(id, pulses)| at_least(FIELDS, id, pulses / share)).to_vec();
             (msg!("advice.set-encoders"), entries)
         }
         ErrorSource::Backlash => one(
             |backlash| msg!("advice.set-backlash", backlash),
-            down(FIELDS, "gear-backlash", p.gear_backlash * share),
+            at_most(FIELDS, "gear-backlash", p.gear_backlash * share),
         ),
         ErrorSource::Strain => one(
             |force| msg!("advice.set-tension-behind", force),
-            down(FIELDS, "tension-behind", p.web.tension_behind * share),
+            at_most(FIELDS, "tension-behind", p.web.tension_behind * share),
         ),
         ErrorSource::Lag => (msg!("advice.make-equal"), equal_entries(p)),
     };

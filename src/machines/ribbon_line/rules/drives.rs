@@ -6,11 +6,12 @@ use super::slack;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::devices::forced_cooling_advice;
+use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max, nearest};
 use crate::machines::ribbon_line::mechanics::{GRIP, ServoAxis};
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::unwinder_motor::SHORT_TIME;
-use crate::machines::verdict::{Judgement, NumberEntry, Rule, down, fail, maximum, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Advice;
@@ -41,37 +42,37 @@ pub(in crate::machines::ribbon_line) fn here(limit: f64, now: f64, fast: f64) ->
 }
 
 fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
-    let most = fast.limits.peak * fast.motor.short_time_torque(fast.duty.speed);
-    let limit = AtMost(here(most, now.duty.peak, fast.duty.peak));
-    if limit.holds(now.duty.peak) {
+    let most = fast.limits.peak * fast.motor.short_time_torque(fast.demand.speed);
+    let limit = AtMost(here(most, now.demand.peak, fast.demand.peak));
+    if limit.holds(now.demand.peak) {
         return ok(limit);
     }
     let ramp = fast.shortest_ramp() * 1e3;
-    if ramp > maximum(FIELDS, "time-constant-x") {
+    if ramp > field_max(FIELDS, "time-constant-x") {
         return fail(
             limit,
-            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.duty.peak / fast.limits.peak, 2)))],
+            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.demand.peak / fast.limits.peak, 2)))],
         );
     }
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
-    let set = up(FIELDS, "time-constant-x", ramp);
+    let set = at_least(FIELDS, "time-constant-x", ramp);
     let milliseconds = set.value;
     let both = [set.clone(), NumberEntry { field: "time-constant-y", ..set }];
     let sentence =
-        msg!("ribbon.peak-torque", torque = (fast.duty.peak, 2), limit = (most, 2), time = (milliseconds, 1));
+        msg!("ribbon.peak-torque", torque = (fast.demand.peak, 2), limit = (most, 2), time = (milliseconds, 1));
     fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])
 }
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = (&line.mechanics.pull, &line.fast_mechanics.pull);
-    let most = fast.limits.peak * fast.motor.short_time_torque(fast.duty.speed);
+    let most = fast.limits.peak * fast.motor.short_time_torque(fast.demand.speed);
     if fast.taut.abs() <= most {
         return peak(now, fast);
     }
     // No ramp takes the tension from a taut ribbon.
     let tension = (line.mechanics.tautest, 0);
     let message = msg!("ribbon.taut-torque", tension, torque = (fast.taut.abs(), 2), limit = (most, 2));
-    fail(AtMost(here(most, now.duty.peak, fast.duty.peak)), [slack::advice_against_taut(line, message)])
+    fail(AtMost(here(most, now.demand.peak, fast.demand.peak)), [slack::advice_against_taut(line, message)])
 }
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
@@ -80,21 +81,21 @@ fn peak_y(line: &RibbonLine) -> Option<Judgement> {
 
 fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     let most = fast.effective_torque_limit(fast.mean_speed);
-    let limit = AtMost(here(most, now.duty.effective, fast.duty.effective));
-    if limit.holds(now.duty.effective) {
+    let limit = AtMost(here(most, now.demand.effective, fast.demand.effective));
+    if limit.holds(now.demand.effective) {
         return ok(limit);
     }
     if most < fast.effective_torque_limit(0.0) {
-        let (torque, speed, limit_there) = ((fast.duty.effective, 2), (fast.mean_speed, 0), (most, 2));
+        let (torque, speed, limit_there) = ((fast.demand.effective, 2), (fast.mean_speed, 0), (most, 2));
         return fail(limit, [Advice::from(msg!("ribbon.warm-at-speed", torque, speed, limit = limit_there))]);
     }
-    let stall = fast.duty.effective / fast.limits.effective;
+    let stall = fast.demand.effective / fast.limits.effective;
     let share = (100.0 * fast.limits.effective, 1);
     fail(
         limit,
         [Advice::from(msg!(
             "ribbon.effective-torque",
-            torque = (fast.duty.effective, 2),
+            torque = (fast.demand.effective, 2),
             limit = (most, 2),
             stall_torque = (stall, 2),
             percent = share
@@ -137,7 +138,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(now) {
         return ok(limit);
     }
-    let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * fast / GRIP);
+    let set = at_least(FIELDS, "pinch-force", line.p.pull.pinch_force * fast / GRIP);
     let force = set.value;
     let tautest = line.mechanics.tautest;
     let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.p.web.tension_before;
@@ -184,7 +185,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let brake = at_roller / (p.press_roller_diameter / 2e3);
     let weaker = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));
     advice.push(if brake > 0.0 {
-        let set = down(FIELDS, "reel-brake", brake);
+        let set = at_most(FIELDS, "reel-brake", brake);
         weaker.setting(msg!("advice.set-brake", force = (set.value, 2)), [set])
     } else {
         weaker
@@ -204,13 +205,13 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let mut advice = Vec::new();
     let message = msg!("ribbon.unwinder-brakes", torque = (torque, 2), limit = (most, 2), percent = (percent, 0));
     let ramp = p.inverter_ramp * (torque + steady) / (most + steady);
-    if ramp <= maximum(FIELDS, "inverter-ramp") {
-        let set = up(FIELDS, "inverter-ramp", ramp);
+    if ramp <= field_max(FIELDS, "inverter-ramp") {
+        let set = at_least(FIELDS, "inverter-ramp", ramp);
         advice.push(Advice::from(message.clone()).setting(msg!("advice.set-ramp", time = (set.value, 2)), [set]));
     }
     let asked = 100.0 * torque / p.unwinding.short_time(1.0, line.fast.frequency);
     if asked <= 100.0 * SHORT_TIME {
-        let set = up(FIELDS, "unwinder-motor-braking", asked);
+        let set = at_least(FIELDS, "unwinder-motor-braking", asked);
         let button = msg!("advice.set-braking", percent = set.text.as_str());
         advice.push(Advice::from(msg!("ribbon.brake-resistor", percent = (asked, 0))).setting(button, [set]));
     }
@@ -231,8 +232,8 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     }
     let advice = Advice::from(msg!("ribbon.unwinder-ramp-torque", torque = (torque, 2), limit = (most, 2)));
     let ramp = p.inverter_ramp * (torque - steady) / (most - steady);
-    let advice = if most > steady && ramp <= maximum(FIELDS, "inverter-ramp") {
-        let set = up(FIELDS, "inverter-ramp", ramp);
+    let advice = if most > steady && ramp <= field_max(FIELDS, "inverter-ramp") {
+        let set = at_least(FIELDS, "inverter-ramp", ramp);
         advice.setting(msg!("advice.set-ramp", time = (set.value, 2)), [set])
     } else {
         advice
@@ -246,7 +247,7 @@ fn unwinder_load(line: &RibbonLine) -> Option<Judgement> {
     if (share - p.unwinder_load).abs() <= LOAD {
         return None;
     }
-    let set = near(FIELDS, "unwinder-load", share.min(200.0));
+    let set = nearest(FIELDS, "unwinder-load", share.min(200.0));
     let sentence = msg!("ribbon.unwinder-load-differs", load = (p.unwinder_load, 2), needed = (share, 2));
     warn(None, [Advice::from(sentence).setting(msg!("advice.set-load", load = (set.value, 2)), [set])])
 }

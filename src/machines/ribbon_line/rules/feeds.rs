@@ -4,9 +4,10 @@ use super::slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
+use crate::machines::form::entry::{at_least, at_most, nearest};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, down, fail, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -66,10 +67,10 @@ pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64
     let RibbonLine { p, d, fast, .. } = line;
     let mut sets = Vec::new();
     if d.asked_speed > speed {
-        sets.push(down(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
+        sets.push(at_most(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
     }
     if fast.actual_speed > speed {
-        sets.push(down(FIELDS, "speed-clamp", speed));
+        sets.push(at_most(FIELDS, "speed-clamp", speed));
     }
     let button = match sets.first() {
         Some(set) if set.field == "spindle-speed" => msg!("advice.set-speed", speed = set.text.as_str()),
@@ -202,7 +203,7 @@ fn rapid(speed: f64, most: f64, field: &'static str, rapid: f64) -> Option<Judge
     if limit.holds(speed) {
         return ok(limit);
     }
-    let set = down(FIELDS, field, rapid * most / speed);
+    let set = at_most(FIELDS, field, rapid * most / speed);
     let advice = Advice::from(msg!("ribbon.rapid-too-fast", speed = (speed, 0), limit = (most, 0)));
     fail(limit, [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
 }
@@ -234,9 +235,9 @@ pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgem
     let speeds = ((p.speed_at_10v, 0), (motor.speed(p.speed_at_10v).max(0.0), 0));
     let no_load = p.speed_at_10v + motor.slip();
     let entries = [
-        near(FIELDS, "no-load-speed", no_load),
-        near(FIELDS, "rated-load-speed", no_load - (p.no_load_speed - p.rated_load_speed)),
-        near(FIELDS, "frequency-at-10v", p.frequency_at_10v * no_load / p.no_load_speed),
+        nearest(FIELDS, "no-load-speed", no_load),
+        nearest(FIELDS, "rated-load-speed", no_load - (p.no_load_speed - p.rated_load_speed)),
+        nearest(FIELDS, "frequency-at-10v", p.frequency_at_10v * no_load / p.no_load_speed),
     ];
     let frequency = entries[2].text.clone();
     let advice =
@@ -295,7 +296,7 @@ pub(in crate::machines::ribbon_line) fn block_time(line: &RibbonLine) -> Option<
     let advice = match p.variant {
         Variant::ReadyMade => {
             let wanted = if turned.is_infinite() { needed } else { turned };
-            let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
+            let set = at_least(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
             let (lacks, time, count) = (if steady { turned } else { needed }, (lasts, 1), (set.value, 0));
             let sentence = if steady {
                 msg!("ribbon.more-pitches-to-turn", needed = (lacks, 1), time, percent = knob, count)
@@ -347,7 +348,7 @@ pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<
     if p.speed_clamp > p.speed_at_10v {
         let advice =
             Advice::from(msg!("ribbon.clamp-above-output", clamp = (p.speed_clamp, 1), speed = (p.speed_at_10v, 1)));
-        let set = down(FIELDS, "speed-clamp", p.speed_at_10v);
+        let set = at_most(FIELDS, "speed-clamp", p.speed_at_10v);
         return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.text.as_str()), [set])]);
     }
     if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {

@@ -2,9 +2,10 @@
 
 use super::cam;
 use crate::drives::web;
+use crate::machines::form::entry::{at_least, at_most, nearest};
 use crate::machines::ribbon_line::params::{FIELDS, PiForm, Rest};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, down, fail, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
@@ -36,11 +37,11 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
         let with_heads = d.matching_heads / heads;
         let smear = web::smear(with_heads, p.contact_length);
         let diameter = |advice: Message| {
-            let set = near(FIELDS, "print-roller-diameter", d.matching_diameter);
+            let set = nearest(FIELDS, "print-roller-diameter", d.matching_diameter);
             Advice::from(advice).setting(msg!("advice.set-diameter", diameter = (d.matching_diameter, 2)), [set])
         };
-        let count = near(FIELDS, "heads", heads);
-        let pitch = near(FIELDS, "pitch", d.matching_pitch);
+        let count = nearest(FIELDS, "heads", heads);
+        let pitch = nearest(FIELDS, "pitch", d.matching_pitch);
         let (ratio, smear_now, limit) = ((d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3));
         let cause = match slips {
             Verdict::Ok => msg!("ribbon.not-matched", ratio, smear = smear_now, limit),
@@ -105,7 +106,7 @@ pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<J
         return ok(limit);
     }
     let effective = p.press_roller_diameter + p.ribbon_thickness;
-    let set = near(FIELDS, "press-roller-diameter", effective);
+    let set = nearest(FIELDS, "press-roller-diameter", effective);
     let advice = Advice::from(msg!("ribbon.thickness", percent = (d.thickness_error, 2), diameter = (effective, 3)));
     let button = msg!("advice.set-diameter", diameter = (effective, 2));
     warn(limit, [advice.setting(button, [set.into(), FieldEntry::new("effective-diameter", "true")])])
@@ -117,7 +118,7 @@ fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static st
     if micrometres <= limit {
         return ok(AtMost(limit));
     }
-    let set = up(FIELDS, field, pulses * micrometres / limit);
+    let set = at_least(FIELDS, field, pulses * micrometres / limit);
     let advice = Advice::from(msg!("ribbon.coarse-encoder", error = (limit, 3)));
     warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.text.as_str()), [set])])
 }
@@ -138,7 +139,7 @@ pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judg
     }
     let tolerance = if p.rest == Rest::Alarm { 0.001 } else { p.dot_tolerance };
     let limit = Within(tolerance);
-    let whole = near(FIELDS, "product-length", p.count() * p.pitch);
+    let whole = nearest(FIELDS, "product-length", p.count() * p.pitch);
     let whole_length = |advice: Message| {
         Advice::from(advice).setting(msg!("advice.set-length", length = whole.text.as_str()), [whole.clone()])
     };
@@ -158,7 +159,7 @@ pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judg
 
 /// A shorter print head, where the form takes one this short (mm).
 fn with_head(advice: Message, longest: f64) -> Advice {
-    let set = down(FIELDS, "head-length", longest);
+    let set = at_most(FIELDS, "head-length", longest);
     let advice = Advice::from(advice);
     if set.value > longest {
         advice

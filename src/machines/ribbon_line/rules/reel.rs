@@ -1,12 +1,13 @@
 //! The rules of the supply reel: ribbon on it, its pull at a start, its brake at a stop.
 
 use crate::drives::reel;
+use crate::machines::form::entry::{at_least, at_most, field_max};
 use crate::machines::ribbon_line::contacts::left_at_reel_end;
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::reel::wound;
 use crate::machines::ribbon_line::reel_demand::{coasting_acceleration, coasting_pull, products, ramp_pull};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::verdict::{Judgement, Rule, down, fail, maximum, ok, up, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade};
 use crate::view::Advice;
@@ -30,8 +31,8 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     }
     let needed = (line.d.product_length + left_at_reel_end(line)) / 1e3;
     let advice = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
-    let set = up(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
-    let fits = set.value <= maximum(FIELDS, "reel-diameter");
+    let set = at_least(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
+    let fits = set.value <= field_max(FIELDS, "reel-diameter");
     let button = || msg!("advice.set-reel", diameter = set.text.as_str());
     fail(limit, [if fits { advice.setting(button(), [set.clone()]) } else { advice }])
 }
@@ -46,10 +47,10 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
     }
     let message = msg!("ribbon.reel-pull", tension = (brake + extra, 1), limit = (most, 1), brake = (brake, 1));
     let ramp = p.inverter_ramp * extra / (most - brake);
-    let advice = if most > brake && ramp <= maximum(FIELDS, "inverter-ramp") {
+    let advice = if most > brake && ramp <= field_max(FIELDS, "inverter-ramp") {
         with_ramp(ramp, message.into())
     } else if most > extra {
-        let set = down(FIELDS, "reel-brake", most - extra);
+        let set = at_most(FIELDS, "reel-brake", most - extra);
         Advice::from(message).setting(msg!("advice.set-brake", force = set.text.as_str()), [set])
     } else {
         message.into()
@@ -71,7 +72,7 @@ fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
 
 /// An advice with a longer ramp of the inverter, s.
 fn with_ramp(seconds: f64, advice: Advice) -> Advice {
-    let set = up(FIELDS, "inverter-ramp", seconds);
+    let set = at_least(FIELDS, "inverter-ramp", seconds);
     advice.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])
 }
 
@@ -88,10 +89,10 @@ fn holds(line: &RibbonLine) -> Option<Judgement> {
     let reel = wound(p);
     let with = |brake: f64| reel.pull(reel.worst(), coasting_acceleration(p, brake));
     let (without, growth) = (with(0.0), with(1.0) - with(0.0));
-    let set = up(FIELDS, "reel-brake", ramp.max(without / (1.0 - growth)));
+    let set = at_least(FIELDS, "reel-brake", ramp.max(without / (1.0 - growth)));
     let mut advice = vec![runs_on().setting(msg!("advice.set-brake", force = set.text.as_str()), [set])];
     let seconds = p.inverter_ramp * ramp / brake;
-    if coasting <= brake && seconds <= maximum(FIELDS, "inverter-ramp") {
+    if coasting <= brake && seconds <= field_max(FIELDS, "inverter-ramp") {
         advice.push(with_ramp(seconds, runs_on()));
     }
     warn(limit, advice)

@@ -1,12 +1,13 @@
 //! Rules about ribbon between unwinder and pull roller: the loop, the slack rate, the knob, the tension of the web.
 
 use crate::controls::Code;
+use crate::machines::form::entry::{NumberEntry, at_least, nearest};
 use crate::machines::ribbon_line::derive::{Derived, greatest};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wait};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::tension_switch::{TensionSwitch, with_pinch};
 use crate::machines::ribbon_line::unwinder_motor::shortest_ramp;
-use crate::machines::verdict::{Judgement, NumberEntry, fail, near, ok, up, warn};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::catalog::sentence;
 use crate::text::{Message, clauses};
@@ -25,7 +26,7 @@ pub(in crate::machines::ribbon_line) fn equal_entries(p: &Params) -> Vec<NumberE
         ("position-gain-y", p.position_gain_y, soft),
     ] {
         if value != same {
-            sets.push(near(FIELDS, id, same));
+            sets.push(nearest(FIELDS, id, same));
         }
     }
     sets
@@ -67,7 +68,7 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
 fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
-    up(FIELDS, "dwell", short.max(0.0))
+    at_least(FIELDS, "dwell", short.max(0.0))
 }
 
 /// The results at that position of the knob at which a product may lay most ribbon into the loop.
@@ -97,7 +98,7 @@ fn taking(advice: Advice, changes: Vec<FormChange>) -> Advice {
 
 /// The loop that holds `needed` mm.
 fn longer_loop(needed: f64) -> FormChange {
-    let set = up(FIELDS, "loop-capacity", needed);
+    let set = at_least(FIELDS, "loop-capacity", needed);
     FormChange { button: msg!("advice.set-loop", capacity = set.text.as_str()), entries: vec![set.into()] }
 }
 
@@ -142,7 +143,7 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
         let message = msg!("ribbon.matching-dwell", time = dwelt.typed.as_str(), capacity = (left.ceil(), 0));
         offer(message, left, vec![dwelt.change]);
     }
-    let ramp = up(FIELDS, "inverter-ramp", shortest_ramp(line));
+    let ramp = at_least(FIELDS, "inverter-ramp", shortest_ramp(line));
     if ramp.value < p.inverter_ramp {
         let steep = with_matching_dwell(line, Params { inverter_ramp: ramp.value, ..p.clone() });
         let shortest = after(&steep.form);
@@ -275,7 +276,7 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let message = msg!("ribbon.starved", percent = kept);
     let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
     let pitches = ready.pass_needed() * line.following(d) / d.pitch_time;
-    let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
+    let set = at_least(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
         Variant::ReadyMade => {
             Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set])

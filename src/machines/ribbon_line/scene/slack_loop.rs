@@ -47,18 +47,9 @@ impl SlackLoop {
         SlackLoop { share: if capacity > most { most / capacity } else { 1.0 }, ..whole }
     }
 
-    /// Angle (rad) at which a quantity that grows with it exceeds a limit, by bisection.
+    /// Angle (rad) at which a quantity that grows with it exceeds a limit.
     fn angle_where(exceeds: impl Fn(f64) -> bool) -> f64 {
-        let (mut low, mut high) = (0.0, 0.5 * PI);
-        for _ in 0..48 {
-            let middle = 0.5 * (low + high);
-            if exceeds(middle) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        low
+        math::last_holding(0.0, 0.5 * PI, 48, |angle| !exceeds(angle))
     }
 
     /// s(θ) over d.

@@ -5,11 +5,11 @@
 
 use super::breakpoints::Breakpoints;
 pub use super::breakpoints::Stop;
-use super::run::Run;
 use crate::interp::inspect::{CallLevel, Change};
 use crate::interp::{Interp, World};
 use crate::motion::{Event, Gate, GatedProgress};
 use crate::nc::{self, Stmt};
+use crate::project::run::Run;
 use crate::text::{Diagnostic, Place};
 
 /// Goal of a step command.

@@ -2,15 +2,15 @@
 
 use std::rc::Rc;
 
-use super::Project;
-use super::check::review;
-use super::file_findings::{FileFindings, FileRead, Sources};
-use super::list;
-use super::origins;
-use super::silence::silence;
 use crate::controls::{self, Control, Dialect, Switches};
 use crate::msg;
 use crate::nc;
+use crate::project::Project;
+use crate::project::findings::check::review;
+use crate::project::findings::file_findings::{FileFindings, FileRead, Sources};
+use crate::project::findings::silence::silence;
+use crate::project::list;
+use crate::project::origins;
 use crate::text::{Diagnostic, Message, catalog, listed};
 
 /// Reason for refusing a request.

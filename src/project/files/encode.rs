@@ -16,7 +16,7 @@ pub fn bytes(text: &str, characters: CommentCharacters) -> Vec<u8> {
 }
 
 /// Decodes GBK; `None` unless all bytes are text.
-pub(super) fn from_gbk(bytes: &[u8]) -> Option<String> {
+pub(in crate::project) fn from_gbk(bytes: &[u8]) -> Option<String> {
     let text = GBK.decode_without_bom_handling_and_without_replacement(bytes)?;
     text.chars().all(|c| CommentCharacters::Gbk.has(c)).then(|| text.into_owned())
 }

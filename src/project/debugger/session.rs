@@ -1,13 +1,13 @@
 //! A session of the debugger: the stepped run beside the one it was forked from, breakpoints, watches, and the diagnostics reported so far.
 
 use super::breakpoints::{Breakpoints, Location};
-use super::debug::{Debugger, Goal, Stop};
-use super::io_names;
-use super::run::{Run, Setting};
+use super::stepping::{Debugger, Goal, Stop};
 use crate::controls::{Control, Dialect};
 use crate::interp::Counts;
 use crate::motion::{Action, Event, Panel, RunEnd};
 use crate::nc::{self, Parsed};
+use crate::project::io_names;
+use crate::project::run::{Run, Setting};
 use crate::text::{Diagnostic, Place};
 
 /// Events of the machine that are planned before the goal is checked again.

@@ -14,17 +14,17 @@ use crate::text::{FileId, LineIndex, Place, Span};
 
 /// A value and the part of the text that it was read from; empty for a value that is to be written.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Located<'t> {
-    pub(super) value: Value,
-    pub(super) source: &'t str,
+pub(in crate::project) struct Located<'t> {
+    pub(in crate::project) value: Value,
+    pub(in crate::project) source: &'t str,
 }
 
 impl Located<'_> {
-    pub(super) fn new(value: impl Into<Value>) -> Self {
+    pub(in crate::project) fn new(value: impl Into<Value>) -> Self {
         Located { value: value.into(), source: "" }
     }
 
-    pub(super) fn as_str(&self) -> Option<&str> {
+    pub(in crate::project) fn as_str(&self) -> Option<&str> {
         self.value.as_str()
     }
 }
@@ -45,19 +45,19 @@ impl Serialize for Located<'_> {
 
 /// A key of an object with its value.
 #[derive(Debug, Clone)]
-pub(super) struct JsonMember<'t> {
-    pub(super) key: String,
+pub(in crate::project) struct JsonMember<'t> {
+    pub(in crate::project) key: String,
     /// The key in the text, with its quotes.
-    pub(super) source: &'t str,
-    pub(super) value: Located<'t>,
+    pub(in crate::project) source: &'t str,
+    pub(in crate::project) value: Located<'t>,
 }
 
 /// The members of an object in the order of the text, repeated keys too.
 #[derive(Debug, Clone, Default)]
-pub(super) struct JsonMembers<'t>(pub(super) Vec<JsonMember<'t>>);
+pub(in crate::project) struct JsonMembers<'t>(pub(in crate::project) Vec<JsonMember<'t>>);
 
 impl JsonMembers<'_> {
-    pub(super) fn is_empty(&self) -> bool {
+    pub(in crate::project) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 }
@@ -104,21 +104,21 @@ impl Serialize for JsonMembers<'_> {
 }
 
 /// A number as JSON: whole numbers without a point; `null` for infinity and NaN, which JSON does not have.
-pub(super) fn number(value: f64) -> Value {
+pub(in crate::project) fn number(value: f64) -> Value {
     /// Whole numbers below this are exact as doubles.
     const EXACT: f64 = 9_007_199_254_740_992.0;
     if value.fract() == 0.0 && value.abs() < EXACT { Value::from(value as i64) } else { Value::from(value) }
 }
 
 /// The place of a part of the text.
-pub(super) fn place(text: &str, part: &str) -> Option<Place> {
+pub(in crate::project) fn place(text: &str, part: &str) -> Option<Place> {
     let start = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize)?;
     let end = start + part.len();
     (end <= text.len()).then(|| at(start, end))
 }
 
 /// The character at the line and column of an error of serde.
-pub(super) fn error_place(text: &str, error: &serde_json::Error) -> Place {
+pub(in crate::project) fn error_place(text: &str, error: &serde_json::Error) -> Place {
     let line = LineIndex::new(text).start(error.line().max(1) as u32) as usize;
     let mut start = (line + error.column().saturating_sub(1)).min(text.len());
     while !text.is_char_boundary(start) {
@@ -133,14 +133,14 @@ fn at(start: usize, end: usize) -> Place {
 }
 
 /// Text of an error of serde in the language in use, without the place.
-pub(super) fn reason(error: &serde_json::Error) -> String {
+pub(in crate::project) fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
     json_reason::reason(text.strip_suffix(&place).unwrap_or(&text))
 }
 
 /// The kind of a JSON value, in words.
-pub(super) fn kind_word(json: &Value) -> &'static str {
+pub(in crate::project) fn kind_word(json: &Value) -> &'static str {
     match json {
         Value::Null => words("project.json.null"),
         Value::Bool(_) => words("project.json.flag"),

@@ -1,9 +1,9 @@
 //! Breakpoints: places where stepping stops, with optional conditions.
 
-use super::run::program_number;
 use crate::interp::{Interp, World};
 use crate::motion::RunEnd;
 use crate::nc::{self, Parsed, ParsedFormula};
+use crate::project::run::program_number;
 use crate::text::{Diagnostic, FileId, LineIndex, Place};
 
 /// Reason of a stop of the debugger.

@@ -2,11 +2,11 @@
 
 use std::rc::Rc;
 
-use super::program::Written;
-use super::{Project, run};
 use crate::interp;
 use crate::msg;
 use crate::nc::{self, Block, Files, Parsed, Program};
+use crate::project::program::Written;
+use crate::project::{Project, run};
 use crate::text::{Diagnostic, DiagnosticKind, Fix, Place, Severity};
 
 /// All findings before a run, in the order of the text. `start` is the number of the started program, if known; `set` are variables that

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::json::{self, JsonMembers};
 use crate::msg;
+use crate::project::files::json::{self, JsonMembers};
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, Message, Severity};
 
@@ -11,7 +11,7 @@ use crate::text::{Diagnostic, Message, Severity};
 const LISTED: usize = 100;
 
 /// Findings about a project file.
-pub(super) struct Findings<'t> {
+pub(in crate::project) struct Findings<'t> {
     text: &'t str,
     list: Vec<Diagnostic>,
     /// Findings beyond [`LISTED`].
@@ -19,17 +19,17 @@ pub(super) struct Findings<'t> {
 }
 
 impl<'t> Findings<'t> {
-    pub(super) fn new(text: &'t str) -> Findings<'t> {
+    pub(in crate::project) fn new(text: &'t str) -> Findings<'t> {
         Findings { text, list: Vec::new(), more: 0 }
     }
 
     /// The text that the findings are about.
-    pub(super) fn text(&self) -> &'t str {
+    pub(in crate::project) fn text(&self) -> &'t str {
         self.text
     }
 
     /// Adds a finding at a part of the text; an empty part is no place.
-    pub(super) fn add(&mut self, mut finding: Diagnostic, part: &str) {
+    pub(in crate::project) fn add(&mut self, mut finding: Diagnostic, part: &str) {
         if self.list.len() >= LISTED {
             self.more += 1;
             return;
@@ -39,12 +39,12 @@ impl<'t> Findings<'t> {
     }
 
     /// Adds an error at a part of the text.
-    pub(super) fn error(&mut self, message: Message, part: &str) {
+    pub(in crate::project) fn error(&mut self, message: Message, part: &str) {
         self.add(Diagnostic::error(message), part);
     }
 
     /// Adds an error for each key of an object that an earlier member has.
-    pub(super) fn repeated(&mut self, members: &JsonMembers<'t>) {
+    pub(in crate::project) fn repeated(&mut self, members: &JsonMembers<'t>) {
         let mut known = BTreeSet::new();
         for member in &members.0 {
             if !known.insert(member.key.as_str()) {
@@ -54,7 +54,7 @@ impl<'t> Findings<'t> {
     }
 
     /// All findings in the order of the text, and how many were left out.
-    pub(super) fn into_diagnostics(mut self) -> Vec<Diagnostic> {
+    pub(in crate::project) fn into_diagnostics(mut self) -> Vec<Diagnostic> {
         Diagnostic::in_order(&mut self.list);
         if self.more > 0 {
             let severity = self.list.iter().map(|finding| finding.severity).min().unwrap_or(Severity::Error);

@@ -1,14 +1,14 @@
 //! The debugger as lines of text: a command in, an answer out.
 
 use super::breakpoints::Location;
-use super::debug::{Debugger, Goal, Stop};
-use super::render::{Renderer, headline};
-use super::run::{Run, Setting};
 use super::session::{Session, SessionStop};
+use super::stepping::{Debugger, Goal, Stop};
 use crate::controls::Control;
 use crate::interp::inspect::{CallLevel, Change, ChangeSubject, Entered};
 use crate::motion::{Action, RunEnd};
 use crate::msg;
+use crate::project::findings::render::{Renderer, headline};
+use crate::project::run::{Run, Setting};
 use crate::text::catalog::{number_text, sentence, words};
 use crate::text::{Diagnostic, Message, Place, headed};
 

@@ -2,10 +2,10 @@
 
 use serde_json::Value as Json;
 
-use super::decode::Decoded;
 use super::render::{Renderer, sarif};
 use crate::controls::options::CommentCharacters;
 use crate::nc::Files;
+use crate::project::files::decode::Decoded;
 use crate::text::{Diagnostic, Severity};
 
 /// Files that diagnostics are about.

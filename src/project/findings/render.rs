@@ -4,9 +4,9 @@ pub mod sarif;
 
 use serde_json::{Value as Json, json};
 
-use super::decode::{Decoded, Encoding};
 use crate::msg;
 use crate::nc::{self, Files};
+use crate::project::files::decode::{Decoded, Encoding};
 use crate::text::catalog::{sentence, words};
 use crate::text::columns::of_char;
 use crate::text::escape::{is_terminal_control, terminal};

@@ -1,6 +1,6 @@
 //! Names of the files about a project, which every file system accepts.
 
-use super::Project;
+use crate::project::Project;
 
 /// Maximum bytes of a project's name, and of its revision, in a file name, which then has at most 120 bytes. Our choice: file systems allow
 /// 255, and a path also contains the folders.

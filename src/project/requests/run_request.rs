@@ -4,19 +4,19 @@ use std::rc::Rc;
 
 use serde_json::Value as Json;
 
-use super::Project;
-use super::check::{not_reached, review, with_run};
-use super::file_findings::{FileFindings, FileRead, Sources, list_json};
-use super::origins;
-use super::request::{Choices, ProgramSource, Refused};
-use super::run::{self, AtStop, Run, RunOptions, RunSummary, Setting};
-use super::silence::silence;
+use super::check_request::{Choices, ProgramSource, Refused};
 use crate::controls::{Control, Dialect, Switches};
 use crate::interp::StartProgram;
 use crate::interp::canon::Line;
 use crate::motion::{Budget, Panel, Retention, RunEnd};
 use crate::msg;
 use crate::nc;
+use crate::project::Project;
+use crate::project::findings::check::{not_reached, review, with_run};
+use crate::project::findings::file_findings::{FileFindings, FileRead, Sources, list_json};
+use crate::project::findings::silence::silence;
+use crate::project::origins;
+use crate::project::run::{self, AtStop, Run, RunOptions, RunSummary, Setting};
 use crate::text::{Diagnostic, Message};
 
 /// Default budget of a run: blocks, and seconds of machine time.
@@ -69,7 +69,10 @@ pub struct FinishedRun {
 }
 
 /// The program of a name, if one is given.
-pub(super) fn program_of_name(name: Option<&str>, parsed: &nc::Parsed) -> Result<Option<StartProgram>, Message> {
+pub(in crate::project) fn program_of_name(
+    name: Option<&str>,
+    parsed: &nc::Parsed,
+) -> Result<Option<StartProgram>, Message> {
     let Some(name) = name else { return Ok(None) };
     run::program_meant(name, parsed).map(Some).ok_or_else(|| msg!("request.start", program = name))
 }

@@ -3,6 +3,6 @@
 use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 
 /// CRC-32 of bytes. Without a table, which would weigh more in the browser than the time that it saves: files are short.
-pub(super) fn crc32(bytes: &[u8]) -> u32 {
+pub(in crate::project) fn crc32(bytes: &[u8]) -> u32 {
     Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC).checksum(bytes)
 }

@@ -1,11 +1,13 @@
 //! Variants of a project: kept, taken and dropped; and projects side by side, the entries in which they differ and their results with verdicts.
 
+pub mod variant;
+
 use serde_json::{Value as Json, json};
 
+use self::variant::{MAX_VARIANTS, Variant, variant_name};
 use super::Project;
 use super::list::verdict_word;
 use super::origins::values;
-use super::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::controls::Switch;
 use crate::text::catalog::words;
 use crate::text::columns::{left, right};
