@@ -11,7 +11,7 @@ use macroline::project::export::{ExportFile, ExportOptions, FileRole};
 use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
 
-use crate::asked::near_share;
+use crate::queries::near_share;
 
 fn controls() -> &'static [&'static str] {
     macroline::machines::find("ribbon-line").unwrap().controls()

@@ -36,7 +36,7 @@ macro_rules! clauses {
 }
 use clauses;
 
-use crate::asked::{near, readout};
+use crate::queries::{near, readout};
 
 const LIMITS: Budget = Budget { blocks: 1_000_000, seconds: 3600.0 };
 

@@ -7,7 +7,7 @@ use macroline::motion::{Action, Event, PlcOrders, PlcSignals, ProgramState, Snap
 use macroline::project::Project;
 
 use super::ribbon_controls::over_time;
-use crate::asked::{report_text, stop_table};
+use crate::queries::{report_text, stop_table};
 
 /// Each of the two machines on each of its controls.
 fn projects() -> impl Iterator<Item = Project> {

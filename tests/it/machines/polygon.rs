@@ -17,8 +17,8 @@ use macroline::text::catalog::{number_text, sentence};
 use macroline::view::{Theme, Verdict, svg};
 
 use super::drawn::area;
-use crate::asked;
-use crate::asked::value;
+use crate::queries;
+use crate::queries::value;
 
 const WORK: usize = 0;
 const TOOL: usize = 1;
@@ -28,7 +28,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 }
 
 fn values(changes: &[(&str, &str)]) -> Values {
-    asked::values(machine(), changes)
+    queries::values(machine(), changes)
 }
 
 pub(super) fn project(changes: &[(&str, &str)]) -> Project {

@@ -2,7 +2,7 @@
 
 use super::drawn::{FRAME, Still, texts};
 use super::polygon::project;
-use crate::asked::value;
+use crate::queries::value;
 use macroline::controls::Address;
 use macroline::machines::Frame;
 use macroline::motion::Snapshot;

@@ -7,7 +7,7 @@ use macroline::view::{FieldEntry, Verdict};
 
 use super::polygon::project;
 use super::ribbon_controls::over_time;
-use crate::asked::{first_at, near, near_share, readout, stop_table};
+use crate::queries::{first_at, near, near_share, readout, stop_table};
 
 fn shaft(entries: &[(&'static str, &str)]) -> Project {
     let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();

@@ -12,7 +12,7 @@ use macroline::view::{FieldEntry, Verdict};
 use super::polygon_shaft::whole;
 use super::restart::{Outcome, within};
 use super::ribbon_controls::{begun, ended};
-use crate::asked::{near, readout, sized, sized_without_envelope, stop_table, value};
+use crate::queries::{near, readout, sized, sized_without_envelope, stop_table, value};
 
 const NAME: &str = "polygon.drive.main";
 

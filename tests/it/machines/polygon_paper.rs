@@ -3,7 +3,7 @@
 use super::super::command;
 use super::drawn::area;
 use super::polygon::project;
-use crate::asked::value;
+use crate::queries::value;
 use macroline::machines;
 use macroline::machines::{Frame, Samples};
 use macroline::motion::{Budget, Retention, RunEnd};

@@ -10,7 +10,7 @@ use macroline::view::{Shape, Verdict};
 
 use super::polygon::project;
 use super::polygon_shaft::{Dice, whole};
-use crate::asked::value;
+use crate::queries::value;
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::run::{self, RunOptions};
 

@@ -2,7 +2,7 @@
 
 use super::drawn::area;
 use super::polygon::project;
-use crate::asked::value;
+use crate::queries::value;
 use macroline::controls::Address;
 use macroline::interp::{Canon, Interp};
 use macroline::machines::form::Value;

@@ -9,7 +9,7 @@ use macroline::project::Project;
 use macroline::text::Severity;
 
 use super::polygon::project;
-use crate::asked::value;
+use crate::queries::value;
 
 fn rows(changes: &[(&str, &str)], id: &str) -> String {
     let project = project(changes);

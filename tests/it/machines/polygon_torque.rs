@@ -8,7 +8,7 @@ use macroline::project::Project;
 use macroline::view::{FieldEntry, Verdict};
 
 use super::polygon::project;
-use crate::asked::{near_share, readout, value};
+use crate::queries::{near_share, readout, value};
 
 /// The paper's single pass: 2.5 mm deep at 1 mm for each turn, tips at 45 mm.
 const SINGLE: [(&str, &str); 4] = [("depth", "2.5"), ("allowance", "0"), ("feed", "1"), ("finish-feed", "1")];

@@ -6,7 +6,7 @@ use macroline::view::{Limit, Verdict};
 
 use super::ribbon_controls::project;
 use super::ribbon_line::controls;
-use crate::asked::{near, readout};
+use crate::queries::{near, readout};
 
 /// 100 Hz at 10 V for 2960 r/min: at most 94.6 Hz with S at most 2800.
 const FAST: [(&str, &str); 7] = [

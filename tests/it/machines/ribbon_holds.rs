@@ -8,7 +8,7 @@ use macroline::view::Verdict;
 
 use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::controls;
-use crate::asked::{sized_without_envelope, value};
+use crate::queries::{sized_without_envelope, value};
 
 /// An unwinder without slip, so that starts and stops alone fill and empty the loop.
 const EVEN: [(&str, &str); 2] = [("no-load-speed", "1480"), ("rated-load-speed", "1480")];

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use super::ribbon_controls::{ended, first_cut, over_time, project};
 use super::ribbon_line::{controls, values};
-use crate::asked::readout;
+use crate::queries::readout;
 
 fn knob(t: f64, percent: f64) -> Event {
     Event { t, action: Action::SpindleOverride(percent) }

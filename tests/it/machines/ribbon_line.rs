@@ -8,7 +8,7 @@ use macroline::text::Severity;
 use macroline::text::catalog::{sentence, words};
 use macroline::view::{Limit, Readout, Verdict};
 
-use crate::asked;
+use crate::queries;
 
 pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("ribbon-line").unwrap()
@@ -35,7 +35,7 @@ pub(super) fn controls() -> impl Iterator<Item = &'static Control> {
 
 /// Values that differ from the paper's example: numbers as they are, words as choices, `true` and `false` as flags.
 pub(super) fn values(changes: &[(&str, &str)]) -> Values {
-    asked::values(machine(), changes)
+    queries::values(machine(), changes)
 }
 
 fn design(changes: &[(&str, &str)]) -> Design {

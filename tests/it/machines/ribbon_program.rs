@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::rc::Rc;
 
 use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
-use crate::asked::near;
+use crate::queries::near;
 use expect_test::expect_file;
 use macroline::controls::Address;
 use macroline::controls::interface::SignalRole;

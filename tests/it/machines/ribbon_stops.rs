@@ -11,7 +11,7 @@ use proptest::prelude::*;
 
 use super::ribbon_controls::{begun, ended, over_time, project};
 use super::ribbon_line::{controls, values};
-use crate::asked::{readout, report_text, stop_table};
+use crate::queries::{readout, report_text, stop_table};
 
 /// A line without slip whose F every control takes: 167.6 mm/s, a head every 8 mm.
 const LINE: [(&str, &str); 4] =

@@ -9,7 +9,7 @@ use macroline::view::Verdict;
 
 use super::ribbon_controls::{over_time, project};
 use super::ribbon_line::{controls, values};
-use crate::asked::readout;
+use crate::queries::readout;
 
 /// A line without slip whose F every control takes.
 const LINE: [(&str, &str); 4] =

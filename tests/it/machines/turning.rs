@@ -16,8 +16,8 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::drawn::area;
-use crate::asked;
-use crate::asked::value;
+use crate::queries;
+use crate::queries::value;
 
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
 
@@ -26,7 +26,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 }
 
 fn values(changes: &[(&str, &str)]) -> Values {
-    asked::values(machine(), changes)
+    queries::values(machine(), changes)
 }
 
 pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {

@@ -10,7 +10,7 @@ use macroline::project::run::{self, RunOptions};
 use macroline::text::Severity;
 
 use super::turning::{ideal, over_time, project, run_set, sheet};
-use crate::asked::value;
+use crate::queries::value;
 
 /// The control with words for limits and angles, and its sister.
 const NAMED: [&str; 2] = ["sinumerik-802d", "sinumerik-808d"];

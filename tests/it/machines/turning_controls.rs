@@ -8,7 +8,7 @@ use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 
 use super::turning::{cuts, ideal, machine, over_time, project, run_of, sheet};
-use crate::asked::value;
+use crate::queries::value;
 use macroline::project::Project;
 
 /// The times of blocks are the control's and not the machine's.

@@ -7,7 +7,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Readout, Verdict};
 
 use super::turning::project;
-use crate::asked::{near, sized_without_envelope, value};
+use crate::queries::{near, sized_without_envelope, value};
 
 /// Ø 400, 40 m/min, 700 N in a stage of 300 r/min at 10 V: the motor turns at about a tenth of its base speed.
 const SLOW: [(&str, &str); 10] = [

@@ -11,7 +11,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::turning::{over_time, project};
-use crate::asked::{near, readout, value};
+use crate::queries::{near, readout, value};
 
 /// Radians per second of one turn per minute.
 const RPM: f64 = std::f64::consts::TAU / 60.0;

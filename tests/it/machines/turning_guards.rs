@@ -12,7 +12,7 @@ use macroline::text::catalog::sentence;
 
 use super::ladder::{at_rest, ladder, put_out, reset, settle};
 use super::turning::{machine, project};
-use crate::asked::{near, sized_without_envelope, value};
+use crate::queries::{near, sized_without_envelope, value};
 
 /// Fields that errors of the design are about, with the errors' ids.
 fn errors(project: &Project) -> Vec<(&'static str, &'static str)> {

@@ -8,7 +8,7 @@ use macroline::view::{Limit, Readout, Verdict};
 
 use super::turning::project;
 use super::turning_torque::CUT_OF_THE_FACTS;
-use crate::asked::{near_share, readout, sized, value};
+use crate::queries::{near_share, readout, sized, value};
 
 /// The shaft of the facts on a motor without overload.
 fn shaft(control: &str, changes: &[(&'static str, &'static str)]) -> Project {

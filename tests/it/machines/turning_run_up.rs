@@ -8,7 +8,7 @@ use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::ribbon_controls::over_time;
 use super::turning::{machine, project, run_of};
-use crate::asked::{readout, sized, value};
+use crate::queries::{readout, sized, value};
 
 /// Radians per second of one turn per minute.
 const RPM: f64 = std::f64::consts::TAU / 60.0;

@@ -9,7 +9,7 @@ use macroline::project::Project;
 use macroline::view::{FieldEntry, Verdict};
 
 use super::turning::{machine, project};
-use crate::asked::{near, near_share, readout, sized_without_envelope, value};
+use crate::queries::{near, near_share, readout, sized_without_envelope, value};
 
 /// Ø 300, 45 m/min, 1500 N in a stage of 3000 r/min: little power, and far too much torque.
 const STALLS: [(&str, &str); 10] = [

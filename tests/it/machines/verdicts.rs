@@ -12,7 +12,7 @@ use macroline::text::{MessageValue, Severity};
 use macroline::view::{Advice, FieldEntry, Limit, Readout, Verdict};
 
 use super::sweep::{changes, forms};
-use crate::asked::readout;
+use crate::queries::readout;
 
 /// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
 const HELD: &[&str] = &["speed-smallest", "relief"];

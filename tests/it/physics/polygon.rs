@@ -9,7 +9,7 @@ use macroline::drives::polygon::{Curve, CutterSetup, Ratio, Section, ellipse};
 use macroline::math::{self, PI};
 
 use super::close;
-use crate::asked::near;
+use crate::queries::near;
 
 fn ratio(tool: i32, work: i32) -> Ratio {
     Ratio::new(tool, work).unwrap()

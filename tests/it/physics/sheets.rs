@@ -9,7 +9,7 @@ use macroline::nc::{Files, parse_with};
 use macroline::text::Severity;
 
 use super::*;
-use crate::asked::first_at;
+use crate::queries::first_at;
 
 /// A program on a control: switches, hand, plant (changed from a lathe without inertia) and the builder's PLC.
 struct Lathe {

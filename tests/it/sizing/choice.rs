@@ -11,7 +11,7 @@ use macroline::project::{Project, parts};
 use macroline::text::catalog::{number_text, sentence, words};
 use macroline::view::Verdict;
 
-use crate::asked::{sized, sized_without_envelope};
+use crate::queries::{sized, sized_without_envelope};
 
 fn line() -> Project {
     super::line(&[("pitch-count", 100.0)])

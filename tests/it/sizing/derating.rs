@@ -11,7 +11,7 @@ use macroline::view::{Limit, Verdict};
 use proptest::prelude::*;
 
 use super::line;
-use crate::asked::{near, readout};
+use crate::queries::{near, readout};
 
 fn share(height: f64, temperature: f64) -> f64 {
     Site { height, temperature }.share()

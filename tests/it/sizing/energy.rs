@@ -7,7 +7,7 @@ use macroline::project::Project;
 use macroline::project::size::OperatingEvent;
 use proptest::prelude::*;
 
-use crate::asked::sized;
+use crate::queries::sized;
 
 fn motion(turns: &[(f64, f64, f64)], torque: f64) -> Motion {
     let mut t = 0.0;

@@ -9,7 +9,7 @@ use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
-use crate::asked::{sized, value};
+use crate::queries::{sized, value};
 
 /// Highest position of the knob of the line's control, %: the speed clamp of the form comes first.
 const KNOB: f64 = 200.0;

@@ -14,7 +14,7 @@ use macroline::view::FieldEntry;
 use proptest::prelude::*;
 
 use super::{SAME, same};
-use crate::asked::sized;
+use crate::queries::sized;
 
 fn line(ratio: f64) -> Project {
     super::line(&[("pitch-count", 100.0), ("gear-x", ratio), ("gear-y", 5.0)])

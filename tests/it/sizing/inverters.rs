@@ -6,7 +6,7 @@ use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
 
-use crate::asked::sized_without_envelope;
+use crate::queries::sized_without_envelope;
 
 /// A lathe that turns a shaft at 1500 r/min, with a motor of 15 Nm of the user, its rated current in A, and inverters: model, rated power in W,
 /// rated current in A, overload in %. The cut takes 13 Nm, a run-up within 1.5 s 24 Nm, 1.6 times the rated torque.

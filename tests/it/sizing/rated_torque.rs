@@ -5,7 +5,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 #[test]
 fn effective_torque_is_limited_by_the_curve_at_speed() {

@@ -9,7 +9,7 @@ use macroline::view::{FieldEntry, Verdict};
 use proptest::prelude::*;
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 fn reels() -> impl Strategy<Value = Reel> {
     let sizes = (0.02..2.0_f64, 0.01..0.99_f64, 0.005..1.0_f64, 1e-5..2e-3_f64);

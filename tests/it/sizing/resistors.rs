@@ -9,7 +9,7 @@ use macroline::project::size::{Candidate, Sizing};
 use macroline::project::{Project, parts};
 use proptest::prelude::*;
 
-use crate::asked::sized;
+use crate::queries::sized;
 
 /// Starts, runs for a second and stops within 0.2 s, `times` times.
 fn starts(times: u32, speed: f64) -> Vec<Turn> {

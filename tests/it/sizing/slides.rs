@@ -7,7 +7,7 @@ use macroline::project::Project;
 use macroline::project::size::{SizedAxis, Sizing, TerminalRow};
 use macroline::view::Verdict;
 
-use crate::asked::{readout, sized};
+use crate::queries::{readout, sized};
 
 /// Machines with slides.
 const LATHES: [&str; 2] = ["turning-spindle", "polygon-lathe"];

@@ -8,7 +8,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 /// A dwell too short for the unwinder's ramp: with the knob at its highest position X is 119.9 mm ahead.
 const SHORT_DWELL: (&str, f64) = ("dwell", 0.1);

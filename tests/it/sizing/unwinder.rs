@@ -10,7 +10,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 /// The sizing without the envelope, of a short product.
 fn sized(project: &Project) -> Sizing {

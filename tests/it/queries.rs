@@ -1,4 +1,4 @@
-//! Questions that tests ask of a project or a run, and comparisons of numbers.
+//! Projects, results and runs as the tests query them, and comparisons of numbers.
 
 use macroline::interp::Interp;
 use macroline::machines::AnyMachine;
