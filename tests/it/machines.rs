@@ -1,4 +1,4 @@
-//! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
+//! The machines: their results against the independent calculation of `docs/reference/sizing.md`, their verdicts, programs and drawings.
 
 mod adding;
 mod drawn;

@@ -158,7 +158,7 @@ fn y_in_degrees_keeps_x_feed_and_changes_the_vector() {
 
 #[test]
 fn design_reproduces_the_sizing_table() {
-    // Sections A, D, E, F and G of sizing_check.py, in the units of the readouts.
+    // Rows A, D, E, F and G of the test table (docs/reference/sizing.md, section 6), in the units of the readouts.
     check(
         &[],
         1e-4,
