@@ -1,12 +1,27 @@
 //! Projects, results and runs as the tests query them, and comparisons of numbers.
 
 use macroline::interp::Interp;
-use macroline::machines::AnyMachine;
 use macroline::machines::form::Values;
+use macroline::machines::{self, AnyMachine};
 use macroline::motion::{Planner, Snapshot};
 use macroline::project::Project;
 use macroline::project::size::{Sizing, SizingRuns, answers, size};
 use macroline::view::Readout;
+
+/// Each machine, with the values of a new project, on each of its controls.
+pub(crate) fn every_machine_on_every_control() -> impl Iterator<Item = Project> {
+    machines::ALL.iter().flat_map(|machine| {
+        machine
+            .controls()
+            .iter()
+            .map(|control| Project::of(machine.id(), Some(control)).expect("a machine on a control"))
+    })
+}
+
+/// Machine and control of a project, for messages of a test.
+pub(crate) fn machine_on_control(project: &Project) -> String {
+    format!("{} on {}", project.machine.id(), project.control.id)
+}
 
 /// A result of the design by its id.
 pub(crate) fn readout(project: &Project, id: &str) -> Readout {

@@ -91,7 +91,7 @@ impl Entries {
 }
 
 /// Projects of every machine and control, a third of the swept forms, with entries beside the form.
-fn projects() -> Vec<Project> {
+fn varied_projects() -> Vec<Project> {
     let mut dice = TestRunner::deterministic();
     let controls = machines::ALL.iter().flat_map(|machine| machine.controls().iter().map(move |id| (*machine, *id)));
     let mut projects: Vec<_> =
@@ -104,7 +104,7 @@ fn projects() -> Vec<Project> {
 
 #[test]
 fn a_thousand_projects_survive_the_way_through_a_link() {
-    let projects = projects();
+    let projects = varied_projects();
     assert!(projects.len() >= 1000, "{}", projects.len());
     for project in projects {
         let link = project.to_link().unwrap();
@@ -276,7 +276,7 @@ fn ten_thousand_forged_links_give_a_whole_project_or_none() {
     let byte = prop_oneof![6 => prop::option::of(prop::num::u8::ANY), 4 => prop::sample::select(&b"0123456789-e.,:\"{}[]n"[..]).prop_map(Some)];
     let changes = prop::collection::vec((any::<prop::sample::Index>(), byte), 1..6);
     let mut dice = TestRunner::deterministic();
-    let files: Vec<_> = projects().iter().map(|project| project.to_json().into_bytes()).collect();
+    let files: Vec<_> = varied_projects().iter().map(|project| project.to_json().into_bytes()).collect();
     let (mut forged, mut opened) = (0, 0);
     for file in files.iter().cycle().take(10_000) {
         let changes = changes.new_tree(&mut dice).unwrap().current();

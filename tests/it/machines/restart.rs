@@ -4,10 +4,11 @@
 
 use macroline::controls::{Address, CodeId};
 use macroline::interp::{Canon, Interp};
-use macroline::machines;
 use macroline::motion::{Action, Budget, Event, Planner, Retention, RunEnd};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
+
+use crate::queries::{every_machine_on_every_control, machine_on_control};
 
 /// Moments of each kind of interruption, per machine and control.
 const MOMENTS: u32 = 8;
@@ -49,16 +50,6 @@ fn shares(seed: u32) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(seed), next).skip(1).take(MOMENTS as usize).map(|x| f64::from(x >> 8) / 16_777_216.0)
 }
 
-/// Each machine on each of its controls.
-fn projects() -> impl Iterator<Item = (String, Project)> {
-    machines::ALL.iter().flat_map(|machine| {
-        machine.controls().iter().map(|control| {
-            let project = Project::of(machine.id(), Some(control)).unwrap();
-            (format!("{} {control}", machine.id()), project)
-        })
-    })
-}
-
 /// Turn of the print roller, in heads.
 fn heads(project: &Project, planner: &Planner<Interp>, t: f64) -> f64 {
     let readouts = project.design().readouts;
@@ -85,7 +76,8 @@ fn place(planner: &Planner<Interp>, t: f64) -> Vec<f64> {
 
 #[test]
 fn hold_and_start_at_any_moment_gives_the_same_product() {
-    for (seed, (name, project)) in (1..).zip(projects()) {
+    for (seed, project) in (1..).zip(every_machine_on_every_control()) {
+        let name = machine_on_control(&project);
         let whole = outcome(&project, &[]);
         let end = whole.planner.ended_at().unwrap();
         let commands: Vec<&String> = whole.log.iter().map(|(_, canon)| canon).collect();
@@ -120,7 +112,7 @@ fn judged(name: &str, project: &Project, whole: &Outcome, again: &Outcome, start
         return Restart::Alarmed;
     }
     assert_eq!(again.ended, Some(RunEnd::ProgramEnd), "{name}");
-    if name.starts_with("ribbon") {
+    if project.machine.id() == "ribbon-line" {
         let [begin, product] = [0.0, whole.planner.timeline().end()].map(|t| place(&whole.planner, t));
         // A whole product more, from wherever the ribbon is, with a head at the ribbon at its begin and its end.
         for (at, most) in [(first_pull(&again.planner, start), 2.001e-3), (end, 1e-4)] {
@@ -140,7 +132,8 @@ fn judged(name: &str, project: &Project, whole: &Outcome, again: &Outcome, start
 #[test]
 fn reset_and_start_repeats_the_product_or_alarms() {
     let mut seen = Vec::new();
-    for (seed, (name, project)) in (100..).zip(projects()) {
+    for (seed, project) in (100..).zip(every_machine_on_every_control()) {
+        let name = machine_on_control(&project);
         let whole = outcome(&project, &[]);
         let end = whole.planner.ended_at().unwrap();
         for (at, t) in shares(seed).map(|share| end * share).enumerate() {
@@ -155,14 +148,15 @@ fn reset_and_start_repeats_the_product_or_alarms() {
 }
 
 /// Machines with an inverter, each on each of its controls.
-fn with_inverter() -> impl Iterator<Item = (String, Project)> {
-    projects().filter(|(_, project)| project.prepared().plc().watches_inverter())
+fn with_inverter() -> impl Iterator<Item = Project> {
+    every_machine_on_every_control().filter(|project| project.prepared().plc().watches_inverter())
 }
 
 #[test]
 fn fault_of_the_inverter_stops_spindle_and_axes() {
     let mut machines = std::collections::BTreeSet::new();
-    for (seed, (name, project)) in (200..).zip(with_inverter()) {
+    for (seed, project) in (200..).zip(with_inverter()) {
+        let name = machine_on_control(&project);
         machines.insert(project.machine.id());
         let end = outcome(&project, &[]).planner.ended_at().unwrap();
         for t in shares(seed).map(|share| end * share) {
@@ -196,7 +190,8 @@ fn fault_of_the_inverter_stops_spindle_and_axes() {
 #[test]
 fn start_after_a_cleared_fault_repeats_or_alarms() {
     let mut seen = Vec::new();
-    for (seed, (name, project)) in (300..).zip(with_inverter()) {
+    for (seed, project) in (300..).zip(with_inverter()) {
+        let name = machine_on_control(&project);
         let whole = outcome(&project, &[]);
         let end = whole.planner.ended_at().unwrap();
         let fastest = |run: &Outcome, from: f64| {
@@ -250,7 +245,11 @@ fn machine_without_inverter_says_so_and_goes_on() {
 /// On a lathe the first motion of a program goes away from the work, across it alone.
 #[test]
 fn first_motion_of_a_lathe_is_away_from_the_work() {
-    for (name, project) in projects().filter(|(name, _)| !name.starts_with("ribbon")) {
+    let lathes = every_machine_on_every_control().filter(|project| project.machine.id() != "ribbon-line");
+    let mut seen = 0;
+    for project in lathes {
+        seen += 1;
+        let name = machine_on_control(&project);
         let whole = outcome(&project, &[]);
         let first = whole.log.iter().map(|(_, canon)| canon).find(|canon| canon.starts_with("rapid")).unwrap();
         let start = place(&whole.planner, 0.0);
@@ -263,4 +262,5 @@ fn first_motion_of_a_lathe_is_away_from_the_work() {
         }
         assert!(opening.lines().any(|line| line.contains("T1")), "{name}: no tool");
     }
+    assert!(seen > 5, "{seen} lathes");
 }

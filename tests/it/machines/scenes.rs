@@ -61,7 +61,7 @@ fn faults(project: &Project) -> Vec<String> {
 }
 
 /// The default project, and one for each end of each field.
-fn projects(machine: &dyn AnyMachine) -> Vec<(String, Project)> {
+fn default_and_field_ends(machine: &dyn AnyMachine) -> Vec<(String, Project)> {
     let plain = Project::of(machine.id(), None).unwrap();
     let mut all = vec![("default".to_owned(), plain.clone())];
     for field in machine.fields() {
@@ -79,7 +79,7 @@ fn projects(machine: &dyn AnyMachine) -> Vec<(String, Project)> {
 fn labels_have_room_and_poses_fit_at_any_values() {
     let mut found = Vec::new();
     for machine in machines::ALL {
-        for (about, project) in projects(*machine) {
+        for (about, project) in default_and_field_ends(*machine) {
             found.extend(faults(&project).into_iter().map(|fault| format!("{} with {about}: {fault}", machine.id())));
         }
     }
