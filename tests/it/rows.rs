@@ -381,7 +381,9 @@ fn row_that_no_code_acts_on_is_found() {
 #[test]
 fn register_of_another_variable_is_found() {
     let carries = |row: &Signal| matches!(row.role, SignalRole::MacroInputLow(_));
+    let mut carrying = 0;
     for control in ALL.iter().filter(|control| control.interface.iter().any(carries)) {
+        carrying += 1;
         let interface = planted(control.interface, carries, |row| row.device = "R999");
         assert!(!wrong_registers(&Control { interface, ..**control }).is_empty(), "{}", control.id);
         let interface = planted(control.interface, carries, |row| row.plc_writes = false);
@@ -390,15 +392,19 @@ fn register_of_another_variable_is_found() {
         let vars = planted(control.vars, |row| bits(row.kind), |row| row.device = "R999");
         assert!(!wrong_registers(&Control { vars, ..**control }).is_empty(), "{}", control.id);
     }
+    assert!(carrying > 1, "{carrying} controls");
 }
 
 #[test]
 fn parameter_of_another_switch_is_found() {
+    let mut planted_switches = 0;
     for control in ALL {
         for row in control.switches.iter().filter(|row| !row.parameter.is_empty()) {
             let is = |one: &Switch| one.id() == row.id();
             let switches = planted(control.switches, is, |row| row.parameter = "#9999");
             assert!(!wrong_parameters(&Control { switches, ..**control }).is_empty(), "{} {}", control.id, row.id());
+            planted_switches += 1;
         }
     }
+    assert!(planted_switches > 20, "{planted_switches} switches have a parameter");
 }

@@ -243,6 +243,7 @@ fn own_code_checks_the_tool_at_its_start_and_after_each_tool() {
         let blocks: Vec<&str> = rows.lines().collect();
         let checked = |at: usize| blocks[at..at + 2].iter().all(|block| block.starts_with("IF["));
         assert!(checked(0), "{rows}");
+        assert!(blocks.iter().any(|block| block.starts_with('T')), "{rows}");
         for (at, _) in blocks.iter().enumerate().filter(|(_, block)| block.starts_with('T')) {
             assert!(checked(at + 1), "{rows}");
         }

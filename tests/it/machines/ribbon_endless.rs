@@ -45,7 +45,9 @@ fn too_many(control: &macroline::controls::Control) -> String {
 
 #[test]
 fn control_stops_where_an_axis_leaves_its_range() {
+    let mut short = 0;
     for control in controls().filter(|control| control.limits.coordinate_max < 1e5) {
+        short += 1;
         let count = too_many(control);
         let endless = |way: &str| line(control.id, &[("pitch-count", &count), ("endless", way)]);
         let mut run = over_time(&endless("nothing"), vec![]);
@@ -69,6 +71,7 @@ fn control_stops_where_an_axis_leaves_its_range() {
             assert_eq!(range(&rolls).verdict, Verdict::None, "{}", control.id);
         }
     }
+    assert!(short > 2, "{short} controls");
 }
 
 #[test]
@@ -93,6 +96,7 @@ fn coordinates_taken_back_let_products_follow_for_ever() {
 
 #[test]
 fn advice_about_the_range_ends_it() {
+    let mut ended = 0;
     for control in controls() {
         let count = if control.limits.coordinate_max > 1e5 { "10001" } else { "1001" };
         let long = line(control.id, &[("pitch-count", count), ("endless", "nothing")]);
@@ -119,7 +123,9 @@ fn advice_about_the_range_ends_it() {
         };
         assert_eq!(range(&after).verdict, Verdict::Ok, "{}", control.id);
         assert!(range(&after).value.is_infinite());
+        ended += 1;
     }
+    assert!(ended > 2, "{ended} controls");
     // If each product fits the range, the program alone is a remedy.
     let short = line("gsk-980tdc", &[("endless", "shift")]);
     assert_eq!(range(&short).verdict, Verdict::None);

@@ -92,12 +92,14 @@ fn turned_knob_costs_little_time_and_piles_up_little() {
         ("pitch-count", "400"),
     ];
     let fast = |id: &str| if id == "mitsubishi-e60" { "1200" } else { "800" };
+    let mut turned = 0;
     for control in controls() {
         let mut line = project(control.id, &base);
         line.values.extend(values(&[("spindle-speed", fast(control.id))]));
         if !has_knob(&line) {
             continue;
         }
+        turned += 1;
         for _ in 0..2 {
             if readout(&line, "block-time").verdict != Verdict::Ok {
                 line = mended(&line, "block-time");
@@ -140,6 +142,7 @@ fn turned_knob_costs_little_time_and_piles_up_little() {
         let lag = readout(&line, "override-delay").value / 1000.0 + 0.15;
         assert!(most < 10.0 + 2.0 * 0.1 * speed / 0.8 * lag, "{}: {most} mm", control.id);
     }
+    assert!(turned > 2, "{turned} knobs");
 }
 
 proptest! {

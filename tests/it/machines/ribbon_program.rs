@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
 use crate::queries::near;
 use expect_test::expect_file;
-use macroline::controls::Address;
+use macroline::controls::{Address, Control};
 use macroline::controls::interface::SignalRole;
 use macroline::interp::canon::AXES;
 use macroline::interp::world::MachineAtRest;
@@ -342,10 +342,17 @@ fn counted_blocks_per_pass_equal_the_run() {
     }
 }
 
+/// Controls that report the position of the override knob to the program.
+fn with_override_echo() -> Vec<&'static Control> {
+    let all: Vec<_> = controls().filter(|control| control.bench.override_echo.is_some()).collect();
+    assert!(all.len() > 2, "{} controls", all.len());
+    all
+}
+
 /// A step of the knob costs the blocks that depend on it, and not all of O9100.
 #[test]
 fn turned_knob_recomputes_only_what_depends_on_it() {
-    for control in controls().filter(|control| control.bench.override_echo.is_some()) {
+    for control in with_override_echo() {
         for (form, blocks) in [("per-minute", 8), ("per-revolution", 7)] {
             let entries = values(&[("feed-form", form), ("spindle-encoder", "true"), ("spindle-speed", "100")]);
             let mut run = ready_on(at_defaults(control), &entries);
@@ -368,7 +375,7 @@ fn turned_knob_recomputes_only_what_depends_on_it() {
 /// The listing that calculates before the loop calculates again when the knob turns.
 #[test]
 fn turned_knob_calculates_the_precomputed_listing_again() {
-    for control in controls().filter(|control| control.bench.override_echo.is_some()) {
+    for control in with_override_echo() {
         for (form, job, blocks) in [
             ("per-minute", "pitch-count", 17),
             ("per-revolution", "pitch-count", 18),

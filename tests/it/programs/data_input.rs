@@ -73,8 +73,10 @@ fn lines_of_data_input_are_no_commands() {
 
 #[test]
 fn local_call_of_another_maker_has_its_hint() {
-    let lacks = |control: &&&Control| control.syntax.names.is_none() && control.code(CodeId::M(97)).is_none();
-    for control in ALL.iter().filter(lacks) {
+    let lacks = |control: &&Control| control.syntax.names.is_none() && control.code(CodeId::M(97)).is_none();
+    let lacking: Vec<&Control> = ALL.iter().copied().filter(lacks).collect();
+    assert!(lacking.len() > 1, "{} controls", lacking.len());
+    for control in lacking {
         let (found, _) = checked(control.id, "M97 P100");
         let hint = "Here M98 P calls a program of its own.";
         assert!(found.iter().any(|line| line.starts_with("P100: P does nothing") && line.ends_with(hint)), "{found:?}");

@@ -85,6 +85,7 @@ fn gear_units_that_pass_come_first_the_smallest_of_them_first() {
     for axis in ["x", "y"] {
         let all = &gear(&sizing, axis).unwrap().candidates;
         let passing = all.iter().take_while(|candidate| candidate.reason.is_none()).count();
+        assert!(passing > 0, "{axis}");
         assert!(all[passing..].iter().all(|candidate| candidate.reason.is_some()), "{axis}");
         assert!(all[..passing].is_sorted_by_key(|candidate| candidate.ratings.rated_torque), "{axis}");
         assert!(all.iter().all(|candidate| candidate.ratings.ratio == Some(gear(&sizing, axis).unwrap().ratio)));
