@@ -19,7 +19,7 @@ fn told(change: impl FnOnce(&mut Project)) -> Vec<String> {
 }
 
 #[test]
-fn changed_entry_is_told_with_both_values_and_its_unit() {
+fn changed_entry_has_both_values_and_its_unit() {
     let told = told(|project| drop(project.values.insert("pitch".to_owned(), Value::Number(9.0))));
     assert_eq!(told, ["Pitch 10 → 9 mm"]);
 }
@@ -46,7 +46,7 @@ fn two_actions() -> [Event; 2] {
 }
 
 #[test]
-fn one_changed_action_of_the_operator_is_told() {
+fn one_changed_operator_action_is_listed() {
     let mut before = ribbon();
     before.panel = Panel::new(two_actions());
     let [hold, slow] = two_actions();
@@ -70,7 +70,7 @@ fn one_changed_action_of_the_operator_is_told() {
 }
 
 #[test]
-fn removed_name_and_edits_are_told() {
+fn removed_name_and_edits_are_listed() {
     let mut before = ribbon();
     before.name = "Order 7".to_owned();
     before.edited = Some(Files::one("O1.nc", "M30"));

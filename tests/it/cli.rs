@@ -231,7 +231,7 @@ fn endless_program_ends_at_its_budget() {
 }
 
 #[test]
-fn run_tells_the_reference_point_of_g50_s_by_its_switch() {
+fn run_has_the_reference_point_of_g50_s_by_its_switch() {
     let path = folder("reference").join("O1.nc");
     std::fs::write(&path, "O1\nG00 X50. Z20.\nG50 S800\nG00 X80.\nM30\n%\n").unwrap();
     for (setting, x) in [("reference-point", json!(50.0)), ("work-zero", json!(50.0)), ("nothing", json!(null))] {
@@ -656,7 +656,7 @@ fn size_json_has_motors_envelope_limits_and_bill() {
 }
 
 #[test]
-fn compare_tells_entries_and_results_that_differ() {
+fn compare_lists_entries_and_results_that_differ() {
     let (slow, fast) = (folder("compare-a"), folder("compare-b"));
     let (a, b) = (project(&slow, json!({ "pitch": 9 })), project(&fast, json!({ "pitch": 9, "spindle-speed": 1400 })));
     let out = macroline(&["compare", &a, &b, "--json"]);
@@ -735,7 +735,7 @@ fn list_names_the_examples_of_each_machine() {
 }
 
 #[test]
-fn design_tells_where_each_value_comes_from() {
+fn design_has_the_origin_of_each_value() {
     let path = project(&folder("origins"), json!({ "pitch": 9 }));
     let out = macroline(&["design", &path, "--json"]);
     let design: Json = serde_json::from_slice(&out.stdout).unwrap();

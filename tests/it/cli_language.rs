@@ -120,7 +120,7 @@ fn step_answers_in_chinese() {
 }
 
 #[test]
-fn wrong_usage_is_told_in_chinese() {
+fn wrong_usage_is_reported_in_chinese() {
     let folder = folder("usage");
     broken(&folder);
     for line in [
@@ -160,7 +160,7 @@ fn wrong_usage_is_told_in_chinese() {
 
 // The reason after the colon is worded by serde or the system, and stays in their language.
 #[test]
-fn broken_json_is_told_in_chinese() {
+fn broken_json_is_reported_in_chinese() {
     let folder = folder("json");
     for file in [
         "{",

@@ -159,7 +159,7 @@ fn chinese_comments_are_short_and_in_gbk() {
 }
 
 #[test]
-fn values_of_a_comment_stand_in_its_chinese() {
+fn values_of_a_comment_are_in_its_chinese() {
     assert_eq!(programs::chinese("X PER PITCH").as_deref(), Some("X 每节距行程"));
     assert_eq!(programs::chinese("THEN X12.5 IS 24 MM ACROSS FLATS").as_deref(), Some("此时 X12.5 对应对边宽度 24 mm"));
     assert_eq!(programs::chinese("X OFFSET OF T3 IS -40."), Some("T3 的 X 刀偏为 -40.".to_owned()));

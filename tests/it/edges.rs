@@ -292,7 +292,7 @@ fn wrong_shapes_are_refused_by_every_command() {
 }
 
 #[test]
-fn project_that_does_not_load_is_told_as_json() {
+fn project_that_does_not_load_is_reported_as_json() {
     let folder = folder("unloaded");
     let path = folder.join("project.json");
     fs::write(&path, "{ \"version\": 1,").unwrap();
@@ -402,7 +402,7 @@ fn fixes_count_the_bytes_of_the_file() {
 }
 
 #[test]
-fn files_of_one_name_are_told_apart() {
+fn files_of_one_name_are_distinguished() {
     let folder = folder("same-name");
     let paths: Vec<PathBuf> = ["a/x/O1.nc", "b/x/O1.nc", "b/x/O2.nc"].iter().map(|path| folder.join(path)).collect();
     for path in &paths {

@@ -358,7 +358,7 @@ fn told(args: &[&str]) -> Output {
 }
 
 #[test]
-fn explain_tells_causes_of_an_alarm_on_its_control() {
+fn explain_prints_causes_of_an_alarm_on_its_control() {
     let out = told(&["explain", "P62"]);
     let text = String::from_utf8(out.stdout).unwrap();
     assert!(out.status.success() && text.contains("No F command") && text.contains("Write F"), "{text}");

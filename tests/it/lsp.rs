@@ -84,7 +84,7 @@ fn hover_has_meaning_and_source() {
 }
 
 #[test]
-fn completion_replaces_what_is_typed() {
+fn completion_replaces_the_typed_text() {
     let mut client = Client::start(&["--control", "mitsubishi-e60"]);
     let uri = "file:///shop/O1.nc";
     // The letters before the word take two units each.

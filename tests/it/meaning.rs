@@ -142,7 +142,7 @@ fn live_value_is_that_of_the_moment() {
 }
 
 #[test]
-fn meaning_is_there_for_a_program_that_nobody_generated() {
+fn pasted_program_has_meanings() {
     let control = ALL.iter().find(|control| control.id == "sinumerik-802d").unwrap();
     let project = Project::of("ribbon-line", Some(control.id)).unwrap();
     let line = "N10 G1 X=R107 CR=5 LIMS=2000 DIAMON ; G2";
@@ -181,7 +181,7 @@ fn every_result_depends_on_some_field() {
 }
 
 #[test]
-fn address_means_what_the_code_of_its_block_says() {
+fn meaning_of_an_address_depends_on_the_code_of_its_block() {
     let said = |id: &str, line: &str, word: &str| {
         let project =
             Project::of(if id == "mitsubishi-e60" { "ribbon-line" } else { "turning-spindle" }, Some(id)).unwrap();

@@ -157,7 +157,7 @@ fn wrong_arguments_are_sentences_and_never_a_panic() {
 }
 
 #[test]
-fn panel_errors_are_told_with_the_run() {
+fn panel_errors_are_reported_with_the_run() {
     let request = json!({ "subject": programs(), "panel": [{ "t": 0, "fly": true }] });
     let found = &asked("run", &request)["diagnostics"][0];
     assert_eq!((&found["severity"], &found["file"]), (&json!("error"), &json!("panel.json")));

@@ -117,7 +117,7 @@ fn limits_go_by_the_series() {
 }
 
 #[test]
-fn status_stands_only_where_a_source_states_it() {
+fn status_is_given_only_where_a_source_states_it() {
     let with = |status| shipped().iter().filter(|part| part.status == status).count();
     assert_eq!(with(Some(Status::Current)), 42);
     assert_eq!(with(Some(Status::PhasedOut)), 9);

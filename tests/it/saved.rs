@@ -164,7 +164,7 @@ fn wrong_shapes_are_errors_at_their_place() {
 }
 
 #[test]
-fn reasons_are_told_in_the_language_that_is_spoken() {
+fn reasons_are_in_the_chosen_language() {
     let project = |lines: &str| with(&format!("  \"values\": {{}}{lines}"));
     let texts = [
         "{ no".to_owned(),

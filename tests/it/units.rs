@@ -107,7 +107,7 @@ fn typed_inch_is_kept_in_millimetres() {
 }
 
 #[test]
-fn entry_out_of_range_is_told_in_inches() {
+fn entry_out_of_range_is_reported_in_inches() {
     let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
     let told = |typed: &str| {
         let problem = pitch.typed(typed).unwrap_err();

@@ -8,7 +8,7 @@ use super::client::folder;
 use crate::command::{MACROLINE, in_english};
 
 #[test]
-fn neovim_shows_and_mends_what_the_server_finds() {
+fn neovim_shows_and_fixes_findings_of_the_server() {
     let folder = folder("neovim");
     let file = folder.join("O1.nc");
     std::fs::write(&file, "O1\n#100=1\nG00 X#100\nIF[#100>2]GOTO10\nGOTO10\nN10 M30\n%\n").unwrap();

@@ -212,7 +212,7 @@ fn every_label_of_the_examples_leads_to_its_part() {
 
 /// The page shows this drawing before its module is loaded. `UPDATE_EXPECT=1` draws it again.
 #[test]
-fn still_in_the_page_is_what_the_code_draws() {
+fn still_in_the_page_equals_the_drawing() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("style/still.svg");
     expect_test::expect_file![path].assert_eq(&macroline::project::drawing::still().unwrap());
 }

@@ -57,7 +57,7 @@ fn first_example_has_neither_failure_nor_warning() {
 }
 
 #[test]
-fn examples_fail_in_exactly_what_they_name() {
+fn examples_fail_in_exactly_the_named_results() {
     for machine in machines::ALL {
         for example in machine.examples() {
             let failed: Vec<_> = machine
@@ -110,7 +110,7 @@ fn every_entry_of_an_example_is_taken_and_needed() {
 }
 
 #[test]
-fn ids_of_examples_differ_and_each_is_told_from_its_values() {
+fn ids_of_examples_differ_and_values_identify_each() {
     for (machine, control) in machines_on_controls() {
         let ids: BTreeSet<_> = machine.examples().iter().map(|example| example.id).collect();
         assert!(!ids.is_empty() && ids.len() == machine.examples().len(), "{}", machine.id());

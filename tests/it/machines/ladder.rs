@@ -718,7 +718,7 @@ proptest! {
 
     /// The simulated ladder equals the exported one: random inputs, scan by scan.
     #[test]
-    fn exported_list_does_what_the_simulated_ladder_does(
+    fn exported_list_acts_like_the_simulated_ladder(
         steps in prop::collection::vec((any::<u64>(), prop::sample::select(&[0u32, 4, 8, 10, 50, 120, 900][..])), 40..80),
     ) {
         for (name, project) in forms_and_examples() {

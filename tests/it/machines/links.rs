@@ -311,7 +311,7 @@ fn embedded_by(fragment: &str) -> Option<String> {
 }
 
 #[test]
-fn embedded_page_shows_what_its_address_asks_for() {
+fn embedded_page_shows_the_project_of_its_address() {
     let mut order = ribbon();
     order.name = "Order 7".to_owned();
     let link = order.to_link().unwrap();
@@ -324,7 +324,7 @@ fn embedded_page_shows_what_its_address_asks_for() {
 }
 
 #[test]
-fn embedded_page_says_which_languages_and_units_there_are() {
+fn embedded_page_lists_its_languages_and_units() {
     let mut order = ribbon();
     order.name = "Order 7".to_owned();
     let link = order.to_link().unwrap();
@@ -343,7 +343,7 @@ fn embedded_page_says_which_languages_and_units_there_are() {
 }
 
 #[test]
-fn embedded_page_says_what_its_address_does_not_name() {
+fn embedded_page_names_unknown_parts_of_its_address() {
     assert!(embedded_by("embed&machine=loom").unwrap().starts_with("The address names no machine that is known."));
     // A wrong control keeps the requested machine; an unknown part of the address changes nothing.
     for (wishes, shown, said) in [

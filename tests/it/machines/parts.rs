@@ -100,7 +100,7 @@ fn report_lists_the_items_of_its_drawing() {
 }
 
 #[test]
-fn parts_list_tells_given_data_from_assumed() {
+fn parts_list_separates_given_from_assumed_data() {
     let mut project = Project::of("polygon-lathe", None).unwrap();
     let row = |project: &Project| {
         let text = exported(project, "report.md");

@@ -346,7 +346,7 @@ fn drives_off_at_emergency_stop_lose_the_ratio() {
 }
 
 #[test]
-fn feed_into_standing_work_is_one_finding_at_its_block() {
+fn feed_into_work_at_rest_is_one_finding_at_its_block() {
     let said = |text: &str| {
         let planner = planned(&edited(&[], &format!("O3000\nT0101\nG98G0X29.Z2.\n{text}M30\n")));
         let standing = planner.diagnostics().iter().filter(|d| d.message.id == "motion.feed-without-rotation");

@@ -273,7 +273,7 @@ fn sizing_of_the_work_axis_has_the_main_friction() {
 
 /// The mirror case: M3 waits until the work servo has stopped, instead of getting lost.
 #[test]
-fn main_spindle_waits_until_the_work_servo_stands() {
+fn main_spindle_waits_for_the_work_servo_at_rest() {
     let slow =
         [("work-time-constant", "3000"), ("tool-time-constant", "3000")].map(|(id, typed)| (id, typed.to_owned()));
     // The turret may turn close to the work, so that a start after a reset comes to the spindle.
@@ -327,7 +327,7 @@ fn work_servo_is_off_while_the_main_spindle_turns() {
 }
 
 #[test]
-fn work_servo_waits_until_the_main_spindle_stands() {
+fn work_servo_waits_for_the_main_spindle_at_rest() {
     // The ramp lasts longer than the way of the tool to the polygon.
     let turned_end =
         [("before", "false"), ("after", "true"), ("main-ramp", "20")].map(|(id, typed)| (id, typed.to_owned()));

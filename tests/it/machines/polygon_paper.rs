@@ -98,7 +98,7 @@ fn printed_remarks_become_comments_by_their_fixes() {
 }
 
 #[test]
-fn run_tells_speed_and_angle_of_work_and_tool() {
+fn run_prints_speed_and_angle_of_work_and_tool() {
     let turning = end(&with_part("O3000\nT0101\nG0X40.Z5.\nG512 B200 D1 Q2 A10. E-30.\nM0\nG502\nM30\n"), 600.0);
     let json = turning.json();
     let of = |axis: &str, value: &str| json["turned"][axis][value].as_f64().unwrap();
@@ -123,7 +123,7 @@ fn run_tells_speed_and_angle_of_work_and_tool() {
 }
 
 #[test]
-fn finished_section_stays_whatever_the_moments_of_the_blocks() {
+fn finished_section_does_not_depend_on_block_times() {
     // A depth reached again to the last digit once counted as a deeper one, read with the slide on its way out: the pass was lost.
     let hexagon = project(&[("shape", "hexagon"), ("stock-diameter", "24"), ("tool-start", "-40"), ("depth", "3")]);
     let text = hexagon.written().files.0[0].text.clone();

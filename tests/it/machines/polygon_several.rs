@@ -181,7 +181,7 @@ fn gap(project: &Project, stock: f64, overhang: f64, radii: &[(f64, f64)]) -> f6
 }
 
 #[test]
-fn body_of_the_cutter_touches_exactly_where_the_verdict_says() {
+fn cutter_body_touches_exactly_where_the_verdict_fails() {
     let mut dice = Dice(2_113);
     let (mut touched, mut free) = (0, 0);
     while touched < 12 || free < 12 {

@@ -444,7 +444,7 @@ fn run_in_of(project: &Project, speed: f64) -> f64 {
 }
 
 #[test]
-fn slide_reaches_the_pitch_in_the_told_run_in() {
+fn slide_reaches_the_pitch_in_the_calculated_run_in() {
     for (rpm, needed) in [("800", 2.852), ("1700", 6.060)] {
         let shaft = [
             ("from-face", "30"),

@@ -131,7 +131,7 @@ fn every_report_is_whole_and_well_formed() {
 }
 
 #[test]
-fn summary_has_what_a_customer_decides_on_and_no_sources() {
+fn summary_has_essential_entries_and_no_sources() {
     for machine in ALL {
         let project = Project::named(machine.id(), None, None).unwrap();
         let written = project.written();
@@ -163,7 +163,7 @@ fn summary_has_what_a_customer_decides_on_and_no_sources() {
 }
 
 #[test]
-fn refused_export_leaves_a_draft_that_says_so() {
+fn refused_export_leaves_a_marked_draft() {
     let sets = [("clamp-y", "1000".to_owned())];
     let project = Project::named("ribbon-line", None, None).unwrap().with_entries(&sets).unwrap();
     let export = project.export();
@@ -176,7 +176,7 @@ fn refused_export_leaves_a_draft_that_says_so() {
 }
 
 #[test]
-fn report_opens_with_what_the_machine_does() {
+fn report_opens_with_the_work_of_the_machine() {
     let opening = |machine: &str, example: &str| {
         let told = html(&Project::named(machine, None, Some(example)).unwrap());
         let said = words(of_class(&read(&told), "conclusion")[0]);
@@ -329,7 +329,7 @@ fn printed_ladder_ends_a_sheet_between_two_rungs() {
 }
 
 #[test]
-fn failing_design_says_so_first_and_names_its_repair() {
+fn report_of_a_failing_design_opens_with_its_repair() {
     let project = Project::named("ribbon-line", None, Some("paper")).unwrap();
     let text = html(&project);
     let page = read(&text);

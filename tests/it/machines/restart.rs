@@ -235,7 +235,7 @@ fn fault_releases_a_spindle_held_at_its_angle() {
 }
 
 #[test]
-fn machine_without_inverter_says_so_and_goes_on() {
+fn fault_without_an_inverter_is_a_remark_and_stops_nothing() {
     let project = Project::of("polygon-lathe", None).unwrap();
     let [whole, run] = [vec![], vec![(5.0, Action::InverterFault(true))]].map(|events| outcome(&project, &events));
     assert_eq!((&run.ended, &run.log), (&whole.ended, &whole.log));

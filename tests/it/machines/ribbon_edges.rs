@@ -39,7 +39,7 @@ fn motor_above_its_rated_frequency_has_less_torque() {
 
 /// A motor with 1500 r/min at no load and 1430 at rated torque loses 70 r/min at rated torque, at every speed.
 #[test]
-fn motor_slower_than_its_slip_stands() {
+fn motor_slower_than_its_slip_stalls() {
     for (speed, verdict) in [("60", Verdict::Warn), ("80", Verdict::None)] {
         let entries = [
             ("no-load-speed", "1500"),
@@ -96,7 +96,7 @@ fn long_ramp_is_repaired_by_a_shorter_one() {
 }
 
 #[test]
-fn exact_stop_that_the_control_lacks_is_told() {
+fn exact_stop_that_the_control_lacks_is_reported() {
     for control in controls() {
         let line = project(control.id, &[("path-mode", "exact-stop")]);
         let told = line.design().diagnostics.iter().any(|found| found.message.id == "ribbon.no-exact-stop");

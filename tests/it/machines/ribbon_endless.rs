@@ -132,7 +132,7 @@ fn advice_about_the_range_ends_it() {
 }
 
 #[test]
-fn parameters_of_endless_axes_stand_on_the_sheet() {
+fn parameters_of_endless_axes_are_on_the_sheet() {
     let cases: [(&str, &[(&str, &str)]); 4] = [
         ("mitsubishi-e60", &[("#1017", "1"), ("#1090", "0"), ("#1089", "0")]),
         ("sinumerik-802d", &[("MD30300", "1"), ("MD30310", "1"), ("MD30320", "1"), ("MD30330", "360")]),

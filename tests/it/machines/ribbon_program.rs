@@ -6,8 +6,8 @@ use std::rc::Rc;
 use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
 use crate::queries::near;
 use expect_test::expect_file;
-use macroline::controls::{Address, Control};
 use macroline::controls::interface::SignalRole;
+use macroline::controls::{Address, Control};
 use macroline::interp::canon::AXES;
 use macroline::interp::world::MachineAtRest;
 use macroline::interp::{self, Canon, End, Feed, Interp, StartProgram};
@@ -351,7 +351,7 @@ fn with_override_echo() -> Vec<&'static Control> {
 
 /// A step of the knob costs the blocks that depend on it, and not all of O9100.
 #[test]
-fn turned_knob_recomputes_only_what_depends_on_it() {
+fn turned_knob_recomputes_only_dependent_values() {
     for control in with_override_echo() {
         for (form, blocks) in [("per-minute", 8), ("per-revolution", 7)] {
             let entries = values(&[("feed-form", form), ("spindle-encoder", "true"), ("spindle-speed", "100")]);

@@ -41,7 +41,7 @@ fn looks(project: &Project) -> f64 {
 }
 
 #[test]
-fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
+fn loop_is_judged_by_all_ribbon_that_a_product_lays() {
     // The clamp keeps the knob from turning the unwinder faster.
     let project = project("mitsubishi-e60", &[("speed-clamp", "1200")]);
     let value = |id: &str| readout(&project, id).value;
@@ -290,7 +290,7 @@ fn hold_during_the_start_stays_within_the_loop() {
 }
 
 #[test]
-fn fault_lets_the_unwinder_coast_as_long_as_its_inertia_says() {
+fn fault_lets_the_unwinder_coast_by_its_inertia() {
     for control in controls() {
         for (brake, inertia) in [("0", "40"), ("0.5", "40"), ("0.5", "80")] {
             let project = line(control.id, &[("unwinder-motor-brake", brake), ("unwinder-inertia", inertia)]);
@@ -341,7 +341,7 @@ fn fault_behind_the_last_move_stays_within_the_loop() {
 }
 
 #[test]
-fn unwinder_coasts_on_after_the_fault_until_asked_to_turn() {
+fn unwinder_coasts_after_the_fault_until_a_run_command() {
     for control in controls() {
         let project = line(control.id, &[]);
         let events = [
@@ -446,7 +446,7 @@ fn table_counts_the_pauses_that_the_loop_holds() {
 }
 
 #[test]
-fn operator_goes_on_as_the_table_says() {
+fn operator_continues_as_in_the_table_of_stops() {
     let pitch = |project: &Project, planner: &Planner<Interp>| {
         planner.timeline().at(planner.timeline().end()).axes[0].position / readout(project, "product-length").value
     };
@@ -535,7 +535,7 @@ proptest! {
 }
 
 #[test]
-fn table_of_stops_tells_the_operator_what_a_restart_asks() {
+fn table_of_stops_has_the_steps_of_a_restart() {
     let mut by_hand = Vec::new();
     for control in controls().map(|control| control.id) {
         let project = line(control, &[]);

@@ -223,7 +223,7 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
 }
 
 #[test]
-fn range_of_the_control_is_reached_in_time_that_is_told() {
+fn range_of_the_control_is_reached_in_the_calculated_time() {
     let e60 = |more: &[(&str, &str)]| project("mitsubishi-e60", more);
     let row = readout(&e60(&[]), "range-time");
     // Y at 118 435 mm/min.

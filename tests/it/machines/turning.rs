@@ -607,7 +607,7 @@ fn part_beyond_the_travels_is_an_error() {
 }
 
 #[test]
-fn feed_into_work_at_standstill_is_told() {
+fn feed_into_work_at_standstill_is_reported() {
     let told = |project: &Project| {
         let planner = over_time(project);
         planner.diagnostics().iter().any(|found| found.message.id == "motion.feed-without-rotation")

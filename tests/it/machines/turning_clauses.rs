@@ -155,7 +155,7 @@ fn driven_tool_cuts_the_keyway_at_the_locked_angle() {
 }
 
 #[test]
-fn keyway_without_means_stops_and_says_why() {
+fn keyway_without_means_stops_with_its_reason() {
     let no_tool = shaft(&[("driven-tool", "false")]);
     assert!(text(&no_tool).contains("M0 ;NO DRIVEN TOOL TO CUT THE KEYWAY"));
     assert_eq!(told(&no_tool), ["turning.keyway-no-tool"]);

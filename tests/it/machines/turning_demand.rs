@@ -169,7 +169,7 @@ fn resistor_of_many_passes_takes_each_braking() {
 }
 
 #[test]
-fn stretches_of_the_spindle_begin_where_they_are_asked() {
+fn stretches_of_the_spindle_fill_the_requested_span() {
     let lathe = project("gsk-980tdc", &FACE);
     let whole = over_time(&lathe);
     let end = whole.timeline().end();

@@ -222,7 +222,7 @@ fn parameters_of_the_sheet_are_in_the_control_s_range() {
 }
 
 #[test]
-fn other_lines_of_the_encoder_are_told_or_warned_of() {
+fn other_encoder_lines_are_on_the_sheet_or_warned_of() {
     for id in macroline::machines::find("turning-spindle").unwrap().controls() {
         let design = project(id, &[("encoder-lines", "2048")]).design();
         let warned = design.diagnostics.iter().any(|found| found.message.id == "encoder.other-lines");

@@ -217,7 +217,7 @@ fn each_gear_stage_coasts_with_its_own_inertia() {
 }
 
 #[test]
-fn table_of_stops_tells_how_long_the_spindle_coasts() {
+fn table_of_stops_has_the_coasting_time_of_the_spindle() {
     for control in each_control() {
         let lathe = shaft(control, &[]);
         let export = lathe.export();

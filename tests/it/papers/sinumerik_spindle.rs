@@ -33,15 +33,15 @@ clauses! {
     "4 (2) 1" "G0 does not change the speed." rapid_keeps_the_speed;
     "4 (2) 1" "G0 before G1, G2, G3, CIP or CT sets the speed of that contour." rapid_before_a_contour_sets_its_speed;
     "4 (2) 2" "LIMS limits the speed towards the centre." lims_limits_towards_the_centre;
-    "4 (2) 2" "A cut to the centre without LIMS is told when read." cut_to_the_centre_without_lims_is_told;
+    "4 (2) 2" "A cut to the centre without LIMS is told when read." cut_to_the_centre_without_lims_is_warned_of;
     "4 (2) 2" "LIMS acts under G96 only." lims_acts_under_g96_only;
     "4 (2) 2" "LIMS may not exceed G26 or the machine data." lims_stays_below_the_other_limits;
     "4 (2) 3" "G97: S is r/min again; without S the speed that G96 reached stays." g97_keeps_the_speed_reached;
     "4 (2) 3" "G94 and G95 cancel G96; without S the last programmed S returns." g94_and_g95_cancel_g96;
     "4 (2) 4" "The formula: speed is surface speed over circumference." speed_is_surface_speed_over_circumference;
     "4 (2) 4" "A part of many diameters takes less time than at one speed." surface_speed_saves_time;
-    "4 (2) 4" "The work's zero lies on the turning centre; else it is told." zero_off_centre_is_told;
-    "4 (2) 4" "TRANS in X under G96 is told." trans_under_g96_is_told;
+    "4 (2) 4" "The work's zero lies on the turning centre; else it is told." zero_off_centre_is_warned_of;
+    "4 (2) 4" "TRANS in X under G96 is told." trans_under_g96_is_warned_of;
 }
 
 /// A program of these blocks.
@@ -238,7 +238,7 @@ fn lims_limits_towards_the_centre() {
     assert_eq!((now.command, now.bound), (2000.0, Bound::Surface));
 }
 
-fn cut_to_the_centre_without_lims_is_told() {
+fn cut_to_the_centre_without_lims_is_warned_of() {
     let to_centre =
         |limit: &str| blocks(&format!("G95 F0.5 S500 M3\nG0 X40 Z0\nG96 S100{limit} F0.5\nG1 X0\nG4 F1")).said();
     assert!(to_centre("").contains(&"lint.centre-unlimited"));
@@ -283,12 +283,12 @@ fn surface_speed_saves_time() {
     assert!(time("surface") < time("fixed"));
 }
 
-fn zero_off_centre_is_told() {
+fn zero_off_centre_is_warned_of() {
     let said = blocks(&CUT.replace("G96", "TRANS X4\nG96")).said();
     assert!(said.contains(&"motion.off-centre"), "{said:?}");
 }
 
-fn trans_under_g96_is_told() {
+fn trans_under_g96_is_warned_of() {
     let said = blocks(&format!("{CUT}\nTRANS X10\nG1 X60\nG4 F1")).said();
     assert!(said.contains(&"motion.off-centre"), "{said:?}");
 }

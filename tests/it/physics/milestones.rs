@@ -125,7 +125,7 @@ fn lathes_tell_the_pass_that_they_cut() {
 }
 
 #[test]
-fn ribbon_line_tells_the_dot_that_it_prints() {
+fn activity_of_the_ribbon_line_has_the_number_of_the_dot() {
     let project = Project::of("ribbon-line", None).unwrap();
     let run = whole(&project);
     let (dot, _) = project.prepared().first_contact(&run, run.timeline().end()).unwrap();

@@ -299,7 +299,7 @@ fn gsk_voltage_follows_x_in_cuts_alone_unless_set() {
 }
 
 #[test]
-fn motion_on_the_spindle_ramp_is_told_once_a_block() {
+fn motion_on_the_spindle_ramp_is_reported_once_a_block() {
     let told = |switches: &[(&str, &str)], lines: &str| {
         let mut lathe = Lathe::new("sinumerik-802d", switches);
         lathe.plant.spindle.ramp = 3.5;

@@ -72,7 +72,7 @@ fn said(row: &CodeDef) -> Option<Does> {
 }
 
 #[test]
-fn axis_words_beside_a_code_move_as_its_row_says() {
+fn axis_words_beside_a_code_move_as_in_its_row() {
     let mut wrong = Vec::new();
     for control in ALL {
         for row in control.codes {

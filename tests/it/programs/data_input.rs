@@ -94,7 +94,7 @@ fn compensation_of_a_mill_is_that_of_the_tool_radius() {
 
 /// The simulation stops at these blocks; the control itself goes on.
 #[test]
-fn run_that_only_the_simulation_stops_says_why() {
+fn stop_of_the_simulation_alone_names_its_cause() {
     for (id, block, said) in [
         ("sinumerik-802d", "R10=$AA_IM[X]", "$AA_IM[X]"),
         ("sinumerik-808d", "DEF REAL DIAM\nR1=DIAM", "DIAM"),

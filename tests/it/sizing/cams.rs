@@ -246,7 +246,7 @@ fn contact_as_long_as_the_pitch_leaves_no_time() {
 }
 
 #[test]
-fn cam_at_standstill_asks_the_steady_torque() {
+fn cam_at_standstill_needs_the_steady_torque() {
     let stands = line(LAWS[1], &[("override", 0.0)]);
     for id in ["cam-peak-torque", "cam-start-torque", "cam-effective-torque"] {
         same(id, value(&stands, id), value(&stands, "y-load-torque"), SAME);

@@ -49,7 +49,7 @@ fn seed_decides_which_machines_are_drawn() {
 }
 
 #[test]
-fn work_tells_how_far_it_is() {
+fn draws_and_sizing_report_their_progress() {
     let project = Project::named("ribbon-line", None, None).unwrap();
     let (mut drawn, mut sized) = (Vec::new(), Vec::new());
     let found = chance_telling(&project, 1200, 1, &mut |share| drawn.push(share));

@@ -147,7 +147,7 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
 }
 
 #[test]
-fn line_that_fails_is_told_how_much_less_it_can_do() {
+fn failing_line_has_its_limit_below_the_entry() {
     let mut project = line();
     project.values.insert("spindle-speed".to_owned(), Value::Number(2000.0));
     let sizing = sized(&project);
@@ -657,7 +657,7 @@ fn unwinder_is_judged_by_its_ramp_too() {
 }
 
 #[test]
-fn amplifier_gives_the_currents_that_are_asked() {
+fn amplifier_gives_the_demanded_currents() {
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,rated_current_a,max_current_a,fits,grade\n\
          servo,Works,M1,3000,3000,2,2,6,0.0001,20,,,entered\n\
          amplifier,Works,SMALL,,,,,,,0.1,0.2,M1,entered\n\
@@ -672,7 +672,7 @@ fn amplifier_gives_the_currents_that_are_asked() {
 }
 
 #[test]
-fn fastest_operation_names_what_fails_at_any_speed() {
+fn fastest_operation_names_results_failing_at_any_speed() {
     // A nip without friction holds no web, however slowly the line runs.
     let slipping = line().with_entries(&[("pinch-friction", "0.01")]).unwrap();
     let failing = |project: &Project| -> Vec<&'static str> {

@@ -20,7 +20,7 @@ fn motion(turns: &[(f64, f64, f64)], torque: f64) -> Motion {
 }
 
 #[test]
-fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
+fn one_motor_on_a_bus_returns_the_energy_of_it_alone() {
     let own = motion(&[(0.1, 0.0, 100.0), (1.0, 100.0, 100.0), (0.1, 100.0, 0.0)], 0.05);
     let alone = own.work(2e-4);
     let (given, returned) = on_one_bus(&[(&own, 2e-4)]);
@@ -29,7 +29,7 @@ fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
 }
 
 #[test]
-fn motor_that_starts_takes_what_another_gives_back() {
+fn starting_motor_takes_the_energy_of_a_braking_one() {
     // Without friction and losses: one stops while its like starts.
     let turns = |from: f64, to: f64| {
         Motion::new(

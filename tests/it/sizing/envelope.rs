@@ -112,7 +112,7 @@ fn lathe_is_stopped_from_its_highest_speed() {
 }
 
 #[test]
-fn torque_is_limited_by_what_the_motor_has_at_its_speed() {
+fn torque_is_limited_by_the_motor_at_its_speed() {
     // A small square in brass at a high speed of the tool, whose motor has its power up to 1500 r/min.
     let entries = [
         ("material", "brass"),
@@ -224,7 +224,7 @@ fn loop_that_is_offered_holds_by_every_rule_too() {
 }
 
 #[test]
-fn knob_turned_up_overfills_the_loop_as_the_formula_says() {
+fn knob_turned_up_overfills_the_loop_by_the_formula() {
     // Blocks of four pitches: one runs, five are read ahead, and these 240 mm keep the feed of 10 % while the unwinder goes to 100 %.
     let mut project = line();
     // A ribbon that may miss as much does not ask for smaller turns down.
@@ -351,7 +351,7 @@ fn lathe() -> Project {
 }
 
 #[test]
-fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
+fn lathe_coasts_at_fault_and_power_failure_as_calculated() {
     let project = lathe();
     let sizing = sized(&project);
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
@@ -449,7 +449,7 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
 }
 
 #[test]
-fn long_product_is_sized_whole_and_a_cut_run_says_so() {
+fn long_product_is_sized_whole_and_a_cut_run_has_a_reason() {
     let mut project = line();
     project.values.insert("pitch-count".to_owned(), Value::Number(7000.0));
     let sizing = sized(&project);
@@ -470,7 +470,7 @@ fn long_product_is_sized_whole_and_a_cut_run_says_so() {
 }
 
 #[test]
-fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
+fn lines_of_the_run_at_the_highest_knob_are_marked() {
     let project = line();
     let sizing = sized(&project);
     let x = &sizing.axes[0];

@@ -101,7 +101,7 @@ fn smallest_gear_unit_that_passes_is_proposed_in_the_bill() {
 }
 
 #[test]
-fn ratio_without_a_gear_unit_is_an_open_row_with_what_is_asked() {
+fn ratio_without_a_gear_unit_is_an_open_row_with_its_demand() {
     let sizing = sized(&line(11.3));
     let row = row(&sizing, "ribbon.drive.pull").unwrap();
     assert!(!row.proposed && row.maker.is_empty() && row.asked.contains("11.3 : 1"), "{row:?}");

@@ -48,7 +48,7 @@ fn regenerated_mean_stop_and_peak_follow_the_formulas() {
 }
 
 #[test]
-fn resistor_takes_what_all_of_its_known_ratings_allow() {
+fn resistor_takes_loads_within_all_its_known_ratings() {
     let asked = ResistorLoad { mean: 20.0, stop: 300.0, peak: 2000.0 };
     let of = |brake_power, brake_peak_power, brake_energy| {
         ResistorRatings { brake_power, brake_peak_power, brake_energy }.takes(&asked)
@@ -183,7 +183,8 @@ fn amplifier_without_anything_to_take_has_no_resistor() {
     let sizing = sized(&Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap());
     assert!(resistor_rows(&sizing).is_empty(), "{:?}", resistor_rows(&sizing));
     // The rotor of a 2 kW motor returns more than its capacitors take; this is in the list of motors, not in the bill of another motor.
-    let with_resistor = || sizing.axes.iter().flat_map(|axis| &axis.candidates).filter(|motor| motor.resistor.is_some());
+    let with_resistor =
+        || sizing.axes.iter().flat_map(|axis| &axis.candidates).filter(|motor| motor.resistor.is_some());
     assert!(with_resistor().count() > 0);
     assert!(with_resistor().all(|motor| motor.part.servo().is_some_and(|servo| servo.rotor > 1e-3)));
 }

@@ -26,7 +26,7 @@ fn axis<'s>(sizing: &'s Sizing, id: &str) -> &'s SizedAxis {
 }
 
 #[test]
-fn run_asks_of_a_slide_what_the_formulas_say() {
+fn demand_on_a_slide_in_the_run_matches_the_formulas() {
     for name in LATHES {
         for control in machines::find(name).unwrap().controls() {
             for angle in ["0", "45"] {

@@ -32,7 +32,7 @@ fn resistor(project: &Project) -> Option<String> {
 const STEADY: f64 = (20.0 * 0.1005 / 2.0 + 1.0) / (50.0 * 0.7);
 
 #[test]
-fn stop_beyond_what_the_inverter_takes_back_fails() {
+fn stop_beyond_the_braking_power_of_the_inverter_fails() {
     let heavy = line(&[("unwinder-inertia", 400.0), ("unwinder-motor-brake", 5.0), ("unwinder-load", 1.146)]);
     let braking = readout(&heavy, "unwinder-braking-torque");
     // 0.04 kg m² from 1480 r/min in 2 s: 3.10 Nm, less 0.06 of web and friction; the reel adds a little.
