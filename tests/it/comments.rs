@@ -116,10 +116,10 @@ fn alarm_of_the_program_has_its_chinese_behind_it() {
     let own = macroline::msg!("interp.user-alarm-text", number = 20_u32, text = "CHECK THE DOOR");
     assert_eq!(catalog::sentence(&alarm), "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119");
     catalog::speak(Language::Chinese.sentences());
-    let said = [alarm, own].map(|alarm| catalog::sentence(&alarm));
+    let sentences = [alarm, own].map(|alarm| catalog::sentence(&alarm));
     catalog::speak(Language::English.sentences());
     let chinese = "程序产生用户报警 20：FEED #115 ABOVE LIMIT #119（进给 #115 超过上限 #119）";
-    assert_eq!(said, [chinese, "程序产生用户报警 20：CHECK THE DOOR"]);
+    assert_eq!(sentences, [chinese, "程序产生用户报警 20：CHECK THE DOOR"]);
 }
 
 #[test]

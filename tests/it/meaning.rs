@@ -182,18 +182,18 @@ fn every_result_depends_on_some_field() {
 
 #[test]
 fn meaning_of_an_address_depends_on_the_code_of_its_block() {
-    let said = |id: &str, line: &str, word: &str| {
+    let meaning_in = |id: &str, line: &str, word: &str| {
         let project =
             Project::of(if id == "mitsubishi-e60" { "ribbon-line" } else { "turning-spindle" }, Some(id)).unwrap();
         let at = line.find(word).unwrap() as u32;
         text(&meaning::at(&project, line, at).unwrap().1)
     };
-    assert_eq!(said("mitsubishi-e60", "G04 X2.", "X"), "Time of the dwell.");
-    assert_eq!(said("mitsubishi-e60", "G33 Z-10. F2.", "F"), "Lead of the thread.");
-    assert_eq!(said("sinumerik-802d", "G33 Z-10 K2", "K"), "Lead of the thread.");
+    assert_eq!(meaning_in("mitsubishi-e60", "G04 X2.", "X"), "Time of the dwell.");
+    assert_eq!(meaning_in("mitsubishi-e60", "G33 Z-10. F2.", "F"), "Lead of the thread.");
+    assert_eq!(meaning_in("sinumerik-802d", "G33 Z-10 K2", "K"), "Lead of the thread.");
     assert_eq!(
-        said("sinumerik-802d", "G2 X5 Z5 K2", "K"),
+        meaning_in("sinumerik-802d", "G2 X5 Z5 K2", "K"),
         "Centre of an arc from its start; argument of a macro call."
     );
-    assert_eq!(said("sinumerik-802d", "L10 P3", "P"), "How often a program is called.");
+    assert_eq!(meaning_in("sinumerik-802d", "L10 P3", "P"), "How often a program is called.");
 }

@@ -157,7 +157,7 @@ fn bad_programs_raise_the_alarm_of_their_first_line() {
         for (path, source) in fixtures(control, "bad") {
             let mut interp = start_fixture(control, &source);
             let parsed = Rc::clone(interp.parsed());
-            let told = match parsed.diagnostics().iter().find(|finding| finding.severity == Severity::Error) {
+            let raised = match parsed.diagnostics().iter().find(|finding| finding.severity == Severity::Error) {
                 Some(finding) => alarm_and_place(&source, finding),
                 None => match interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) {
                     Some(End::Alarm(diagnostic)) => alarm_and_place(&source, &diagnostic),
@@ -165,10 +165,10 @@ fn bad_programs_raise_the_alarm_of_their_first_line() {
                 },
             };
             let first = source.lines().next().unwrap_or("");
-            let told = comment(control, &told);
-            if first != told {
+            let raised = comment(control, &raised);
+            if first != raised {
                 let name = path.file_name().unwrap().display();
-                wrong.push(format!("{} {name}: expected {first}, got {told}", control.id));
+                wrong.push(format!("{} {name}: expected {first}, got {raised}", control.id));
             }
         }
     }

@@ -81,13 +81,15 @@ fn unusual_codes(control: &Control) -> Vec<String> {
     }
     for row in control.codes {
         let as_family = |one: &CodeDef| (one.id, one.code, one.group) == (row.id, row.code, row.group);
-        let said = format!("{} is {:?} {:?}", control.code_name(row.id), row.code, row.group);
-        if !listed.remove(&(said.clone(), row.cite.source.english)) && !family.iter().any(as_family) {
-            broken.push(format!("{}: {said} by `{}`", control.id, row.cite.source));
+        let described = format!("{} is {:?} {:?}", control.code_name(row.id), row.code, row.group);
+        if !listed.remove(&(described.clone(), row.cite.source.english)) && !family.iter().any(as_family) {
+            broken.push(format!("{}: {described} by `{}`", control.id, row.cite.source));
         }
     }
     broken.extend(
-        listed.into_iter().map(|(said, source)| format!("{}: no row says that {said} by `{source}`", control.id)),
+        listed
+            .into_iter()
+            .map(|(described, source)| format!("{}: no row says that {described} by `{source}`", control.id)),
     );
     broken
 }

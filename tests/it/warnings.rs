@@ -67,8 +67,8 @@ impl Case<'_> {
     #[track_caller]
     fn quiet(&self, text: &str) {
         let (_, found) = self.review(text);
-        let said = |d: &Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
-        assert!(found.is_empty(), "{text}\n{:#?}", found.iter().map(said).collect::<Vec<_>>());
+        let described = |d: &Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
+        assert!(found.is_empty(), "{text}\n{:#?}", found.iter().map(described).collect::<Vec<_>>());
     }
 }
 

@@ -145,8 +145,8 @@ fn nul_characters_are_named() {
 fn statement_is_not_offered_as_a_comment() {
     for text in ["WH [ #4 LT 3 ] DO1 (WAIT)", "WHEN X REACHED GOTO10", "UNTIL X REACHED END1", "REPEAT ALL DO 1 DO1"] {
         for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
-            let said = findings(&read_on(control, &format!("O1\n{text}\nM30\n%\n")));
-            assert!(!said.contains("Make it a comment") && said.contains("error"), "{} {text}: {said}", control.id);
+            let found = findings(&read_on(control, &format!("O1\n{text}\nM30\n%\n")));
+            assert!(!found.contains("Make it a comment") && found.contains("error"), "{} {text}: {found}", control.id);
         }
     }
 }

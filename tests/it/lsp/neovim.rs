@@ -23,9 +23,9 @@ fn neovim_shows_and_fixes_findings_of_the_server() {
         .env("XDG_CACHE_HOME", &folder)
         .output()
         .expect("Neovim is missing: scripts/setup.sh editor");
-    let told = String::from_utf8_lossy(&out.stdout);
-    let seen: Json = serde_json::from_str(told.trim())
-        .unwrap_or_else(|_| panic!("{told}\n{}", String::from_utf8_lossy(&out.stderr)));
+    let printed = String::from_utf8_lossy(&out.stdout);
+    let seen: Json = serde_json::from_str(printed.trim())
+        .unwrap_or_else(|_| panic!("{printed}\n{}", String::from_utf8_lossy(&out.stderr)));
     assert_eq!(seen["before"][0]["line"], 3, "{seen}");
     assert_eq!(seen["before"][0]["source"], "macroline");
     assert!(seen["hover"].as_str().unwrap().starts_with("G0: "), "{seen}");

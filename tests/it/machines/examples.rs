@@ -156,9 +156,9 @@ fn paper_of_the_ribbon_line_has_the_printed_values() {
         let readout = project.design().readouts.into_iter().find(|readout| readout.id == id).unwrap();
         assert!((readout.value - value).abs() < 1e-9, "{id}: {}", readout.value);
     }
-    let told: Vec<_> = project.faults().into_iter().map(|(readout, _)| readout.id).collect();
+    let failing: Vec<_> = project.faults().into_iter().map(|(readout, _)| readout.id).collect();
     assert_eq!(
-        told,
+        failing,
         ["block-time", "surface-ratio", "smear", "slack-rate", "slack-rate-rated", "loop-needed", "loop-coasting"]
     );
 }

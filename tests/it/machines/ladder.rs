@@ -564,13 +564,13 @@ fn tool_changes_wait_for_the_turret() {
         }
         turrets += 1;
         let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
-        let asked = Bit::Signal(if fin { SignalRole::TStrobe } else { SignalRole::TFunction });
+        let tool_signal = Bit::Signal(if fin { SignalRole::TStrobe } else { SignalRole::TFunction });
         let mut image = at_rest(&ladder);
         image.set(Bit::Input(MachineContact::SpindleClamped), false);
         settle(&ladder, &mut image, 0.0);
         let mut seconds = 0.0;
         let mut step = |strobe: bool, contact: bool| {
-            image.set(asked, strobe);
+            image.set(tool_signal, strobe);
             image.set(there, contact);
             seconds += 6.0;
             settle(&ladder, &mut image, seconds);
@@ -584,7 +584,7 @@ fn tool_changes_wait_for_the_turret() {
         // The answer of the tool before is still on: it answers nothing.
         assert_eq!(step(true, true), (false, true, false), "{name}");
         assert_eq!(step(fin, false), (true, true, false), "{name}: the turret turns");
-        assert_eq!(step(fin, false), (true, true, true), "{name}: the operator is told why the program stands");
+        assert_eq!(step(fin, false), (true, true, true), "{name}: a message says why the program waits");
         assert_eq!(step(fin, true), (fin, false, false), "{name}: the tool is in position");
         let (started, ..) = step(false, true);
         assert!(!started, "{name}: the start signal falls with the strobe");

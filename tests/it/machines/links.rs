@@ -21,7 +21,7 @@ fn ribbon() -> Project {
 }
 
 /// Findings about a link, a line each.
-fn said(link: &str) -> String {
+fn findings_and_project(link: &str) -> String {
     let loaded = Project::from_link(link);
     let lines = loaded.diagnostics.iter().map(|found| sentence(&found.message) + "\n");
     lines.collect::<String>() + if loaded.project.is_some() { "a project" } else { "no project" }
@@ -29,7 +29,7 @@ fn said(link: &str) -> String {
 
 #[track_caller]
 fn check(link: &str, expect: Expect) {
-    expect.assert_eq(&said(link));
+    expect.assert_eq(&findings_and_project(link));
 }
 
 /// Entries of the user besides the form.
@@ -328,25 +328,25 @@ fn embedded_page_lists_its_languages_and_units() {
     let mut order = ribbon();
     order.name = "Order 7".to_owned();
     let link = order.to_link().unwrap();
-    let said = |wishes: &str| {
+    let findings_about = |wishes: &str| {
         let loaded = embedded(&format!("embed&{wishes}")).unwrap();
         assert!(loaded.project.is_some(), "{wishes}");
         loaded.diagnostics.iter().map(|found| sentence(&found.message)).collect::<Vec<_>>()
     };
     for right in ["lang=zh", "lang=zh-CN&lengths=inch", "lengths=mm&lang=en"] {
-        assert!(said(right).is_empty(), "{right}");
+        assert!(findings_about(right).is_empty(), "{right}");
     }
-    let wrong = said("lang=fr&lengths=feet");
+    let wrong = findings_about("lang=fr&lengths=feet");
     assert!(wrong[0].ends_with("Possible: lang=en, lang=zh."), "{wrong:?}");
     assert!(wrong[1].ends_with("Possible: lengths=mm, lengths=inch."), "{wrong:?}");
-    assert_eq!(said(&format!("{link}&lang=fr&lengths=")).len(), 2);
+    assert_eq!(findings_about(&format!("{link}&lang=fr&lengths=")).len(), 2);
 }
 
 #[test]
 fn embedded_page_names_unknown_parts_of_its_address() {
     assert!(embedded_by("embed&machine=loom").unwrap().starts_with("The address names no machine that is known."));
     // A wrong control keeps the requested machine; an unknown part of the address changes nothing.
-    for (wishes, shown, said) in [
+    for (wishes, shown, ending) in [
         ("machine=polygon-lathe&control=mitsubishi-e60", "polygon-lathe knd-k2000t", "Possible: knd-k2000t."),
         ("machine=turning-spindle&control=", "turning-spindle gsk-980tdc", "mitsubishi-e60."),
         ("foo=bar&machine=polygon-lathe", "polygon-lathe knd-k2000t", "machine=, control=, lang=, lengths=."),
@@ -355,7 +355,7 @@ fn embedded_page_names_unknown_parts_of_its_address() {
         assert_eq!(embedded_by(&fragment).unwrap(), shown);
         let found = embedded(&fragment).unwrap().diagnostics;
         let words: Vec<_> = found.iter().map(|found| sentence(&found.message)).collect();
-        assert!(words.len() == 1 && words[0].ends_with(said), "{words:?}");
+        assert!(words.len() == 1 && words[0].ends_with(ending), "{words:?}");
     }
     assert!(embedded_by("embed&p1.cut").unwrap().starts_with("The link is not whole"));
 }

@@ -68,8 +68,8 @@ fn feed_knob_that_overloads_the_tool_drive_warns() {
 fn feed_knob_that_bends_the_work_warns() {
     let key = Project::named("polygon-lathe", None, Some("hexagon-key")).unwrap();
     let bends = readout(&key, "bending");
-    let said = &bends.advice[0].message;
-    assert_eq!((bends.verdict, said.id), (Verdict::Warn, "polygon.bends-at-feed-knob"));
+    let message = &bends.advice[0].message;
+    assert_eq!((bends.verdict, message.id), (Verdict::Warn, "polygon.bends-at-feed-knob"));
     assert!(bends.limit.unwrap().holds(bends.value), "{bends:?}");
     let less = key.with_entries(&bends.advice[0].entries).unwrap();
     assert_eq!(readout(&less, "bending").verdict, Verdict::Ok, "{:?}", bends.advice[0].entries);

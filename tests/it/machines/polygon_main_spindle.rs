@@ -181,9 +181,9 @@ fn encoders_reach_the_speed_of_the_knob_at_its_end() {
     let envelope = size(&lathe, &lathe.written()).envelope;
     let speeds = envelope.iter().filter(|row| row.label == "turning.gauge.speed").map(|row| row.value);
     let highest = speeds.fold(0.0, f64::max);
-    let told = encoder(&lathe);
-    let asked: f64 = told.split(' ').nth(2).unwrap().replace('\u{202f}', "").parse().unwrap();
-    assert!(asked >= highest.floor() && highest > 0.0, "{told}: {highest}");
+    let requirement = encoder(&lathe);
+    let required: f64 = requirement.split(' ').nth(2).unwrap().replace('\u{202f}', "").parse().unwrap();
+    assert!(required >= highest.floor() && highest > 0.0, "{requirement}: {highest}");
 }
 
 #[test]

@@ -54,17 +54,17 @@ fn milling_takes_its_way_around_for_each_depth() {
 
 #[test]
 fn letters_that_g512_or_g502_lacks_raise_alarms() {
-    let said =
+    let outcome =
         |block: &str| match end(&with_part(&format!("O3000\nT0101\nG0X40.Z5.\n{block}\nG502\nM30\n")), 600.0).ended {
             RunEnd::Alarm(alarm) => alarm.alarm.as_ref().map_or(String::new(), |number| number.to_string()),
             other => format!("{other:?}"),
         };
-    assert_eq!(said("G512 B200 D1 Q2 A0. E0."), "ProgramEnd");
+    assert_eq!(outcome("G512 B200 D1 Q2 A0. E0."), "ProgramEnd");
     for letter in ["I", "J", "K", "R"] {
-        assert_eq!(said(&format!("G512 B200 D1 Q2 {letter}5.")), "3012", "{letter}");
+        assert_eq!(outcome(&format!("G512 B200 D1 Q2 {letter}5.")), "3012", "{letter}");
     }
     for letter in ["A", "B", "D", "E", "I", "Q", "R"] {
-        assert_eq!(said(&format!("G512 B200 D1 Q2\nG502 {letter}5.")), "3007", "{letter}");
+        assert_eq!(outcome(&format!("G512 B200 D1 Q2\nG502 {letter}5.")), "3007", "{letter}");
     }
 }
 
@@ -117,8 +117,8 @@ fn run_prints_speed_and_angle_of_work_and_tool() {
     let file = folder.join("lathe.json");
     std::fs::write(&file, project(&[]).to_json()).unwrap();
     let run = command::macroline().args(["run", "--json", "--seconds", "5"]).arg(&file).output().unwrap();
-    let said: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
-    assert_eq!(said["turned"]["work"]["rpm"], 200.0);
+    let answer: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(answer["turned"]["work"]["rpm"], 200.0);
     std::fs::remove_dir_all(&folder).unwrap();
 }
 

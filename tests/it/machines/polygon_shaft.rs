@@ -248,8 +248,8 @@ fn section_and_bar_in_the_middle_shrink_to_the_results() {
         let scale = (low - top) / stock;
         let length: f64 = changes[1].1.parse().unwrap();
         let lost = (area(&full) - left[1]) / scale / scale;
-        let asked = length * (stock - 20.0);
-        assert!((lost / asked - 1.0).abs() < 1e-2, "{lost} for {asked}");
+        let wanted = length * (stock - 20.0);
+        assert!((lost / wanted - 1.0).abs() < 1e-2, "{lost} for {wanted}");
     }
 }
 
@@ -376,8 +376,8 @@ fn end_is_turned_and_threaded_before_the_square() {
     let (top, low) = heights.fold((f64::INFINITY, 0.0_f64), |(top, low), y| (top.min(y), low.max(y)));
     let scale = (low - top) / 25.0;
     // 20 mm from 25 to 12, with a chamfer that the drawing leaves out, and 15 mm from 25 to 20.
-    let asked = 20.0 * 13.0 + 15.0 * 5.0;
-    assert!(((full - left) / scale / scale / asked - 1.0).abs() < 1e-2, "{}", (full - left) / scale / scale);
+    let wanted = 20.0 * 13.0 + 15.0 * 5.0;
+    assert!(((full - left) / scale / scale / wanted - 1.0).abs() < 1e-2, "{}", (full - left) / scale / scale);
 }
 
 #[test]
@@ -462,11 +462,11 @@ fn slide_reaches_the_pitch_in_the_calculated_run_in() {
             ("start-z", "30"),
         ];
         let project = project(&shaft);
-        let told = value(&project, "before-run-in");
-        assert!((told - needed).abs() < 1e-3, "{told} for {needed}");
+        let calculated = value(&project, "before-run-in");
+        assert!((calculated - needed).abs() < 1e-3, "{calculated} for {needed}");
         let speed = rpm.parse::<f64>().unwrap() * 1.75 / 60.0;
         let ran = run_in_of(&project, speed);
-        assert!((ran - told).abs() < 0.05 * told, "{ran} mm in the run, {told} told");
+        assert!((ran - calculated).abs() < 0.05 * calculated, "{ran} mm in the run, {calculated} calculated");
     }
 }
 
@@ -505,7 +505,7 @@ fn clearance_shorter_than_the_run_in_fails_and_is_mended() {
 }
 
 /// An example with other entries, and what its design says: ids and fields.
-fn said(example: &str, entries: &[(&'static str, &str)]) -> Vec<(&'static str, Option<&'static str>)> {
+fn finding_ids(example: &str, entries: &[(&'static str, &str)]) -> Vec<(&'static str, Option<&'static str>)> {
     let plain = Project::named("polygon-lathe", None, Some(example)).unwrap();
     let found = plain.with_entries(entries).unwrap().design().diagnostics;
     let grave = found.into_iter().filter(|found| found.severity != Severity::Info);
@@ -516,18 +516,20 @@ fn said(example: &str, entries: &[(&'static str, &str)]) -> Vec<(&'static str, O
 fn end_turned_past_the_flats_before_them_is_refused() {
     // Ø 12 over 48 mm, and the square of 20 mm between 30 and 45 mm.
     let past = [("before-length", "48"), ("free-length", "60")];
-    assert!(said("threaded-shaft", &past).contains(&("polygon.turned-away", Some("before-length"))));
-    assert!(said("threaded-shaft", &[("before-length", "28")]).iter().all(|(id, _)| *id != "polygon.turned-away"));
+    assert!(finding_ids("threaded-shaft", &past).contains(&("polygon.turned-away", Some("before-length"))));
+    assert!(
+        finding_ids("threaded-shaft", &[("before-length", "28")]).iter().all(|(id, _)| *id != "polygon.turned-away")
+    );
     // Between the flats of 20 mm and the corners the end takes the corners alone.
     let end = [("before", "true"), ("before-length", "14"), ("before-diameter", "22")];
-    assert!(said("square", &end).contains(&("polygon.corners-turned", Some("before-diameter"))));
+    assert!(finding_ids("square", &end).contains(&("polygon.corners-turned", Some("before-diameter"))));
     let end = [end[0], end[1], ("before-diameter", "20")];
-    assert!(said("square", &end).contains(&("polygon.turned-away", Some("before-length"))));
+    assert!(finding_ids("square", &end).contains(&("polygon.turned-away", Some("before-length"))));
 }
 
 #[test]
 fn tool_number_of_a_cutter_turns_no_end() {
-    let faults = |entries: &[(&'static str, &str)]| said("threaded-shaft", entries);
+    let faults = |entries: &[(&'static str, &str)]| finding_ids("threaded-shaft", entries);
     assert!(faults(&[("before-tool", "1")]).contains(&("polygon.tool-is-cutter", Some("before-tool"))));
     assert!(faults(&[("before-thread-tool", "1")]).contains(&("polygon.tool-is-cutter", Some("before-thread-tool"))));
     assert!(faults(&[("before-thread-tool", "3")]).contains(&("polygon.tool-turns", Some("before-thread-tool"))));
@@ -537,7 +539,7 @@ fn tool_number_of_a_cutter_turns_no_end() {
 #[test]
 fn slide_starts_where_it_reaches() {
     // 45 mm of tip circle and 150 mm at most leave 210 mm of diameter.
-    let start = |x| said("square", &[("start-x", x)]);
+    let start = |x| finding_ids("square", &[("start-x", x)]);
     assert!(start("211").contains(&("polygon.start-beyond-slide", Some("start-x"))));
     assert_eq!(start("210"), []);
 }
@@ -547,7 +549,7 @@ fn slide_starts_where_it_reaches() {
 fn thin_end_that_gives_way_is_refused() {
     let end = |diameter| {
         let thread = [("before-pitch", "0"), ("before-chamfer", "0"), ("before-length", "28")];
-        said("threaded-shaft", &[&thread[..], &[("before-diameter", diameter)]].concat())
+        finding_ids("threaded-shaft", &[&thread[..], &[("before-diameter", diameter)]].concat())
     };
     assert!(end("3").contains(&("polygon.end-gives-way", Some("before-depth"))));
     assert!(end("6").contains(&("polygon.end-bends", Some("before-depth"))));

@@ -177,7 +177,7 @@ fn ladder_takes_the_sequence_of_g512_and_g502() {
         let is_on = |bit: &&str| ladder.bits.iter().any(|row| row.1.name == *bit && image.is_on(row.0));
         shown.into_iter().filter(is_on).collect::<Vec<_>>().join(" ")
     };
-    let said = |after: &mut dyn FnMut(&str) -> String, changes: &[&str]| {
+    let steps = |after: &mut dyn FnMut(&str) -> String, changes: &[&str]| {
         changes.iter().map(|change| format!("{change}: {}\n", after(change))).collect::<String>()
     };
     // G512, G502; then G512, reset in the cut, which counts for nothing more until both requests fall.
@@ -231,7 +231,7 @@ fn ladder_takes_the_sequence_of_g512_and_g502() {
         -F54.0: G54.3
         +F54.0: G54.0 G54.2
     "#]]
-    .assert_eq(&said(&mut after, &whole));
+    .assert_eq(&steps(&mut after, &whole));
 }
 
 #[test]

@@ -41,8 +41,8 @@ fn repairs_of_the_published_line_change_the_machine_only() {
 #[test]
 fn answer_names_the_repairs_with_their_entries() {
     let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
-    let (told, _) = answers::design(&paper, FileFindings::default());
-    let repairs = &told["repairs"];
+    let (answer, _) = answers::design(&paper, FileFindings::default());
+    let repairs = &answer["repairs"];
     assert_eq!(repairs["still_failing"], 0);
     assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));
     assert_eq!(
@@ -58,8 +58,8 @@ fn repairs_say_which_errors_stay() {
     let found = repairs(&project);
     let (_, left) = repaired(&project);
     assert_eq!((left, found.errors), (0, 1));
-    let said = sentence(&found.message().unwrap());
-    assert!(said.contains("every result holds, but 1 error of the form stays: Set a ramp of"), "{said}");
+    let message = sentence(&found.message().unwrap());
+    assert!(message.contains("every result holds, but 1 error of the form stays: Set a ramp of"), "{message}");
 }
 
 #[test]
@@ -101,9 +101,9 @@ fn several_ways_are_offered_with_their_consequences() {
             .fold(paper.clone(), |after, change| after.with_entries(&change.entries).unwrap());
         assert_eq!((failing(&after), way.repairs.still_failing, way.repairs.errors), (0, 0, 0));
         let design = after.design();
-        for (before, told) in &way.consequences {
-            let readout = design.readouts.iter().find(|readout| readout.id == told.id).unwrap();
-            assert_eq!((readout.value, before.id), (told.value, told.id));
+        for (before, changed) in &way.consequences {
+            let readout = design.readouts.iter().find(|readout| readout.id == changed.id).unwrap();
+            assert_eq!((readout.value, before.id), (changed.value, changed.id));
         }
         assert!(way.consequences.iter().any(|(_, after)| after.id == "surface-ratio"));
     }

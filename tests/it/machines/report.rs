@@ -35,8 +35,12 @@ fn offer_has_motors_envelope_and_bill() {
         let sizing = macroline::project::size::size(&project, &written);
         let options = ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() };
         let export = project.export_with(&written, &options);
-        let told: Vec<_> = export.diagnostics.iter().map(|found| &found.message).collect();
-        assert!(sizing.findings().iter().all(|found| told.contains(&&found.message)), "{}: {told:?}", machine.id());
+        let exported: Vec<_> = export.diagnostics.iter().map(|found| &found.message).collect();
+        assert!(
+            sizing.findings().iter().all(|found| exported.contains(&&found.message)),
+            "{}: {exported:?}",
+            machine.id()
+        );
         let files = export.into_files();
         let report = named(&files, "report.html");
         let page = read(report);
@@ -55,18 +59,18 @@ fn offer_has_motors_envelope_and_bill() {
             );
         }
         for finding in sizing.findings() {
-            let told = macroline::text::catalog::sentence(&finding.message);
-            assert!(report.contains(&told), "{}: {told}", machine.id());
+            let sentence = macroline::text::catalog::sentence(&finding.message);
+            assert!(report.contains(&sentence), "{}: {sentence}", machine.id());
         }
         let exceeded = sizing.findings().len();
         counts.push(exceeded);
-        let said = words(of_class(&page, "conclusion")[0]);
-        let told = format!("The operating envelope has {exceeded} finding{}.", if exceeded == 1 { "" } else { "s" });
-        assert_eq!(said.contains(&told), exceeded > 0, "{}: {said}", machine.id());
+        let conclusion = words(of_class(&page, "conclusion")[0]);
+        let count = format!("The operating envelope has {exceeded} finding{}.", if exceeded == 1 { "" } else { "s" });
+        assert_eq!(conclusion.contains(&count), exceeded > 0, "{}: {conclusion}", machine.id());
         let bill = named(&files, "bill.csv");
         for row in &sizing.bill {
             let source = macroline::project::parts::source_title(&row.source);
-            assert!([row.maker.as_str(), source].into_iter().all(|told| bill.contains(told)), "{row:?}: {bill}");
+            assert!([row.maker.as_str(), source].into_iter().all(|part| bill.contains(part)), "{row:?}: {bill}");
             assert!(bill.contains(&row.model) && bill.contains(&row.asked), "{row:?}: {bill}");
         }
         assert_eq!(
@@ -108,12 +112,12 @@ fn every_report_is_whole_and_well_formed() {
             let project = Project::named(machine.id(), Some(control), None).unwrap();
             let text = html(&project);
             let page = read(&text);
-            let told = words(page.root_element());
+            let shown = words(page.root_element());
             for file in &project.written().files.0 {
-                assert!(told.contains(&file.text), "{control}: {}", file.name);
-                assert!(told.contains(&format!("CRC-32 {}", crc(&file.text))), "{control}: {}", file.name);
+                assert!(shown.contains(&file.text), "{control}: {}", file.name);
+                assert!(shown.contains(&format!("CRC-32 {}", crc(&file.text))), "{control}: {}", file.name);
             }
-            assert!(told.contains(&crc(&project.to_json())), "{control}");
+            assert!(shown.contains(&crc(&project.to_json())), "{control}");
             let rows = of_class(&page, "verdicts")[0].descendants().filter(|node| node.has_tag_name("tr")).count();
             assert!((4..=11).contains(&rows), "{control}: {rows}");
             for class in ["drawing", "chart"] {
@@ -125,7 +129,7 @@ fn every_report_is_whole_and_well_formed() {
                     })
                 }));
             }
-            assert!(!told.contains("form.report"), "an id without its sentence");
+            assert!(!shown.contains("form.report"), "an id without its sentence");
         }
     }
 }
@@ -140,7 +144,7 @@ fn summary_has_essential_entries_and_no_sources() {
             .export_with(&written, &ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() })
             .into_files();
         let page = read(named(&files, "summary.html"));
-        let told = words(page.root_element());
+        let summary = words(page.root_element());
         let first = |text: &str| words(of_class(&read(text), "conclusion")[0]);
         assert_eq!(first(named(&files, "summary.html")), first(named(&files, "report.html")));
         let product = words(of_class(&page, "essentials")[0]);
@@ -154,11 +158,11 @@ fn summary_has_essential_entries_and_no_sources() {
         }
         assert!(shown > 2, "{}: {shown} fields", machine.id());
         for row in &sizing.bill {
-            assert!(told.replace('\u{a0}', " ").contains(&row.model), "{row:?}");
-            assert!(row.asked.len() < 30 || !told.contains(&row.asked), "{row:?}");
+            assert!(summary.replace('\u{a0}', " ").contains(&row.model), "{row:?}");
+            assert!(row.asked.len() < 30 || !summary.contains(&row.asked), "{row:?}");
         }
-        assert!(told.len() * 4 < words(report.root_element()).len(), "{}: no summary", machine.id());
-        assert!(of_class(&page, "sources").is_empty() && !told.contains("form."), "{told}");
+        assert!(summary.len() * 4 < words(report.root_element()).len(), "{}: no summary", machine.id());
+        assert!(of_class(&page, "sources").is_empty() && !summary.contains("form."), "{summary}");
     }
 }
 
@@ -169,8 +173,11 @@ fn refused_export_leaves_a_marked_draft() {
     let export = project.export();
     let draft = export.draft.expect("a draft");
     let page = read(&draft);
-    let said = words(of_class(&page, "conclusion")[0]);
-    assert!(export.files.is_empty() && said.starts_with("Draft without programs: 1 error first."), "{said}");
+    let conclusion = words(of_class(&page, "conclusion")[0]);
+    assert!(
+        export.files.is_empty() && conclusion.starts_with("Draft without programs: 1 error first."),
+        "{conclusion}"
+    );
     assert!(!words(page.root_element()).contains("CRC-32 "), "a program in a draft");
     assert_eq!(Project::named("ribbon-line", None, None).unwrap().export().draft, None);
 }
@@ -178,9 +185,9 @@ fn refused_export_leaves_a_marked_draft() {
 #[test]
 fn report_opens_with_the_work_of_the_machine() {
     let opening = |machine: &str, example: &str| {
-        let told = html(&Project::named(machine, None, Some(example)).unwrap());
-        let said = words(of_class(&read(&told), "conclusion")[0]);
-        said.split_once(". ").unwrap().0.replace(['\u{202f}', '\u{a0}'], " ")
+        let text = html(&Project::named(machine, None, Some(example)).unwrap());
+        let conclusion = words(of_class(&read(&text), "conclusion")[0]);
+        conclusion.split_once(". ").unwrap().0.replace(['\u{202f}', '\u{a0}'], " ")
     };
     let openings: Vec<String> =
         ALL.iter().map(|machine| opening(machine.id(), machine.info().examples[0].id)).collect();
@@ -198,11 +205,11 @@ fn cycle_time_is_that_of_the_run() {
         let options = RunOptions { start: None, settings: &[], limits, keep: Retention::Log };
         let mut run = of_project(&project, &project.written(), &options);
         let time = to_end(&mut run, AtStop::End, |_| Ok::<(), ()>(())).unwrap().time;
-        let told = html(&project);
-        let page = read(&told);
-        let told = words(page.root_element());
+        let text = html(&project);
+        let page = read(&text);
+        let shown = words(page.root_element());
         let (part, hour) = ((time * 10.0).round() / 10.0, (36_000.0 / time).round() / 10.0);
-        assert!(told.contains(&format!("A part takes {part} s; that is {hour} an hour.")), "{}: {time}", machine.id());
+        assert!(shown.contains(&format!("A part takes {part} s; that is {hour} an hour.")), "{}: {time}", machine.id());
     }
 }
 
@@ -270,7 +277,7 @@ fn figures_and_order_numbers_of_tables_stay_on_one_line() {
     let text = html(&project);
     let page = read(&text);
     let inputs = of_class(&page, "inputs")[0];
-    let cell = |told: &str| inputs.descendants().find(|node| node.has_tag_name("td") && words(*node) == told).unwrap();
+    let cell = |text: &str| inputs.descendants().find(|node| node.has_tag_name("td") && words(*node) == text).unwrap();
     for whole in ["20000\u{a0}mm/min", "50\u{a0}:\u{a0}1", "assumed"] {
         assert_eq!(cell(whole).attribute("class"), Some("whole"), "{whole}");
     }

@@ -106,8 +106,8 @@ fn judged(name: &str, project: &Project, whole: &Outcome, again: &Outcome, start
     let message = again.planner.timeline().message_at(end).unwrap_or_default();
     if let Some(stopped @ (RunEnd::Alarm(_) | RunEnd::Stop)) = &again.ended {
         // A control without alarms of a program shows its message and stops.
-        let said = format!("{stopped:?} {message}");
-        assert!(said.contains("BY HAND"), "{name}: {said}");
+        let ending = format!("{stopped:?} {message}");
+        assert!(ending.contains("BY HAND"), "{name}: {ending}");
         assert!(from.iter().zip(&to).all(|(a, b)| (a - b).abs() < 1e-6), "{name}: it moved");
         return Restart::Alarmed;
     }

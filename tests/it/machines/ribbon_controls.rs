@@ -69,7 +69,7 @@ fn axes(project: &Project, print: Address) -> [usize; 2] {
     [project.control.axis(Address::X).unwrap(), project.control.axis(print).unwrap()]
 }
 
-fn said(found: &[Diagnostic]) -> Vec<String> {
+fn sentences(found: &[Diagnostic]) -> Vec<String> {
     found.iter().map(|d| sentence(&d.message)).collect()
 }
 
@@ -140,7 +140,7 @@ fn feed_above_control_range_names_the_possible_speed() {
     // The text is read all the same, and stops before anything moves.
     let export = fast.export();
     assert!(export.files.iter().map(|exported| &exported.file).any(|file| file.name == "O9101.nc"));
-    assert!(said(&export.diagnostics).iter().any(|text| text.starts_with("The vector feed would be 119391.393")));
+    assert!(sentences(&export.diagnostics).iter().any(|text| text.starts_with("The vector feed would be 119391.393")));
     let mut stopped = over_time(&fast, vec![]);
     let RunEnd::Alarm(alarm) = ended(&mut stopped) else { panic!("it stops") };
     assert_eq!(sentence(&alarm.message), "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119");
@@ -454,7 +454,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
 
 #[test]
 fn operator_notes_of_each_control_match() {
-    let told = |id: &str| -> String {
+    let warnings = |id: &str| -> String {
         let design = machine()
             .prepare(&Values::new(), at_defaults(macroline::controls::find(id).unwrap()))
             .design(&Origins::new());
@@ -462,17 +462,17 @@ fn operator_notes_of_each_control_match() {
             design.diagnostics.iter().filter(|d| d.severity == Severity::Info && d.message.id != "form.assumed");
         infos.map(|d| sentence(&d.message) + "\n").collect()
     };
-    expect![[""]].assert_eq(&told("mitsubishi-e60"));
+    expect![[""]].assert_eq(&warnings("mitsubishi-e60"));
     expect![[r#"
         This control forgets #100 and up at power-off: run O9102 once after each power-on.
     "#]]
-    .assert_eq(&told("gsk-980tdc"));
+    .assert_eq(&warnings("gsk-980tdc"));
     // K · 1200 r/min of the published machine: 251 mm/s, 310 with the knob at its highest position.
     expect![[r#"
         The PLC fixes the feed override at 100 %, which no manual at hand confirms for this control; the position 0 % still stops the axes. The unwinder keeps its 251 mm/s, and the loop of 500 mm is full after 2 s.
-    "#]].assert_eq(&told("sinumerik-808d"));
+    "#]].assert_eq(&warnings("sinumerik-808d"));
     expect![[r#"
         This control forgets #100 and up at power-off: run O9102 once after each power-on.
     "#]]
-    .assert_eq(&told("knd-k2000t"));
+    .assert_eq(&warnings("knd-k2000t"));
 }

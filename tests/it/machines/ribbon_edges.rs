@@ -86,8 +86,8 @@ fn long_ramp_is_repaired_by_a_shorter_one() {
         let after = line.with_entries(&steep.entries).unwrap();
         assert!(readout(&after, "loop-needed").verdict < Verdict::Fail, "{}", control.id);
         // A button that changes several entries names each change.
-        let said = sentence(steep.button.as_ref().unwrap());
-        assert!(said.contains("Set a ramp of") && said.contains("Set a dwell of"), "{said}");
+        let button = sentence(steep.button.as_ref().unwrap());
+        assert!(button.contains("Set a ramp of") && button.contains("Set a dwell of"), "{button}");
         let loops = repairs(&line).changes.into_iter().flat_map(|change| change.entries);
         let loops =
             loops.filter(|entry| entry.field == "loop-capacity").map(|entry| entry.text.parse::<f64>().unwrap());
@@ -99,14 +99,14 @@ fn long_ramp_is_repaired_by_a_shorter_one() {
 fn exact_stop_that_the_control_lacks_is_reported() {
     for control in controls() {
         let line = project(control.id, &[("path-mode", "exact-stop")]);
-        let told = line.design().diagnostics.iter().any(|found| found.message.id == "ribbon.no-exact-stop");
+        let reported = line.design().diagnostics.iter().any(|found| found.message.id == "ribbon.no-exact-stop");
         let stops = line
             .written()
             .files
             .0
             .iter()
             .any(|file| ["G09", "G61", "G9 ", "G60"].iter().any(|code| file.text.contains(code)));
-        assert_eq!(told, !stops, "{}", control.id);
+        assert_eq!(reported, !stops, "{}", control.id);
     }
 }
 

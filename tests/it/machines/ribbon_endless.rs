@@ -117,8 +117,8 @@ fn advice_about_the_range_ends_it() {
         beyond.values.insert("pitch-count".to_owned(), Value::Number(most + 1.0));
         assert_eq!(range(&beyond).verdict, Verdict::Fail, "{}", control.id);
         let Some(after) = taken("endless") else {
-            let told = before.advice.iter().any(|advice| advice.message.id == "ribbon.range-roll-over-in-radius");
-            assert!(control.id == "gsk-980tdc" || told, "{}", control.id);
+            let advised = before.advice.iter().any(|advice| advice.message.id == "ribbon.range-roll-over-in-radius");
+            assert!(control.id == "gsk-980tdc" || advised, "{}", control.id);
             continue;
         };
         assert_eq!(range(&after).verdict, Verdict::Ok, "{}", control.id);

@@ -63,7 +63,7 @@ fn run(project: &Project, actions: &[(f64, Action)]) -> (Planner<Interp>, RunEnd
 }
 
 /// Ids of the findings of a run.
-fn said(planner: &Planner<Interp>) -> Vec<&str> {
+fn finding_ids(planner: &Planner<Interp>) -> Vec<&str> {
     planner.diagnostics().iter().map(|finding| finding.message_id()).collect()
 }
 
@@ -71,7 +71,7 @@ fn said(planner: &Planner<Interp>) -> Vec<&str> {
 fn first(planner: &Planner<Interp>, t: f64, is: impl Fn(&macroline::motion::Snapshot) -> bool) -> f64 {
     let steps = ((planner.timeline().end() - t) / LOOK) as u32;
     let found = (0..=steps).map(|step| t + f64::from(step) * LOOK).find(|t| is(&planner.timeline().at(*t)));
-    found.unwrap_or_else(|| panic!("never from {t} s to {} s: {:?}", planner.timeline().end(), said(planner)))
+    found.unwrap_or_else(|| panic!("never from {t} s to {} s: {:?}", planner.timeline().end(), finding_ids(planner)))
 }
 
 /// Time (s) at which the program is held, from `t` on.
@@ -91,8 +91,8 @@ fn full_loop_holds_the_run_when_the_ramp_has_filled_it() {
     // The dwell of 2 s before the first pull lays 332 mm.
     let project = line(&[("loop-capacity", "300")]);
     let (planner, end) = run(&project, &[]);
-    assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full"]));
-    assert_eq!(planner.plc_hold().map(|told| told.id), Some("ribbon.held-loop-full"));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full"]));
+    assert_eq!(planner.plc_hold().map(|message| message.id), Some("ribbon.held-loop-full"));
     // v · (t - t_r / 2) = 300 mm.
     let begins = first(&planner, 0.0, |now| now.spindle.command > 0.0);
     let wanted = begins + 300.0 / SPEED + RAMP / 2.0;
@@ -105,18 +105,18 @@ fn full_loop_holds_the_run_when_the_ramp_has_filled_it() {
     assert!((-SPEED * LOOK..SPEED * (READING + LOOK)).contains(&more), "{more}");
     // A loop that takes up start and end runs through.
     let (planner, end) = run(&line(&[("loop-capacity", "400")]), &[]);
-    assert_eq!((end, said(&planner).len()), (RunEnd::ProgramEnd, 0));
+    assert_eq!((end, finding_ids(&planner).len()), (RunEnd::ProgramEnd, 0));
 }
 
 #[test]
 fn start_is_refused_while_the_loop_is_full() {
     let project = line(&[("loop-capacity", "300")]);
     let (planner, end) = run(&project, &[(10.0, Action::Start)]);
-    assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full", "motion.start-refused"]));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full", "motion.start-refused"]));
     assert_eq!(ribbon(&planner, planner.timeline().end()).1, ribbon(&planner, 9.9).1);
     // After a reset the operator takes up the loop, and a new product begins with an empty one.
     let (planner, end) = run(&project, &[(10.0, Action::Reset), (11.0, Action::Start)]);
-    assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full"]));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, vec!["ribbon.held-loop-full"]));
     let begins = first(&planner, 11.0, |now| now.spindle.command > 0.0);
     let held = held_from(&planner, begins);
     let wanted = begins + 300.0 / SPEED + RAMP / 2.0;
@@ -127,7 +127,7 @@ fn start_is_refused_while_the_loop_is_full() {
 fn contacts_that_do_not_act_let_the_loop_overflow() {
     let project = line(&[("loop-capacity", "300")]);
     let mut planner = begun(&project, vec![]).without_contacts();
-    assert_eq!((ended(&mut planner), said(&planner).len()), (RunEnd::ProgramEnd, 0));
+    assert_eq!((ended(&mut planner), finding_ids(&planner).len()), (RunEnd::ProgramEnd, 0));
     let roomy = run(&line(&[("loop-capacity", "100000")]), &[]).0;
     let end = roomy.timeline().end();
     assert_eq!((planner.timeline().end(), ribbon(&planner, end)), (end, ribbon(&roomy, end)));
@@ -137,26 +137,35 @@ fn contacts_that_do_not_act_let_the_loop_overflow() {
 fn tight_ribbon_holds_the_run_at_its_tension_limit() {
     let project = slipping();
     let (planner, end) = run(&project, &[]);
-    assert_eq!((end, said(&planner).contains(&"ribbon.held-web-tight")), (RunEnd::Stop, true), "{:?}", said(&planner));
+    assert_eq!(
+        (end, finding_ids(&planner).contains(&"ribbon.held-web-tight")),
+        (RunEnd::Stop, true),
+        "{:?}",
+        finding_ids(&planner)
+    );
     let held = held_from(&planner, 0.0);
     let (_, slack) = ribbon(&planner, held);
     assert!((-35.5..=-34.4).contains(&slack), "{slack}");
     // X stops sooner than the unwinder: the loop hangs again, and cycle start goes on.
     let (planner, _) = run(&project, &[(held + 5.0, Action::Start)]);
-    assert!(!said(&planner).contains(&"motion.start-refused"));
+    assert!(!finding_ids(&planner).contains(&"motion.start-refused"));
     let at = |t: f64| planner.timeline().at(t).axes[0].actual;
     assert!(at(held + 9.0) > at(held + 5.0) + 100.0);
     // An immediate cycle start is refused, and nothing moves.
     let (planner, end) = run(&project, &[(held + 0.01, Action::Start)]);
-    assert_eq!((end, said(&planner).contains(&"motion.start-refused")), (RunEnd::Stop, true));
+    assert_eq!((end, finding_ids(&planner).contains(&"motion.start-refused")), (RunEnd::Stop, true));
 }
 
 #[test]
 fn tension_switch_opens_before_the_nip_slips() {
     let text = |force: &str| {
         let sizing = sized_without_envelope(&project("mitsubishi-e60", &[("pinch-force", force)]));
-        let told = sizing.bill.iter().map(|row| row.asked.clone()).find(|told| told.contains("limit of the tension"));
-        told.expect("a tension switch")
+        let requirement = sizing
+            .bill
+            .iter()
+            .map(|row| row.asked.clone())
+            .find(|requirement| requirement.contains("limit of the tension"));
+        requirement.expect("a tension switch")
     };
     // Half of 0.4 · 100 N behind a ribbon without tension: the strength of 75 N is out of reach. 1000 N reach it.
     assert!(text("100").ends_with("limit of the tension 20 N"), "{}", text("100"));
@@ -196,14 +205,21 @@ fn tension_switch_leaves_x_its_way_to_the_stop() {
     let room = value(&project, "stop-room");
     assert!((room - (SLIPS - way)).abs() < 1e-6, "{room}");
     let (planner, end) = run(&project, &[]);
-    assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-web-tight"]));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, vec!["ribbon.held-web-tight"]));
     let lowest = least(&planner);
     assert!((-SLIPS..-room).contains(&lowest), "{lowest} {room}");
     // Bill, design and envelope have one tension for it.
     let tension = 15.0 + room * 4000.0 * 2.5 / 2000.0;
     let sizing = sized_without_envelope(&project);
-    let told = sizing.bill.iter().map(|row| row.asked.clone()).find(|told| told.contains("limit of the tension"));
-    assert!(told.is_some_and(|told| told.ends_with(&format!("limit of the tension {tension:.1} N"))), "{tension}");
+    let requirement = sizing
+        .bill
+        .iter()
+        .map(|row| row.asked.clone())
+        .find(|requirement| requirement.contains("limit of the tension"));
+    assert!(
+        requirement.is_some_and(|requirement| requirement.ends_with(&format!("limit of the tension {tension:.1} N"))),
+        "{tension}"
+    );
     let design = project.design();
     let limit = design.readouts.iter().find(|row| row.id == "tension").and_then(|row| row.limit);
     assert!(limit.is_some_and(|limit| (limit.value() - tension).abs() < 1e-6), "{limit:?}");
@@ -237,7 +253,7 @@ fn line_under_override_0_waits_for_the_unwinder_again() {
         let turned = |t: f64, percent: f64| (t, Action::SpindleOverride(percent));
         let stops = [turned(8.0, 0.0), turned(14.0, 100.0), turned(20.0, 0.0), turned(26.0, 100.0)];
         let (planner, end) = run(&project, &stops);
-        assert_eq!((end, said(&planner)), (RunEnd::ProgramEnd, vec![]), "{control} {variant} {wait}");
+        assert_eq!((end, finding_ids(&planner)), (RunEnd::ProgramEnd, vec![]), "{control} {variant} {wait}");
         assert!(least(&planner) > -0.5, "{control} {variant} {wait}: {}", least(&planner));
     }
 }
@@ -248,7 +264,7 @@ fn start_under_override_0_waits_for_the_unwinder_too() {
         let project = film("mitsubishi-e60", "1000", &[("wait", wait)]);
         let usual = run(&project, &[]).0;
         let (late, end) = run(&project, &[(0.0, Action::SpindleOverride(0.0)), (5.0, Action::SpindleOverride(100.0))]);
-        assert_eq!((end, said(&late)), (RunEnd::ProgramEnd, vec![]), "{wait}");
+        assert_eq!((end, finding_ids(&late)), (RunEnd::ProgramEnd, vec![]), "{wait}");
         assert!((least(&late) - least(&usual)).abs() < 0.5, "{wait}: {} {}", least(&late), least(&usual));
     }
 }
@@ -260,7 +276,7 @@ fn reel_at_its_end_holds_with_ribbon_for_the_stop() {
     assert!((0.6..0.9).contains(&(wound / value(&project, "product-length"))), "{wound}");
     assert_eq!(value(&project, "reel-products"), 0.0);
     let (planner, end) = run(&project, &[]);
-    assert_eq!((end, said(&planner)), (RunEnd::Stop, vec!["ribbon.held-reel-empty"]));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, vec!["ribbon.held-reel-empty"]));
     // With the knob at its highest position the stop takes v · t_r / 2 off the reel: 1480 r/min, 2 s.
     let opens = wound - PER_TURN * 1480.0 / 60.0;
     let late = ribbon(&planner, held_from(&planner, 0.0)).0 - opens;
@@ -278,7 +294,7 @@ fn start_puts_a_new_reel_on_and_the_product_goes_on() {
     let (planner, _) = run(&project, &[]);
     let held = held_from(&planner, 0.0);
     let (planner, end) = run(&project, &[(held + 30.0, Action::Start)]);
-    assert_eq!((end, said(&planner)), (RunEnd::ProgramEnd, vec!["ribbon.held-reel-empty"]));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::ProgramEnd, vec!["ribbon.held-reel-empty"]));
     let end = planner.timeline().end();
     assert!((planner.timeline().at(end).axes[0].position - product).abs() < 1e-6);
     // The next product begins with a full reel, and is held after as much ribbon as the first.
@@ -296,7 +312,7 @@ fn new_reel_does_not_help_while_the_loop_is_full() {
     let held = held_from(&run(&project, &[]).0, 0.0);
     let (planner, end) = run(&project, &[(held + 30.0, Action::Start)]);
     let wanted = ["ribbon.held-reel-empty", "ribbon.held-loop-full", "motion.start-refused"];
-    assert_eq!((end, said(&planner)), (RunEnd::Stop, wanted.to_vec()));
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, wanted.to_vec()));
 }
 
 #[test]
@@ -308,7 +324,7 @@ fn examples_run_to_their_end_with_contacts_that_act() {
             let project = Project::named("ribbon-line", Some(control.id), Some(example.id)).expect("an example");
             let (planner, end) = run(&project, &[]);
             if planner.is_held_by_plc() {
-                held.push((control.id, example.id, end, said(&planner).join(" ")));
+                held.push((control.id, example.id, end, finding_ids(&planner).join(" ")));
             } else {
                 assert!(matches!(end, RunEnd::ProgramEnd | RunEnd::Alarm(_) | RunEnd::Stop), "{} {end:?}", control.id);
             }
@@ -331,8 +347,8 @@ fn action_in_the_past_holds_the_run_as_from_the_beginning() {
     }
     let mut whole = over_time(&project, vec![knob, pause, again]);
     assert_eq!((ended(&mut later), ended(&mut whole)), (RunEnd::Stop, RunEnd::Stop));
-    assert!(whole.is_held_by_plc() && said(&whole).contains(&"ribbon.held-loop-full"));
-    assert_eq!((said(&later), later.timeline().end()), (said(&whole), whole.timeline().end()));
+    assert!(whole.is_held_by_plc() && finding_ids(&whole).contains(&"ribbon.held-loop-full"));
+    assert_eq!((finding_ids(&later), later.timeline().end()), (finding_ids(&whole), whole.timeline().end()));
     let held = held_from(&whole, 12.0);
     assert_eq!((held, ribbon(&later, held)), (held_from(&later, 12.0), ribbon(&whole, held)));
 }

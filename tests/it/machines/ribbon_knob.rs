@@ -200,13 +200,13 @@ proptest! {
 fn loop_without_room_allows_no_turn_up_at_once() {
     // The start and the run of the paper's line fill its loop.
     let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
-    let told = |project: &Project| {
+    let sentences_of = |project: &Project| {
         let row = readout(project, "knob-turn");
         row.advice.iter().map(|advice| macroline::text::catalog::sentence(&advice.message)).collect::<Vec<_>>()
     };
-    let said = told(&paper);
-    assert!(said.iter().any(|said| said.ends_with("no turn up while the line runs.")), "{said:?}");
+    let sentences = sentences_of(&paper);
+    assert!(sentences.iter().any(|text| text.ends_with("no turn up while the line runs.")), "{sentences:?}");
     let roomy = paper.with_entries(&[("loop-capacity", "1500")]).unwrap();
-    let said = told(&roomy);
-    assert!(said.iter().all(|said| !said.contains("no turn up")), "{said:?}");
+    let sentences = sentences_of(&roomy);
+    assert!(sentences.iter().all(|text| !text.contains("no turn up")), "{sentences:?}");
 }

@@ -332,8 +332,8 @@ fn labels_contain_no_placeholders() {
     let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
     let variables = machine().prepare(&Values::new(), on()).variables().into_iter().map(|row| row.label);
     for label in fields.chain(readouts).chain(variables) {
-        let said = words(label);
-        assert!(!said.is_empty() && !said.contains('{'), "{label}: {said}");
+        let text = words(label);
+        assert!(!text.is_empty() && !text.contains('{'), "{label}: {text}");
     }
 }
 

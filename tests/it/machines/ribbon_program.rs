@@ -35,8 +35,8 @@ pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachinePr
     let parsed = Rc::new(nc::parse(&emitted.files, on.control));
     let review = review(&parsed, Some(program.main), &[]);
     let findings: Vec<_> = emitted.diagnostics.iter().chain(&review).collect();
-    let said = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(&d.message));
-    assert!(findings.is_empty(), "{:#?}", findings.iter().map(said).collect::<Vec<_>>());
+    let described = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(&d.message));
+    assert!(findings.is_empty(), "{:#?}", findings.iter().map(described).collect::<Vec<_>>());
     (program, parsed)
 }
 
@@ -316,8 +316,8 @@ fn impossible_entries_raise_the_user_alarm_with_message() {
             }) {
                 Some(End::Alarm(alarm)) => {
                     assert_eq!(alarm.alarm.as_deref(), Some("P277"));
-                    let said = sentence(&alarm.message);
-                    assert!(said.contains(text), "{said}");
+                    let message = sentence(&alarm.message);
+                    assert!(message.contains(text), "{message}");
                 }
                 other => panic!("#{number}: {other:?}"),
             }
@@ -429,9 +429,9 @@ fn listing_calculated_before_its_loop_reaches_its_speed() {
     };
     let figures = [15072.0, 62.8, 15072.0 * hypot(8.0, 62.8) / 8.0];
     for (variant, speed, starves) in [("precomputed", 15072.0, false), ("published", 9212.0, true)] {
-        let (ran, told, variables) = speeds(variant);
+        let (ran, warned, variables) = speeds(variant);
         assert!((ran / speed - 1.0).abs() < 2e-3, "{variant}: {ran} mm/min, not {speed}");
-        assert_eq!(told, starves, "{variant}");
+        assert_eq!(warned, starves, "{variant}");
         for (variable, figure) in variables.into_iter().zip(figures) {
             near(variable, figure, 1e-3);
         }

@@ -87,8 +87,11 @@ fn loop_is_judged_at_the_end_of_the_knob() {
     let wanted = start.abs() + stop + v * (0.75 + 0.5);
     assert!((needed.value - wanted).abs() < 1e-9 && wanted.round() == 380.0, "{} {wanted}", needed.value);
     assert_eq!((needed.verdict, needed.limit), (Verdict::Fail, Some(Limit::AtMost(260.0))));
-    let said = sentence(&needed.advice[0].message);
-    assert!(said.starts_with("With the knob at 123.3 % one product may lay 380 mm into the loop of 260 mm"), "{said}");
+    let advice = sentence(&needed.advice[0].message);
+    assert!(
+        advice.starts_with("With the knob at 123.3 % one product may lay 380 mm into the loop of 260 mm"),
+        "{advice}"
+    );
     // A run at 123 % with a hold of a second ends with start, short stop and stop in the loop: more than 260 mm.
     let mut fast = project.clone();
     fast.values.extend(values(&[("override", "123")]));
@@ -142,8 +145,8 @@ fn ribbon_missing_after_the_start_counts_in_the_tension() {
         let wanted = 4000.0 * 2.5 * missing / 2000.0 + 15.0;
         assert!((tension.value - wanted).abs() < 1e-9 * wanted, "{}: {wanted}", tension.value);
         assert_eq!((tension.verdict, tension.limit), (Verdict::Fail, Some(Limit::AtMost(187.5))));
-        let said = sentence(&tension.advice[0].message);
-        assert!(said.starts_with(&format!("With the knob at {percent} % X is {missing:.1} mm ahead")), "{said}");
+        let advice = sentence(&tension.advice[0].message);
+        assert!(advice.starts_with(&format!("With the knob at {percent} % X is {missing:.1} mm ahead")), "{advice}");
         // A run whose contacts do not act misses as much; the tension switch holds another one before.
         let mut fast = project.clone();
         let whole = if clamp == "1480" { "200" } else { "100" };
@@ -175,9 +178,13 @@ fn feed_override_fills_no_loop_where_it_is_fixed() {
         // v = K · 1200 r/min, the loop of 600 mm is full in 4.8 s.
         let v = readout(&project, "line-speed").value / 60.0;
         assert!((600.0 / v - 4.75).abs() < 0.01, "{}: {v}", control.id);
-        let said: Vec<_> = project.design().diagnostics.iter().map(|found| sentence(&found.message)).collect();
-        let warned = |said: &[String], text: &str| said.iter().any(|line| line.contains(text));
-        assert_eq!(warned(&said, "keeps its 126 mm/s, and the loop of 600 mm is full after 4.8 s."), stops, "{said:?}");
+        let sentences: Vec<_> = project.design().diagnostics.iter().map(|found| sentence(&found.message)).collect();
+        let warned = |sentences: &[String], text: &str| sentences.iter().any(|line| line.contains(text));
+        assert_eq!(
+            warned(&sentences, "keeps its 126 mm/s, and the loop of 600 mm is full after 4.8 s."),
+            stops,
+            "{sentences:?}"
+        );
         for (percent, seconds) in [(0.0, "4.8 s"), (50.0, "9.5 s")] {
             let acts = stops && percent == 0.0;
             let planner =
@@ -189,8 +196,8 @@ fn feed_override_fills_no_loop_where_it_is_fixed() {
             assert!((laid - wanted).abs() < 3.0, "{name}: {laid} of {wanted}");
             let found = planner.diagnostics();
             let full = format!("full or empty after {seconds}");
-            let told = found.iter().find(|found| sentence(&found.message).contains(&full));
-            assert_eq!(told.map(|found| found.severity), acts.then_some(Severity::Warning), "{name}: {found:?}");
+            let full_loop = found.iter().find(|found| sentence(&found.message).contains(&full));
+            assert_eq!(full_loop.map(|found| found.severity), acts.then_some(Severity::Warning), "{name}: {found:?}");
         }
     }
 }
@@ -435,8 +442,8 @@ fn table_counts_the_pauses_that_the_loop_holds() {
     for control in controls() {
         let counted = |capacity: f64| {
             let rows = stop_table(&line(control.id, &[("loop-capacity", &format!("{capacity:.1}"))]));
-            let told = rows[0].iter().find_map(|cell| cell.split_once("The loop holds ")).expect("a count").1;
-            told.split(' ').next().unwrap().parse::<u32>().unwrap()
+            let count = rows[0].iter().find_map(|cell| cell.split_once("The loop holds ")).expect("a count").1;
+            count.split(' ').next().unwrap().parse::<u32>().unwrap()
         };
         // The capacity that the design asks holds one, with the knob at its end; each further one lays less than that.
         let needed = readout(&line(control.id, &[]), "loop-needed").value;

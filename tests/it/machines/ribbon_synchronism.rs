@@ -41,7 +41,7 @@ fn speeds(planner: &Planner<Interp>, t: f64) -> (f64, f64) {
 /// mm of ribbon per revolution of the unwinder.
 const K: f64 = 12.566370614;
 
-fn said(planner: &Planner<Interp>, id: &str) -> bool {
+fn reports(planner: &Planner<Interp>, id: &str) -> bool {
     planner.diagnostics().iter().any(|found| found.message.id == id)
 }
 
@@ -88,20 +88,20 @@ fn locked_knob_stays_at_100_percent_in_automatic() {
         );
         let (spindle, x) = speeds(&locked, 11.0);
         assert!((spindle - 800.0).abs() < 1e-9 && (x - K * 800.0).abs() < 0.5, "{} {spindle} {x}", control.id);
-        assert!(!said(&locked, "ribbon.knob-left"));
+        assert!(!reports(&locked, "ribbon.knob-left"));
         // By hand the knob acts.
         assert!((speeds(&locked, 15.1).0 - 120.0).abs() < 1e-9, "{}", control.id);
         // A free knob turns the unwinder alone, and the run reports it.
         let free = over_time(&line(control.id, &[("knob-use", "free")]), vec![turned()]);
         let (spindle, x) = speeds(&free, 11.0);
         assert!((spindle - 960.0).abs() < 1e-9 && (x - K * 800.0).abs() < 0.5, "{} {spindle} {x}", control.id);
-        assert!(said(&free, "ribbon.knob-left"), "{}", control.id);
+        assert!(reports(&free, "ribbon.knob-left"), "{}", control.id);
         // F per revolution follows it.
         let more = [("knob-use", "free"), ("feed-form", "per-revolution"), ("spindle-encoder", "true")];
         let in_step = over_time(&line(control.id, &more), vec![turned()]);
         let (spindle, x) = speeds(&in_step, 11.0);
         assert!((spindle - 960.0).abs() < 1e-9 && (x - K * 960.0).abs() < 3.0, "{} {spindle} {x}", control.id);
-        assert!(!said(&in_step, "ribbon.knob-left"));
+        assert!(!reports(&in_step, "ribbon.knob-left"));
     }
 }
 
@@ -127,16 +127,16 @@ fn s_by_hand_in_automatic_is_refused_or_a_finding() {
         let by_hand = |t: f64| event(t, Action::ManualSpeed(300.0));
         let refused = over_time(&line(control.id, &[]), vec![by_hand(6.0)]);
         assert!((speeds(&refused, 8.0).0 - 800.0).abs() < 1e-9, "{}", control.id);
-        assert!(said(&refused, "motion.manual-speed-refused"), "{}", control.id);
+        assert!(reports(&refused, "motion.manual-speed-refused"), "{}", control.id);
         let mut takes = line(control.id, &[]);
         takes.switches.0.push(("manual-s".to_owned(), "taken".to_owned()));
         let taken = over_time(&takes, vec![by_hand(6.0)]);
         assert!((speeds(&taken, 8.0).0 - 300.0).abs() < 1e-9, "{}", control.id);
-        assert!(said(&taken, "motion.manual-speed-taken"), "{}", control.id);
+        assert!(reports(&taken, "motion.manual-speed-taken"), "{}", control.id);
         // In a hold another mode can be chosen: the restart runs with the S of the hand.
         let held = vec![event(6.0, Action::Hold), by_hand(8.0), event(9.0, Action::Start)];
         let held = over_time(&line(control.id, &[]), held);
-        assert!(said(&held, "motion.manual-speed-taken"), "{}", control.id);
+        assert!(reports(&held, "motion.manual-speed-taken"), "{}", control.id);
         // After a reset there is no program that it could disturb.
         let idle = over_time(&line(control.id, &[]), vec![event(6.0, Action::Reset), by_hand(8.0)]);
         assert!((speeds(&idle, 8.1).0 - 300.0).abs() < 1e-9, "{}", control.id);

@@ -16,7 +16,7 @@ const RANDOM: usize = 300;
 const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 
 /// Findings that end or slow a run, by a part of their sentence, each with results of which at least one must have failed in the design.
-const TOLD: &[(&str, &[&str])] = &[
+const JUDGED: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),
     ("BELOW A PITCH", &["length-error"]),
@@ -136,11 +136,11 @@ fn is_slower_than_any_control(project: &Project) -> bool {
 /// Faults of a form: in its design, its program or its run.
 fn faults(project: &Project) -> Vec<String> {
     let design = project.design();
-    let said = design.diagnostics.iter().flat_map(|found| [&found.message].into_iter().chain(&found.hints));
+    let messages = design.diagnostics.iter().flat_map(|found| [&found.message].into_iter().chain(&found.hints));
     let advice = design.readouts.iter().flat_map(|row| &row.advice);
     let advice = advice.flat_map(|advice| [&advice.message].into_iter().chain(&advice.button));
-    let said = advice.chain(said).map(english);
-    let mut faults: Vec<String> = said.filter(|text| is_absurd(text)).collect();
+    let texts = advice.chain(messages).map(english);
+    let mut faults: Vec<String> = texts.filter(|text| is_absurd(text)).collect();
     faults.extend(design.readouts.iter().filter_map(unsound));
     if design.diagnostics.iter().any(|found| found.severity == Severity::Error) {
         return faults;
@@ -175,11 +175,11 @@ fn faults(project: &Project) -> Vec<String> {
     // A reel that lasts less than the run does ends in it.
     let lasts = |row: &Readout| row.id == "reel-time" && row.value < BUDGET.seconds;
     let spent = design.readouts.iter().any(lasts);
-    let told = |event: &String| {
+    let is_judged = |event: &String| {
         spent && event.contains("The reel is at its end")
-            || TOLD.iter().any(|(part, results)| event.contains(part) && results.iter().any(judged))
+            || JUDGED.iter().any(|(part, results)| event.contains(part) && results.iter().any(judged))
     };
-    faults.extend(events.into_iter().filter(|event| !told(event)).map(|event| format!("run: {event}")));
+    faults.extend(events.into_iter().filter(|event| !is_judged(event)).map(|event| format!("run: {event}")));
     faults
 }
 

@@ -112,7 +112,7 @@ fn shaft(changes: &[(&str, &str)]) -> Project {
 }
 
 /// Findings of form and run, by id.
-fn told(project: &Project) -> Vec<&'static str> {
+fn finding_ids(project: &Project) -> Vec<&'static str> {
     let mut run = run_set(project, 113, 90.0);
     run.advance(f64::INFINITY, usize::MAX);
     let design = project.prepared().results().diagnostics;
@@ -123,7 +123,7 @@ fn told(project: &Project) -> Vec<&'static str> {
 #[test]
 fn driven_tool_cuts_the_keyway_at_the_locked_angle() {
     let project = shaft(&[]);
-    assert_eq!(told(&project), [""; 0]);
+    assert_eq!(finding_ids(&project), [""; 0]);
     let planner = over_time(&project);
     let at = |number: u32| {
         let (timeline, block) = (planner.timeline(), planner.program().numbered(number).unwrap());
@@ -158,14 +158,14 @@ fn driven_tool_cuts_the_keyway_at_the_locked_angle() {
 fn keyway_without_means_stops_with_its_reason() {
     let no_tool = shaft(&[("driven-tool", "false")]);
     assert!(text(&no_tool).contains("M0 ;NO DRIVEN TOOL TO CUT THE KEYWAY"));
-    assert_eq!(told(&no_tool), ["turning.keyway-no-tool"]);
+    assert_eq!(finding_ids(&no_tool), ["turning.keyway-no-tool"]);
     // Projects before the keyway had a depth.
     let no_depth = shaft(&[("keyway-depth", "0")]);
     assert!(text(&no_depth).contains("M0 ;NO DEPTH OF THE KEYWAY IS GIVEN") && !text(&no_depth).contains("T2"));
-    assert_eq!(told(&no_depth), ["turning.keyway-no-depth"]);
+    assert_eq!(finding_ids(&no_depth), ["turning.keyway-no-depth"]);
     let taper = shaft(&[("path", "taper"), ("large-diameter", "55")]);
     assert!(text(&taper).contains("M0 ;NO KEYWAY ON A TAPER"));
-    assert_eq!(told(&taper), ["turning.keyway-on-taper"]);
+    assert_eq!(finding_ids(&taper), ["turning.keyway-on-taper"]);
     // Without a code that locks, a person does.
     let by_hand = shaft(&[("lock-code", "0"), ("release-code", "0")]);
     assert!(text(&by_hand).contains("N54 M0 ;LOCK THE SPINDLE BY HAND"));
@@ -190,12 +190,12 @@ fn keyway_that_cannot_be_cut_is_an_error() {
     assert_eq!(errors(&[("keyway-length", "76")]), ["turning.keyway-beyond-shoulder"]);
     assert_eq!(errors(&[("release-code", "3")]), ["turning.lock-is-taken"]);
     assert_eq!(errors(&[("release-code", "100")]), ["turning.code-without-bit"], "the PLC has bits up to M99");
-    assert_eq!(told(&shaft(&[("release-code", "0")])), ["turning.keyway-stays-locked"]);
-    assert_eq!(told(&shaft(&[("keyway-width", "4")])), ["turning.keyway-deeper-than-wide"]);
+    assert_eq!(finding_ids(&shaft(&[("release-code", "0")])), ["turning.keyway-stays-locked"]);
+    assert_eq!(finding_ids(&shaft(&[("keyway-width", "4")])), ["turning.keyway-deeper-than-wide"]);
     // The builder's own codes start and stop the tool.
     let own = shaft(&[("driven-code", "24"), ("driven-stop", "25")]);
     assert!(text(&own).contains("S2=R121 M24") && text(&own).contains("N65 M25"));
-    assert_eq!(told(&own), [""; 0]);
+    assert_eq!(finding_ids(&own), [""; 0]);
 }
 
 #[test]
@@ -230,8 +230,8 @@ fn entries_that_cut_too_deep_or_too_far_are_refused() {
             let before = planner.timeline().words_at(0.0);
             let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
             let message = planner.timeline().message_at(planner.timeline().end()).unwrap_or_default();
-            let told = format!("{ended:?} {message}");
-            assert!(told.contains(wanted), "{control} {path} {number}: {told}");
+            let ending = format!("{ended:?} {message}");
+            assert!(ending.contains(wanted), "{control} {path} {number}: {ending}");
             assert_eq!(before, planner.timeline().words_at(planner.timeline().end()), "{control} {path}: it moved");
         }
     }

@@ -41,9 +41,12 @@ fn shaft_fan_derates_the_spindle_motor_at_low_speed() {
         let share = 0.5 + 0.5 * value(&own, "speed-largest") / 300.0;
         near(row.limit.unwrap().value(), 190.986 * share, 0.01);
         near(value(&own, "torque-available"), 190.986 * share, 0.01);
-        let said = sentence(&row.advice[0].message);
+        let advice = sentence(&row.advice[0].message);
         let motor = 5.0 * value(&own, "speed-largest");
-        assert!((150.0..165.0).contains(&motor) && said.contains(&format!("{motor:.0} r/min")), "{control}: {said}");
+        assert!(
+            (150.0..165.0).contains(&motor) && advice.contains(&format!("{motor:.0} r/min")),
+            "{control}: {advice}"
+        );
         assert_eq!(row.advice[0].entries, [FieldEntry::new("motor-forced-cooling", "true")], "{control}");
         let forced = own.with_entries(&row.advice[0].entries).unwrap();
         let row = torque(&forced);

@@ -147,24 +147,24 @@ fn resistor_of_many_passes_takes_each_braking() {
     let whole = over_time(&lathe);
     let timeline = whole.timeline();
     let stretches = timeline.stretches(Mover::Spindle, 0.0, timeline.end());
-    let asked = lathe.prepared().resistor_demand(&whole, &stretches).unwrap();
-    assert_eq!(asked.energies.len(), 21);
+    let demand = lathe.prepared().resistor_demand(&whole, &stretches).unwrap();
+    assert_eq!(demand.energies.len(), 21);
     // At the motor, which turns half as fast: J = (0.2 + 0.003157) · 4 · 0.8 + 0.03, friction 2 / (0.5 · 0.8) = 5 Nm over 1.8 s.
     let inertia = 0.203_157 * 4.0 * 0.8 + 0.03;
     let omega = 900.0 * RPM;
     let stop = 0.5 * inertia * omega * omega - 0.5 * 5.0 * omega * 1.8;
-    near(asked.greatest(), stop, 2.0);
+    near(demand.greatest(), stop, 2.0);
     // A pass begins at 682 r/min at least: its braking gives back less than that to 682 r/min, and more than three quarters of it.
     let slow = 341.0 * RPM;
     let least = 0.5 * inertia * (omega * omega - slow * slow) - 0.5 * 5.0 * (omega + slow) * 1.118;
-    let between = &asked.energies[1..20];
+    let between = &demand.energies[1..20];
     assert!(between.iter().all(|energy| (0.75 * least..least).contains(energy)), "{between:?} of {least}");
     // All of them over the cycle, not one stop.
-    let power = asked.energies.iter().sum::<f64>() / timeline.end();
-    near(asked.power(), power, 1e-6);
+    let power = demand.energies.iter().sum::<f64>() / timeline.end();
+    near(demand.power(), power, 1e-6);
     near(power, 193.4, 1.0);
     let sizing = size(&lathe, &lathe.written());
-    let row = sizing.bill.iter().find(|row| row.item == BillItem::Resistor && row.axis == Some(asked.name)).unwrap();
+    let row = sizing.bill.iter().find(|row| row.item == BillItem::Resistor && row.axis == Some(demand.name)).unwrap();
     assert!(row.asked.contains("193.4") && row.asked.contains("brakes 21 times"), "{}", row.asked);
 }
 

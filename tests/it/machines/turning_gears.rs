@@ -83,8 +83,8 @@ fn delay_alone_has_to_last_the_ramp() {
     let row = delay("gsk-980tdc", &[]);
     // The exported ladder waits for the shift speed: the delay of the maker's own one is a fact to know.
     assert_eq!((row.value, row.verdict, row.limit), (12.0, Verdict::None, None));
-    let told = macroline::text::catalog::sentence(&row.advice[0].message);
-    assert!(told.contains("the exported one waits for the speed") && told.contains("DT000"), "{told}");
+    let advice = macroline::text::catalog::sentence(&row.advice[0].message);
+    assert!(advice.contains("the exported one waits for the speed") && advice.contains("DT000"), "{advice}");
     let row = delay("gsk-980tdc", &[("spindle-ramp", "5")]);
     assert_eq!((row.value, row.verdict), (5.0, Verdict::Ok));
     // The chuck's limit is the highest speed of each stage.

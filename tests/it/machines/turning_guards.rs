@@ -227,12 +227,12 @@ fn other_encoder_lines_are_on_the_sheet_or_warned_of() {
         let design = project(id, &[("encoder-lines", "2048")]).design();
         let warned = design.diagnostics.iter().any(|found| found.message.id == "encoder.other-lines");
         let sheet = project(id, &[("encoder-lines", "2048")]).export();
-        let told = sheet
+        let on_sheet = sheet
             .files
             .iter()
             .map(|exported| &exported.file)
             .any(|file| file.name == "parameters.csv" && file.text.contains("2048"));
-        assert!(warned != told, "{}: warned {warned}, told {told}", controls::find(id).unwrap().name);
+        assert!(warned != on_sheet, "{}: warned {warned}, on the sheet {on_sheet}", controls::find(id).unwrap().name);
     }
 }
 
@@ -252,14 +252,14 @@ fn falling_cone_asks_for_an_insert_that_clears_it() {
         found.next().map(|found| (found.severity, found.entry, sentence(&found.message)))
     };
     // atan(19 / 5) = 75.3°; 19 / tan 50° = 15.943.
-    let (severity, entry, said) = cone(&[("length", "5")]).unwrap();
+    let (severity, entry, message) = cone(&[("length", "5")]).unwrap();
     assert_eq!((severity, entry), (Severity::Error, Some(15.943)));
-    assert!(said.contains("75.3°") && said.contains("50°"), "{said}");
+    assert!(message.contains("75.3°") && message.contains("50°"), "{message}");
     assert_eq!(cone(&[("length", "15.943")]).unwrap().0, Severity::Warning);
     // atan(19 / 50) = 20.8°: 64.2° are left for the insert.
-    let (severity, _, said) = cone(&[("length", "50")]).unwrap();
+    let (severity, _, message) = cone(&[("length", "50")]).unwrap();
     assert_eq!(severity, Severity::Warning);
-    assert!(said.contains("20.8°") && said.contains("64° at most"), "{said}");
+    assert!(message.contains("20.8°") && message.contains("64° at most"), "{message}");
     assert_eq!(cone(&[("length", "50"), ("large-diameter", "50")]), None);
     assert_eq!(cone(&[("length", "50"), ("large-diameter", "60")]), None);
     assert_eq!(cone(&[("length", "50"), ("edge-angle", "170")]).unwrap().1, None);

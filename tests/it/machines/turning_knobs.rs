@@ -37,8 +37,8 @@ fn torque_is_judged_at_the_end_of_the_feed_knob() {
     let needed = 55.47 * math::pow(1.5, 0.78) + 2.0;
     assert!((77.9..78.3).contains(&needed), "{needed}");
     let weak = at("9");
-    let said = warning(&weak, "torque");
-    assert!(said.contains("feed override at 150 %") && said.contains(&format!("{needed:.1} Nm")), "{said}");
+    let advice = warning(&weak, "torque");
+    assert!(advice.contains("feed override at 150 %") && advice.contains(&format!("{needed:.1} Nm")), "{advice}");
     let after = mended(&weak, "torque");
     assert_eq!(after.verdict, Verdict::Ok, "{after:?}");
     assert_eq!(readout(&at("18"), "torque").verdict, Verdict::Ok);
@@ -46,8 +46,8 @@ fn torque_is_judged_at_the_end_of_the_feed_knob() {
 
 #[test]
 fn feed_knob_of_a_panel_with_120_percent_ends_there() {
-    let said = warning(&shaft("sinumerik-802d", &[("motor-power", "8"), ("upper-limit", "1000")]), "torque");
-    assert!(said.contains("feed override at 120 %"), "{said}");
+    let advice = warning(&shaft("sinumerik-802d", &[("motor-power", "8"), ("upper-limit", "1000")]), "torque");
+    assert!(advice.contains("feed override at 120 %"), "{advice}");
 }
 
 /// Power that suffices with either knob at its end, and not with both.
@@ -61,9 +61,9 @@ fn power_is_judged_with_both_knobs_at_their_ends() {
     assert!(spindle < feed && feed < 9.0 && both > 9.2, "{feed} {spindle} {both}");
     // 80 % of 11.3 kW.
     let lathe = shaft("gsk-980tdc", &[("motor-power", "11.3"), ("motor-base", "300")]);
-    let said = warning(&lathe, "power");
+    let advice = warning(&lathe, "power");
     let named = format!("feed override at 150 % and the spindle override at 120 %, cut and friction take {both:.2} kW");
-    assert!(said.contains(&named), "{said}");
+    assert!(advice.contains(&named), "{advice}");
     assert_eq!(mended(&lathe, "power").verdict, Verdict::Ok);
 }
 
@@ -74,8 +74,8 @@ fn force_on_the_slides_is_judged_at_the_feed_knob() {
     let limit = |stall: f64| stall * 0.8;
     assert!(torque < limit(1.3), "{torque}");
     let weak = lathe("1.3");
-    let said = warning(&weak, "z-cut-torque");
-    assert!(said.contains("feed override at 150 %"), "{said}");
+    let advice = warning(&weak, "z-cut-torque");
+    assert!(advice.contains("feed override at 150 %"), "{advice}");
     assert_eq!(mended(&weak, "z-cut-torque").verdict, Verdict::Ok);
 }
 
@@ -87,9 +87,9 @@ fn bending_is_judged_at_the_end_of_the_feed_knob() {
     };
     let bends = readout(&lathe("310"), "bending");
     assert!((0.075..0.1).contains(&bends.value), "{}", bends.value);
-    let said = warning(&lathe("310"), "bending");
+    let advice = warning(&lathe("310"), "bending");
     let shown = format!("{:.2} mm", bends.value * math::pow(1.5, 0.78));
-    assert!(said.contains(&shown) && said.contains("150 %"), "{said}: {shown}");
+    assert!(advice.contains(&shown) && advice.contains("150 %"), "{advice}: {shown}");
     assert_eq!(mended(&lathe("310"), "bending").verdict, Verdict::Ok);
 }
 
@@ -109,8 +109,8 @@ fn envelope_at_the_feed_knob_is_that_of_more_feed() {
         near_share(value, row(&more, OperatingEvent::Run, id).0, 1e-3);
     }
     // The motors of the list are judged with it: the spindle of the smaller feed asks as much as that of the larger one at 100 %.
-    let asked = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().asked.effective;
-    assert!(asked(&knob) >= row(&more, OperatingEvent::Run, "z-effective-torque").0 * 0.999);
+    let effective_torque = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().asked.effective;
+    assert!(effective_torque(&knob) >= row(&more, OperatingEvent::Run, "z-effective-torque").0 * 0.999);
 }
 
 #[test]
@@ -149,8 +149,8 @@ fn knob_that_lifts_a_fixed_speed_over_its_limit_warns() {
     };
     for percent in ["100", "120"] {
         let passed = found(&lathe(&[("override", percent)])).unwrap();
-        let said = sentence(&passed.message);
-        assert!(said.contains("override at 120 %") && said.contains("1909 r/min"), "{said}");
+        let message = sentence(&passed.message);
+        assert!(message.contains("override at 120 %") && message.contains("1909 r/min"), "{message}");
         assert_eq!((passed.field, passed.entry), (Some("cutting-speed"), Some(251.0)));
     }
     assert_eq!(found(&lathe(&[("cutting-speed", "251")])), None);

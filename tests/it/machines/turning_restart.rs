@@ -51,8 +51,8 @@ fn restart_repeats_the_program_or_raises_an_alarm() {
                 // A control without alarms of a program shows its message and stops.
                 Some(stopped @ (RunEnd::Alarm(_) | RunEnd::Stop)) => {
                     let message = planner.timeline().message_at(planner.timeline().end()).unwrap_or_default();
-                    let said = format!("{stopped:?} {message}");
-                    assert!(said.contains("RETRACT THE TOOL"), "{name} at {t}: {said}");
+                    let ending = format!("{stopped:?} {message}");
+                    assert!(ending.contains("RETRACT THE TOOL"), "{name} at {t}: {ending}");
                     let [before, after] = [t + PAUSE, planner.timeline().end()].map(|t| planner.timeline().words_at(t));
                     assert!(before.iter().zip(after).all(|(b, a)| (b - a).abs() < 1e-6), "{name} at {t}: it moved");
                     alarms += 1;

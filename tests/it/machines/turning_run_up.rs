@@ -232,9 +232,9 @@ fn table_of_stops_has_the_coasting_time_of_the_spindle() {
         // As in the operating envelope: with the knob at its highest position.
         let most = sized(&lathe).envelope.into_iter().filter(|row| row.event == OperatingEvent::PowerFailure);
         let most = most.filter(|row| row.unit == "s").map(|row| row.value).fold(0.0, f64::max);
-        let told = format!("coasts to rest beside the tool, {most:.1} s");
+        let wanted = format!("coasts to rest beside the tool, {most:.1} s");
         assert!(most >= value(&lathe, "coasting-time"), "{control}: {most} s");
-        assert!(fault.contains(&told) && !fault.contains("open"), "{control}: {fault}");
+        assert!(fault.contains(&wanted) && !fault.contains("open"), "{control}: {fault}");
     }
 }
 

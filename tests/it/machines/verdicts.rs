@@ -275,7 +275,7 @@ fn red(readouts: &[Readout]) -> BTreeSet<&'static str> {
 }
 
 /// Results that fail after an advice, by the notes after it.
-fn said_red(notes: &[Advice]) -> BTreeSet<&'static str> {
+fn named_red(notes: &[Advice]) -> BTreeSet<&'static str> {
     let notes = notes.iter().take_while(|note| note.message.id == "advice.turns-red");
     notes
         .filter_map(|note| match note.message.value("result") {
@@ -381,9 +381,9 @@ fn every_advice_has_a_button_that_improves_its_verdict() {
                     ));
                 }
                 let turned: BTreeSet<_> = red(&after.readouts).difference(&red(&design.readouts)).copied().collect();
-                let said = said_red(&readout.advice[at + 1..]);
-                if said != turned {
-                    found.push(format!("{}: {turned:?} turn red, said {said:?}\n    {about}", readout.id));
+                let named = named_red(&readout.advice[at + 1..]);
+                if named != turned {
+                    found.push(format!("{}: {turned:?} turn red, named {named:?}\n    {about}", readout.id));
                 }
             }
         }

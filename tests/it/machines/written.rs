@@ -78,9 +78,9 @@ fn written_programs_have_no_findings() {
             for project in chosen(*machine, control, MOST) {
                 let written = project.written();
                 let found: Vec<_> = written.diagnostics.iter().cloned().chain(project.advice(&written)).collect();
-                let said = |d: &macroline::text::Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
-                let said: Vec<String> = found.iter().map(said).collect();
-                assert!(said.is_empty(), "{} on {control}, {:?}: {said:#?}", machine.id(), project.values);
+                let line = |d: &macroline::text::Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
+                let lines: Vec<String> = found.iter().map(line).collect();
+                assert!(lines.is_empty(), "{} on {control}, {:?}: {lines:#?}", machine.id(), project.values);
             }
         }
     }

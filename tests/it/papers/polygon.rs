@@ -267,7 +267,7 @@ fn codes_are_alone_in_their_block() {
 
 fn o3000_runs_as_printed() {
     let run = part(O3000);
-    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.said());
+    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.finding_ids());
 }
 
 fn o3000_turns_20_mm() {

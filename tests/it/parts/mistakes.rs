@@ -17,8 +17,8 @@ fn check(text: &str, name: &str, expect: Expect) {
 }
 
 macro_rules! mistakes {
-    ($($name:ident: $file:literal, $text:expr, $said:expr;)*) => {
-        $(#[test] fn $name() { check($text, $file, $said); })*
+    ($($name:ident: $file:literal, $text:expr, $expected:expr;)*) => {
+        $(#[test] fn $name() { check($text, $file, $expected); })*
     };
 }
 

@@ -43,7 +43,7 @@ fn value(project: &Project, id: &str) -> f64 {
     result(project, id).value
 }
 
-fn said(readout: &Readout) -> Vec<String> {
+fn advice_texts(readout: &Readout) -> Vec<String> {
     readout.advice.iter().map(|advice| sentence(&advice.message)).collect()
 }
 
@@ -89,7 +89,7 @@ fn without_a_law_results_and_program_are_those_of_before() {
         lines.filter(|line| *line != "(CAM-LAW=MODIFIED-SINE)").map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(text(&with), text(&without));
-    let note = said(&result(&with, "cam-peak-speed"));
+    let note = advice_texts(&result(&with, "cam-peak-speed"));
     assert!(note[0].contains("The program that is written keeps one constant ratio"), "{note:?}");
     let plain = Project::named("ribbon-line", None, None).unwrap();
     assert!(readouts(&plain).iter().all(|row| !row.id.starts_with("cam-")));
@@ -187,7 +187,7 @@ fn matched_roller_has_nothing_to_correct() {
 fn roller_that_lags_too_far_turns_back() {
     // 100 heads: the arc is 4.23 mm shorter than the pitch, 3.2 mm are the most.
     let back = result(&line(LAWS[0], &[("heads", 100.0)]), "cam-longest-lag");
-    assert_eq!((back.verdict, said(&back).len()), (Verdict::Warn, 1));
+    assert_eq!((back.verdict, advice_texts(&back).len()), (Verdict::Warn, 1));
     assert!(value(&line(LAWS[0], &[("heads", 100.0)]), "cam-peak-speed") < 0.0);
     let lag = result(&line(LAWS[0], &[("heads", 55.0)]), "cam-longest-lag");
     let Some(Limit::AtLeast(limit)) = lag.limit else { panic!("{lag:?}") };
@@ -205,7 +205,7 @@ fn short_blocks_are_too_short_for_the_papers_control() {
     // 6 mm at 251.3 mm/s in five blocks; 7.1 + 3 ms are needed.
     assert!((time.value - 4.7746).abs() < 1e-3, "{}", time.value);
     assert_eq!(time.verdict, Verdict::Warn);
-    let text = said(&time);
+    let text = advice_texts(&time);
     assert!(text[0].contains("lasts 3.9 ms") && text[0].contains("needs 10.1 ms"), "{text:?}");
     assert!(text[0].contains("up to 7129 mm/min"), "{text:?}");
 }
@@ -239,7 +239,7 @@ fn contact_as_long_as_the_pitch_leaves_no_time() {
     assert!(design.readouts.iter().all(|row| !row.id.starts_with("cam-")));
     assert!(design.diagnostics.iter().any(|found| found.field == Some("contact-length")), "{:?}", design.diagnostics);
     let ratio = design.readouts.iter().find(|row| row.id == "surface-ratio").unwrap();
-    assert!(said(ratio).iter().any(|text| text.starts_with("No electronic cam helps")));
+    assert!(advice_texts(ratio).iter().any(|text| text.starts_with("No electronic cam helps")));
     let open = line(LAWS[0], &[("contact-length", 7.999)]).design();
     assert!(open.diagnostics.iter().all(|found| found.field != Some("contact-length")));
     assert!(open.readouts.iter().any(|row| row.id == "cam-peak-torque"));

@@ -142,8 +142,8 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
     let fastest = sizing.fastest.unwrap();
     assert_eq!(fastest.result.id, "line-speed");
     let set = project.with_entries(&[fastest.entry]).unwrap().design();
-    let told = set.readouts.iter().find(|row| row.id == "line-speed").unwrap().value;
-    super::same("fastest line", fastest.value, told, 1e-9);
+    let line_speed = set.readouts.iter().find(|row| row.id == "line-speed").unwrap().value;
+    super::same("fastest line", fastest.value, line_speed, 1e-9);
 }
 
 #[test]
@@ -301,15 +301,15 @@ fn control_without_a_current_motor_shows_the_demand() {
             let Some(shortage) = shortage else { continue };
             shortages += 1;
             // Its demand is at the top of the list, in the offer too.
-            let (told, asked) = (sentence(&shortage), axis.asked);
+            let (text, demand) = (sentence(&shortage), axis.asked);
             assert!(
-                told.contains(&format!("{:.2} Nm", asked.peak).replace(' ', "\u{202f}"))
-                    || told.contains(&format!("{:.2} Nm", asked.peak)),
-                "{told}"
+                text.contains(&format!("{:.2} Nm", demand.peak).replace(' ', "\u{202f}"))
+                    || text.contains(&format!("{:.2} Nm", demand.peak)),
+                "{text}"
             );
             let offer = sizing.offer();
             let lists = offer.iter().filter(|sheet| sheet.id == "motors");
-            assert!(lists.into_iter().any(|sheet| sheet.rows[0].cells.contains(&told)), "{control}: {told}");
+            assert!(lists.into_iter().any(|sheet| sheet.rows[0].cells.contains(&text)), "{control}: {text}");
         }
     }
     assert!(shortages > 0, "no axis lacks a motor");
@@ -326,15 +326,15 @@ fn site_of_amplifiers_is_an_open_point() {
     let line = line.with_entries(&[("dancer", "false")]).unwrap();
     let open = |line: &Project| {
         let bill = sized(line).bill;
-        let told = |row: BillRow| row.open.into_iter().map(move |open| (row.item, sentence(&open)));
-        bill.into_iter().filter(|row| row.item != BillItem::Motor).flat_map(told).collect::<Vec<_>>()
+        let open_points = |row: BillRow| row.open.into_iter().map(move |open| (row.item, sentence(&open)));
+        bill.into_iter().filter(|row| row.item != BillItem::Motor).flat_map(open_points).collect::<Vec<_>>()
     };
     let here = open(&line);
-    assert!(!here.is_empty() && here.iter().all(|(_, told)| told.contains("takes the axis commands")), "{here:?}");
+    assert!(!here.is_empty() && here.iter().all(|(_, text)| text.contains("takes the axis commands")), "{here:?}");
     // 40 °C at 4000 m leave 77 % (sizing facts 2.7).
     let high = line.with_entries(&[("site-height", "4000")]).unwrap();
-    let told = open(&high);
-    assert!(told.iter().any(|(item, told)| *item == BillItem::Amplifier && told.contains("77")), "{told:?}");
+    let points = open(&high);
+    assert!(points.iter().any(|(item, text)| *item == BillItem::Amplifier && text.contains("77")), "{points:?}");
 }
 
 #[test]
@@ -346,15 +346,15 @@ fn part_made_for_repair_alone_is_marked_where_it_is_ordered() {
     project.values.insert("motor-x".to_owned(), Value::Text("Works S1".to_owned()));
     let sizing = sized(&project);
     let cells = sizing.bill_sheet().rows[1].cells.clone();
-    let told = ["Works", "S1", "1", "spare part: made for repair alone", "", "entered", "own sheet"];
-    assert_eq!(cells[1..], told.map(str::to_owned));
+    let wanted = ["Works", "S1", "1", "spare part: made for repair alone", "", "entered", "own sheet"];
+    assert_eq!(cells[1..], wanted.map(str::to_owned));
     let listed = sizing.sheets().into_iter().filter(|sheet| sheet.id == "motors").flat_map(|sheet| sheet.rows);
     let own = listed.map(|row| row.cells).find(|cells| cells[0] == "Works S1").unwrap();
     assert!(own.contains(&"spare part".to_owned()), "{own:?}");
     let json = sizing.json();
     let row = &json["bom"][1];
-    let told = ["part", "maker", "model", "status", "source", "grade"].map(|key| row[key].as_str().unwrap());
-    assert_eq!(told, ["Works S1", "Works", "S1", "spare part", "own sheet", "entered"]);
+    let members = ["part", "maker", "model", "status", "source", "grade"].map(|key| row[key].as_str().unwrap());
+    assert_eq!(members, ["Works S1", "Works", "S1", "spare part", "own sheet", "entered"]);
     assert!(json["axes"][0]["candidates"].as_array().unwrap().iter().any(|motor| motor["status"] == "unknown"));
 }
 
@@ -530,11 +530,11 @@ fn refusal(sizing: &Sizing, axis: &str, model: &str) -> String {
 #[test]
 fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
     // Both axes reach 3000 r/min over 20 ms: above its rated speed of 1000 r/min a motor gives a third of its peak torque there.
-    let asked = [("gear-x", "100"), ("gear-y", "100"), ("time-constant-x", "20"), ("time-constant-y", "20")];
+    let entries = [("gear-x", "100"), ("gear-y", "100"), ("time-constant-x", "20"), ("time-constant-y", "20")];
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
          servo,Works,SLOW,1000,6000,2,6,0.0001,entered\n\
          servo,Works,FAST,5000,6000,2,6,0.0001,entered\n";
-    let mut project = line().with_entries(&asked).unwrap();
+    let mut project = line().with_entries(&entries).unwrap();
     project.add_parts(parts::read(table, "own.csv").0);
     let sizing = sized(&project);
     let shares = |model: &str| {
@@ -750,9 +750,9 @@ fn named_motor_that_the_list_refuses_is_marked_in_the_bill() {
     assert!(why.starts_with("Too hot: "), "{why}");
     let cells = refused.bill_sheet().rows.into_iter().map(|row| row.cells);
     assert!(cells.flatten().any(|cell| cell.starts_with(&format!("✕ {why}"))));
-    let told =
+    let count =
         refused.findings().iter().map(|found| sentence(&found.message)).filter(|found| found.contains(&why)).count();
-    assert_eq!(told, 1);
+    assert_eq!(count, 1);
     let json = refused.json();
     let rows = json["bom"].as_array().unwrap();
     assert_eq!(rows.iter().filter(|row| row["refused"] == why.as_str()).count(), 1);

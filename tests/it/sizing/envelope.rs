@@ -168,10 +168,10 @@ fn start_and_stops_are_looked_at_with_the_knob_at_its_ends() {
             assert_eq!(row(&sizing, event, "x-torque").knob, Some(KNOB), "{}", event.id());
         }
     }
-    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    let lines = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
     assert!(
-        told.iter().any(|line| line.starts_with("Power failure with the knob at 200 %: Loop comes to ")),
-        "{told:?}"
+        lines.iter().any(|line| line.starts_with("Power failure with the knob at 200 %: Loop comes to ")),
+        "{lines:?}"
     );
 }
 
@@ -193,9 +193,9 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     assert_eq!(row(&sizing, OperatingEvent::PowerFailure, "loop").verdict, Verdict::Fail);
     let sheet = sizing.sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
     let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.entries).collect();
-    let told =
+    let findings_of =
         |sizing: &Sizing| -> Vec<String> { sizing.findings().iter().map(|found| sentence(&found.message)).collect() };
-    let lines = told(&sizing);
+    let lines = findings_of(&sizing);
     assert_eq!(lines.len(), 2, "{lines:?}");
     for (line, event) in lines.iter().zip(["Inverter fault", "Power failure"]) {
         assert!(line.starts_with(&format!("{event} with the knob at 200 %: Loop comes to ")), "{line}");
@@ -203,7 +203,7 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     let [set] = sets.as_slice() else { panic!("{sets:?}") };
     assert_eq!(set.field, "loop-capacity");
     let after = sized(&project.with_entries(&sets).unwrap());
-    assert_eq!(told(&after), [""; 0]);
+    assert_eq!(findings_of(&after), [""; 0]);
     assert!(after.envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
     let sheet = after.sheets().into_iter().find(|sheet| sheet.id == "envelope").expect("an envelope");
     assert!(!sheet.rows.is_empty() && sheet.rows.iter().all(|row| row.entries.is_empty()));
@@ -282,9 +282,9 @@ fn torque_at_start_is_the_peak_torque_of_the_results() {
     let project = line();
     let sizing = sized(&project);
     for axis in ["x", "y"] {
-        let asked = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
-        let there = at_knob(&project, asked);
-        super::same(axis, asked.value, value(&there, &format!("{axis}-peak-torque")), 1e-3);
+        let start_torque = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
+        let there = at_knob(&project, start_torque);
+        super::same(axis, start_torque.value, value(&there, &format!("{axis}-peak-torque")), 1e-3);
     }
 }
 
@@ -442,8 +442,8 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
         assert!(slack.is_cut && slack.verdict == Verdict::Fail, "{slack:?}");
     }
     assert!(!row(&sizing, OperatingEvent::EmergencyStop, "time").is_cut);
-    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
-    assert!(told.iter().any(|line| line.contains(": Loop comes to > ")), "{told:?}");
+    let sentences = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(sentences.iter().any(|line| line.contains(": Loop comes to > ")), "{sentences:?}");
     // No loop would hold.
     assert!(sizing.holding_limits.iter().all(|limit| limit.id != "loop" || limit.is_cut && limit.entry.is_none()));
 }
@@ -485,10 +485,10 @@ fn lines_of_the_run_at_the_highest_knob_are_marked() {
         super::same("speed", speed, value(&there, "x-motor-speed"), 1e-3);
         assert_eq!(most < x.work.unwrap().peak.torque, !at_highest_knob);
     }
-    let asked = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
-    assert!(asked.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", asked.rows[0].cells);
+    let demand = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
+    assert!(demand.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", demand.rows[0].cells);
     // A click leads to a moment of the run that is shown; its torque is there.
-    let lines: Vec<&str> = asked.drawing.split("<g").skip(1).collect();
+    let lines: Vec<&str> = demand.drawing.split("<g").skip(1).collect();
     assert!(
         lines.iter().any(|line| line.contains("data-at=")) && lines.iter().any(|line| line.contains("knob at 200 %"))
     );
@@ -531,10 +531,13 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     // The measured span ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its highest position 310 mm/s over 2 s.
     let filled = row(&sizing, OperatingEvent::Run, "loop").value;
     assert!((300.0 + 200.0..300.0 + 320.0).contains(&filled), "{filled}");
-    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
-    assert!(told[0].starts_with("A contact of the machine holds the program from 2."), "{told:?}");
+    let sentences = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(sentences[0].starts_with("A contact of the machine holds the program from 2."), "{sentences:?}");
     assert_eq!((sizing.cut.as_ref().unwrap().is_held, sizing.cycle), (true, None));
-    assert!(told.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")), "{told:?}");
+    assert!(
+        sentences.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")),
+        "{sentences:?}"
+    );
     // The loop that is offered is the one of runs that nothing holds.
     let sets: Vec<_> = sizing.holding_limits.iter().filter_map(|limit| limit.entry.clone()).collect();
     let after = sized(&project.with_entries(&sets).unwrap());

@@ -72,11 +72,11 @@ fn play_counts_where_the_torque_changes_its_sign() {
         backlash: Some(8.0),
         ..GearRatings::default()
     };
-    let asked = GearDuty { peak: 1.0, mean: 1.0, speed: 100.0, mean_speed: 100.0 };
-    assert_eq!(ratings.refuses(&asked, None), None);
-    assert_eq!(ratings.refuses(&asked, Some(8.0)), None);
-    assert_eq!(ratings.refuses(&asked, Some(3.0)), Some(GearRefusal::Backlash(8.0, 3.0)));
-    assert_eq!(GearRatings { rated_torque: None, ..ratings }.refuses(&asked, None), Some(GearRefusal::Unknown));
+    let duty = GearDuty { peak: 1.0, mean: 1.0, speed: 100.0, mean_speed: 100.0 };
+    assert_eq!(ratings.refuses(&duty, None), None);
+    assert_eq!(ratings.refuses(&duty, Some(8.0)), None);
+    assert_eq!(ratings.refuses(&duty, Some(3.0)), Some(GearRefusal::Backlash(8.0, 3.0)));
+    assert_eq!(GearRatings { rated_torque: None, ..ratings }.refuses(&duty, None), Some(GearRefusal::Unknown));
 }
 
 #[test]

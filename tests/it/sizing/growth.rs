@@ -56,24 +56,24 @@ fn fastest_entry_fails_only_in_the_named_results() {
 
 #[test]
 fn json_has_the_reason_for_no_fastest_speed() {
-    let told = |project: &Project| {
+    let reason_of = |project: &Project| {
         let json = sized(project).json();
         let reason = json["inverse_reason"].as_str().map(str::to_owned);
         assert_eq!(json["inverse"].is_null(), reason.is_some(), "{json}");
         reason.unwrap_or_default()
     };
     let lathe = Project::named("turning-spindle", None, None).unwrap();
-    let reason = told(&lathe);
+    let reason = reason_of(&lathe);
     assert!(reason.starts_with("No limit binds: nothing fails up to Cutting speed 2"), "{reason}");
     let line = Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
-    let reason = told(&line);
+    let reason = reason_of(&line);
     assert!(reason.starts_with("No tried value keeps every verdict: with Spindle speed S down to "), "{reason}");
     assert!(reason.ends_with(" fails."), "{reason}");
     for machine in ALL {
         for control in machine.controls() {
             for example in machine.examples() {
                 let project = Project::named(machine.id(), Some(control), Some(example.id)).unwrap();
-                told(&project);
+                reason_of(&project);
             }
         }
     }

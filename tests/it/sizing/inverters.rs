@@ -57,8 +57,8 @@ fn overload_of_the_inverter_carries_the_run_up() {
     // 1.6 times 6 A are more than 8.8 A.
     let hasty = lathe("1.5", 6.0, &both);
     assert_eq!((inverter(&hasty), &motor(&hasty).refusal), ("I9", &None));
-    let asked = motor(&hasty).short_time_current.unwrap();
-    assert!((9.4..10.4).contains(&asked), "{asked}");
+    let current = motor(&hasty).short_time_current.unwrap();
+    assert!((9.4..10.4).contains(&current), "{current}");
 }
 
 #[test]
@@ -82,8 +82,8 @@ fn unknown_overload_of_the_inverter_is_an_open_point() {
         row.open.iter().map(sentence).collect::<Vec<_>>()
     };
     assert!(open("200").is_empty());
-    let asked = open("");
-    assert!(asked.len() == 1 && asked[0].contains(" A for 3 s"), "{asked:?}");
+    let open_points = open("");
+    assert!(open_points.len() == 1 && open_points[0].contains(" A for 3 s"), "{open_points:?}");
 }
 
 #[test]

@@ -115,10 +115,10 @@ fn stops_of_a_slant_bed_tell_the_brake() {
         for (angle, has_brake) in [("0", false), ("60", true)] {
             let project = lathe(name, first_control(name), &[("bed-angle", angle)]);
             let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").unwrap();
-            let told = |at: &str| sheet.rows.iter().find(|row| row.cells[0] == at).map(|row| row.cells[2].clone());
-            let stop = told("Emergency stop").unwrap();
+            let cell = |at: &str| sheet.rows.iter().find(|row| row.cells[0] == at).map(|row| row.cells[2].clone());
+            let stop = cell("Emergency stop").unwrap();
             assert_eq!(stop.contains("the brake of X closes within 0.1 s"), has_brake, "{name} {angle}: {stop}");
-            let dark = told("Power failure").unwrap_or_default();
+            let dark = cell("Power failure").unwrap_or_default();
             assert_eq!(dark.contains("X sinks by at most"), has_brake, "{name} {angle}: {dark}");
         }
         // From rest under T / (J_L + J_M) for 0.1 s.

@@ -51,8 +51,8 @@ fn stop_beyond_the_braking_power_of_the_inverter_fails() {
     assert_eq!(*sets[1], [FieldEntry::new("unwinder-motor-braking", "61")]);
     // The energy of the stop, half of torque, speed and time.
     let joules = 0.5 * braking.value * 1480.0 * PI / 30.0 * 2.0;
-    let told = resistor(&heavy).unwrap();
-    assert!((joules - 472.0).abs() < 2.0 && told.contains(&format!("{joules:.0} J")), "{joules}: {told}");
+    let text = resistor(&heavy).unwrap();
+    assert!((joules - 472.0).abs() < 2.0 && text.contains(&format!("{joules:.0} J")), "{joules}: {text}");
     let light = line(&[]);
     assert_eq!(readout(&light, "unwinder-braking-torque").verdict, Verdict::Ok);
     assert_eq!(resistor(&light), None);
@@ -134,7 +134,7 @@ fn motor_with_other_poles_takes_its_frequency_into_the_form() {
     assert_eq!(again(&taken), None);
     // The name alone, at the frequency of four poles: the line would run twice as fast.
     let named = heavy.with_entries(&[motor.entries[0].clone()]).unwrap();
-    assert!(again(&named).is_some_and(|said| said.contains("3000 r/min")), "{:?}", again(&named));
+    assert!(again(&named).is_some_and(|text| text.contains("3000 r/min")), "{:?}", again(&named));
     let four = unwinder(&sizing).iter().find(|motor| motor.part.model.ends_with("/4")).unwrap();
     let frequency = four.entries.iter().find(|entry| entry.field == "frequency-at-10v").unwrap();
     assert_eq!(frequency.text, "50");
