@@ -5,7 +5,7 @@ use macroline::drives::Rotation;
 use macroline::motion::{Action, Event, PlcOrders, PlcSignals, ProgramState, Snapshot};
 use macroline::project::Project;
 
-use super::ribbon_controls::over_time;
+use super::ribbon::each_control::over_time;
 use crate::queries::{every_machine_on_every_control, report_text, stop_table};
 
 /// Each of the two lathes on each of its controls.

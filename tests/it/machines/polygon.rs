@@ -1,5 +1,14 @@
 //! The polygon lathe: its programs run, both axes keep their ratio, mistakes are alarms, the run cuts the shape of the formulas.
 
+mod drawing;
+mod knobs;
+mod main_spindle;
+mod paper;
+mod several;
+mod shaft;
+mod sheets;
+mod torque;
+
 use std::path::PathBuf;
 use std::rc::Rc;
 
@@ -16,7 +25,7 @@ use macroline::text::Severity;
 use macroline::text::catalog::{number_text, sentence};
 use macroline::view::{Theme, Verdict, svg};
 
-use super::drawn::area;
+use super::every_machine::drawn::area;
 use crate::queries;
 use crate::queries::value;
 

@@ -4,7 +4,7 @@ use macroline::machines;
 use macroline::motion::{Action, RunEnd};
 use macroline::project::Project;
 
-use super::restart::{Outcome, within};
+use super::every_machine::restart::{Outcome, within};
 
 /// Each machine with a spindle on each of its controls, and a moment of its program at which spindle and axes move.
 fn moving() -> impl Iterator<Item = (String, Project, f64)> {

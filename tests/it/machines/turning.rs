@@ -1,5 +1,17 @@
 //! The turning spindle: its closed forms against the run, its programs, its drawing, its verdicts.
 
+mod clauses;
+mod cooling;
+mod demand;
+mod drawing;
+mod each_control;
+mod gears;
+mod guards;
+mod knobs;
+mod restart;
+mod run_up;
+mod torque;
+
 use std::path::PathBuf;
 
 use expect_test::{expect, expect_file};
@@ -15,7 +27,7 @@ use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
-use super::drawn::area;
+use super::every_machine::drawn::area;
 use crate::queries;
 use crate::queries::value;
 

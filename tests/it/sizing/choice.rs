@@ -256,7 +256,7 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let (row, rows) = (row.expect("a row"), lathe.design().readouts);
     let value = |id: &str| rows.iter().find(|row| row.id == id).unwrap().value;
     // ½ (J_L η + J_M) ω² less the work of friction over the stop, at the motor, which turns as fast as the spindle with 10 V. All brakings
-    // of the run are checked in `machines/turning_demand.rs`.
+    // of the run are checked in `machines/turning/demand.rs`.
     let (speed, ramp) = (value("speed-largest").max(value("speed-smallest")), 3.0);
     let (omega, stop) = (speed * std::f64::consts::TAU / 60.0, ramp * speed / value("stage-speed"));
     let inertia = (value("inertia") - 0.03) * 0.8 + 0.03;

@@ -7,7 +7,7 @@ use macroline::motion::Action;
 use macroline::project::Project;
 
 use super::{RUNS, at_rest, forms_and_examples, is_held, ladder, put_out, reset, settle, sheet};
-use crate::machines::restart::within;
+use crate::machines::every_machine::restart::within;
 
 /// Codes of 50 to 120 % in steps of 10, by the setting of the switch. Source: reference/gsk-980tdc.md, section 6.
 const CODES: [(&str, [f64; 8]); 2] =
