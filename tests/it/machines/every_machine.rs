@@ -4,7 +4,7 @@ pub(super) mod drawn;
 mod examples;
 mod files_drawn;
 mod links;
-pub(super) mod look;
+mod look;
 mod parts;
 mod plots;
 mod remedy;

@@ -4,7 +4,6 @@ mod contacts;
 pub(super) mod each_control;
 mod edges;
 mod endless;
-mod figure;
 mod holds;
 mod knob;
 mod length;

@@ -290,7 +290,7 @@ fn chart_points_equal_the_timeline() {
 }
 
 /// Cells of a sheet, one line a row.
-pub(in crate::machines) fn rows(changes: &[(&str, &str)], id: &str) -> String {
+fn rows(changes: &[(&str, &str)], id: &str) -> String {
     rows_with(changes, &Switches::default(), id)
 }
 

@@ -369,13 +369,13 @@ fn dropped_program_selects_its_control() {
     }
 }
 
-fn rows(on: ControlContext, changes: &[(&str, &str)], id: &str) -> String {
+pub(super) fn rows(on: ControlContext, changes: &[(&str, &str)], id: &str) -> String {
     let sheets = machine().prepare(&values(changes), on).sheets();
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
 
-pub(super) fn check(control: &str, changes: &[(&str, &str)], sheet: &str, wanted: Expect) {
+fn check(control: &str, changes: &[(&str, &str)], sheet: &str, wanted: Expect) {
     wanted.assert_eq(&rows(at_defaults(macroline::controls::find(control).unwrap()), changes, sheet));
 }
 
