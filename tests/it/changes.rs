@@ -1,4 +1,4 @@
-//! Difference between two states of a project in words.
+//! Differences between two states of a project, as phrases.
 
 use macroline::controls;
 use macroline::machines::form::Value;

@@ -561,7 +561,7 @@ fn large_faulty_programs_take_no_quadratic_time() {
         let program = |count: usize| head.to_owned() + &(1..=count).map(block).collect::<String>() + "M30\n";
         assert_no_quadratic_time(&path, name, &[&command(control)], &program);
     }
-    // One line of brackets, in a file whose missing variable asks for the free ones.
+    // One line of brackets, in a file that names a missing variable, for which free ones are proposed.
     let brackets = |count: usize| "O1\n#9999=1\n".to_owned() + &"(".repeat(10 * count);
     assert_no_quadratic_time(&path, "open brackets", &[&command("mitsubishi-e60")], &brackets);
     let words = |count: usize| ("X1Y1".repeat(count / 4) + "\n").repeat(20);

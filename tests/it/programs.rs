@@ -61,7 +61,7 @@ fn start_fixture(control: &'static Control, source: &str) -> Interp {
     start_on(control, source, &settings)
 }
 
-/// The override knob at 100 %, X at 12.5 mm when the machine is asked.
+/// The override knob at 100 %, X at 12.5 mm where a program reads them.
 fn world() -> MachineAtRest {
     MachineAtRest {
         inputs: vec![(1033, 100.0)],

@@ -401,7 +401,7 @@ fn letter_o_in_m30_is_one_finding() {
         let parsed = read_on(control(), &format!("G0 X1\n{end}\n"));
         let found: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
         match mended {
-            // The program has no end, whatever fix is made.
+            // The program has no end after any of the fixes.
             "M107" => assert_eq!(found, ["nc.no-program-end", "nc.letter-o"]),
             _ => assert_eq!(found, ["nc.letter-o"], "{end}"),
         }

@@ -543,7 +543,7 @@ fn design_readouts_match_their_golden() {
         Error angle-errors: Give numbers from -10 to 10 with spaces between them, one for each of the 2 inserts at most.
     "#]]
     .assert_eq(&verdicts(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
-    // A preset beyond its tolerance: there is no other way to turn it.
+    // A preset whose sides are beyond their tolerance: no choice of cutter and ratio is within it.
     expect![[r#"
         Fail flatness: The sides are uneven by 0.2212 mm; 0.1 mm are allowed. No choice on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of choices says which limit excludes each.
     "#]].assert_eq(&verdicts(&[("shape", "triangle")]));
@@ -729,7 +729,7 @@ fn taken_way_gives_the_figures_of_its_row() {
             ];
             let row: Vec<&String> = [4].into_iter().chain(6..12).map(|at| &way.cells[at]).collect();
             assert_eq!(row, expected.iter().collect::<Vec<_>>(), "{changes:?} {sets:?}");
-            // A way that is shown as possible stays within all of its limits, except the torque of the cut, which follows from the feed.
+            // A choice that is shown as possible stays within all of its limits, except the torque of the cut, which follows from the feed.
             let failed = taken
                 .readouts
                 .iter()

@@ -539,7 +539,7 @@ fn charts_over_the_speed_have_every_gear_stage() {
             assert_eq!(first.0, number(&project, "stage-1"));
             let cut = torque.series.iter().find(|line| line.label == "lathe.chart.cut").unwrap();
             assert!((cut.points.last().unwrap().1 - value(&project, "torque")).abs() < 1e-9, "{control} {changes:?}");
-            // The way in from the clearance begins at Ø 84.
+            // The infeed from the clearance begins at Ø 84.
             let slower = if prepared.hidden().contains(&"lower-limit") { 1.0 } else { 80.0 / 84.0 };
             let (speed, way_in) = (cut.points.last().unwrap().0, value(&project, "speed-largest"));
             assert!((speed * slower - way_in).abs() < 1e-9, "{control} {changes:?}: {speed}, {way_in}");

@@ -1,4 +1,4 @@
-//! Typical mistakes in tables of parts: each gets a sentence, its place, and a way out.
+//! Typical mistakes in tables of parts: each gets a sentence with its place and its correction.
 
 use expect_test::{Expect, expect};
 use macroline::nc::Files;

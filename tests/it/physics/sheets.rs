@@ -197,7 +197,7 @@ fn worked_802d_program_faces_and_stops_at_keyways() {
 
 #[test]
 fn spos_words_choose_their_direction() {
-    // sinumerik-802d.md section 3.6: from, target, state before, form, way, end.
+    // sinumerik-802d.md section 3.6: from, target, state before, form, angle to go, end.
     for (from, state, form, way, end) in [
         (10.0, "S1 M3", "90", 80.0, 90.0),
         (10.0, "S1 M4", "90", -280.0, 90.0),
@@ -213,7 +213,7 @@ fn spos_words_choose_their_direction() {
         (100.0, "", "AC(50)", -50.0, 50.0),
     ] {
         let mut lathe = Lathe::new("sinumerik-802d", &[]);
-        // A spindle that turns slowly and stops at once needs no more than the way itself.
+        // A spindle that turns slowly and stops at once needs no more than the angle to go.
         lathe.plant.spindle.positioning = Some(Positioning { speed: 100.0, acceleration: 1e9, clockwise: true });
         let planner = lathe.run(&format!("SPOS=0\nSPOS={from}\n{state}\nN9 SPOS={form}\nM0"));
         let begin = begins(&planner, "N9");

@@ -1,4 +1,4 @@
-//! Axis words beside each code of each control: they move the axes as its row says, or not at all, with a finding.
+//! Axis words beside each code of each control: they move the axes as in its row, or nothing moves and a finding reports it.
 
 use macroline::controls::{ALL, Code, CodeDef, CodeId, Control, Group};
 use macroline::interp;

@@ -261,7 +261,7 @@ fn check(blocks: &[&str], expected: Expect) {
         let alarms: Vec<String> = controls::ALL
             .iter()
             .map(|control| {
-                // The other language writes its formulas in another way.
+                // SINUMERIK writes R parameters and round brackets in its formulas.
                 let named = control.syntax.names.is_some();
                 let text =
                     if named { block.replace('#', "R").replace('[', "(").replace(']', ")") } else { block.to_string() };

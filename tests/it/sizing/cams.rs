@@ -14,7 +14,7 @@ use super::{SAME, oracle, same};
 const LAWS: [&str; 2] = ["polynomial-345", "modified-sine"];
 
 /// The paper's example with the exact π, 40 heads, a law, and a motor whose continuous torque is that of standstill at every speed, as the
-/// oracle has it. All heads weigh 0.9 kg together, whatever their number: 0.9 · 6² / 5² = 1.296 kg cm²
+/// oracle has it. All heads weigh 0.9 kg together at any number of heads: 0.9 · 6² / 5² = 1.296 kg cm²
 /// at the motor, beside the 0.6 of the gear.
 fn line(law: &str, entries: &[(&str, f64)]) -> Project {
     let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), Some("paper")).unwrap();
@@ -116,7 +116,7 @@ fn torque_holds_up_to_the_highest_speed_and_not_beyond() {
             assert_eq!((below.verdict, above.verdict), (Verdict::Ok, Verdict::Fail), "{torque}");
             let Some(Limit::AtMost(limit)) = below.limit else { panic!("{torque}") };
             same(torque, below.value, limit, 1e-5);
-            // The speed is the motor's, whatever the line's.
+            // The speed is that of the motor, at any speed of the line.
             same(speed, value(&at(law, 777.0, &wide), speed), value(&slow, speed), SAME);
         }
     }

@@ -271,7 +271,7 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
 #[test]
 fn amplifier_without_the_current_refuses_its_motor() {
     let mut project = line();
-    // 2.6 A for 1.3 Nm: the print roller asks 0.2 A and more.
+    // 2.6 A for 1.3 Nm: the print roller needs 0.2 A and more.
     let table = "kind,maker,series,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,rated_current_a,max_current_a,fits,source,grade\n\
          servo,Works,W,Z1,3000,6000,1.3,1.3,9,0.0005,2.6,18,,own sheet,entered\n\
          amplifier,Works,W,A1,,,,,,,0.01,0.02,Z1,own sheet,entered\n";
@@ -322,7 +322,7 @@ fn control_without_a_current_motor_shows_the_demand() {
 #[test]
 fn site_of_amplifiers_is_an_open_point() {
     let line = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
-    // A dancer asks its inverter for more.
+    // With a dancer the inverter has open points of its own.
     let line = line.with_entries(&[("dancer", "false")]).unwrap();
     let open = |line: &Project| {
         let bill = sized(line).bill;
@@ -394,7 +394,7 @@ fn spindle_motor_is_chosen_by_cut_and_run_up() {
         };
         ["L15", "L30", "H30"].map(own)
     };
-    // The cut alone asks 11.6 Nm with the feed override at 150 %; chuck and work of 0.202 kg m² and a rotor of 0.01 take 3.3 Nm over 10 s, a rotor of 0.5 takes 11 Nm.
+    // The cut alone needs 11.6 Nm with the feed override at 150 %; chuck and work of 0.202 kg m² and a rotor of 0.01 take 3.3 Nm over 10 s, a rotor of 0.5 takes 11 Nm.
     assert_eq!(refused(&[("spindle-ramp", "10")]), ["", "", ""]);
     // Over 1.5 s they ask 22.3 and 2 Nm of friction, of 22.5 Nm short-time.
     let [light, strong, heavy] = refused(&[("spindle-ramp", "1.5")]);
@@ -470,7 +470,7 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             assert_eq!(rows("X0:"), 2 * (drives + supplies + fans) + 6, "{name}");
             let enabled = sizing.terminals.iter().filter(|row| row.signal.starts_with("Enable")).count();
             assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
-            // The table of stops lets them brake to rest; work and tool coast only where the form says so.
+            // The table of stops lets them brake to rest; work and tool coast only with that entry of the form.
             let at_once = |project: &Project| {
                 let rows = sized_without_envelope(project).terminals;
                 rows.iter().filter(|row| row.signal == "Enable, at once").count()
@@ -548,7 +548,7 @@ fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
 
 #[test]
 fn motor_is_too_hot_by_its_torque_at_the_mean_speed() {
-    // The web asks 0.08 Nm in the mean at 290 r/min: at rated speed 300 r/min the motor gives 0.05 Nm, at standstill 1 Nm.
+    // The web needs 0.08 Nm in the mean at 290 r/min: at rated speed 300 r/min the motor gives 0.05 Nm, at standstill 1 Nm.
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
          servo,Works,DROPS,300,3000,0.05,1,6,0.0001,entered\n\
          servo,Works,HOLDS,300,3000,1,1,6,0.0001,entered\n";
@@ -640,7 +640,7 @@ fn unwinder_is_judged_by_its_ramp_too() {
         project.values.insert("unwinder-inertia".to_owned(), Value::Number(inertia));
         project
     };
-    // 1 kg m² to 1480 r/min in 2 s asks 78 Nm.
+    // 1 kg m² to 1480 r/min in 2 s needs 78 Nm.
     let (light, heavy) = (sized(&heavy(40.0)), heavy(10_000.0));
     assert!(candidates(&light, "unwinder").iter().any(|motor| motor.refusal.is_none()));
     let too_heavy = sized(&heavy);
@@ -704,7 +704,7 @@ fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
     lathe.add_parts(parts);
     let proposed = row(&lathe).unwrap();
     assert_eq!((proposed.proposed, proposed.model.as_str()), (true, "E8"));
-    // The unwinder has a brake if the form says so.
+    // The unwinder has a brake if the form has one.
     let mut line = line();
     line.values.insert("spindle-encoder".to_owned(), Value::Flag(false));
     assert_eq!(row(&line), None);

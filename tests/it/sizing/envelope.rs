@@ -307,7 +307,7 @@ fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
 fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
     let mut project = line();
     assert!(sized(&project).envelope.iter().all(|row| row.id != "alarm"));
-    // A tenth less pitch at the same speed asks for more than this F.
+    // A tenth less pitch at the same speed needs a higher F than this limit.
     let limit = (1.03 * value(&project, "vector-feed")).round();
     project.values.insert("feed-limit".to_owned(), Value::Number(limit));
     let sizing = sized(&project);
@@ -378,7 +378,7 @@ fn motor_without_current_has_no_torque() {
     for event in [Run, EmergencyStop] {
         assert!(torques(&sizing, event).contains(&"spindle-torque"), "{}", event.id());
     }
-    // Z feeds and brakes; X stands, and its amplifier goes off with that of Z.
+    // Z feeds and brakes; X is at rest, and its amplifier goes off with that of Z.
     for event in [EmergencyStop, PowerFailure] {
         let all = torques(&sizing, event);
         assert!(all.contains(&"z-torque") && !all.contains(&"x-torque"), "{}: {all:?}", event.id());

@@ -174,7 +174,7 @@ proptest! {
         }
     }
 
-    /// Two ramps of one acceleration: the cubic mean over the way in closed form.
+    /// Two ramps of one acceleration: the cubic mean over the angle in closed form.
     #[test]
     fn lasting_torque_of_ramps_agrees_with_the_closed_form(inertia in 1e-4_f64..1.0, speed in 1.0_f64..100.0, ramp in 0.05_f64..2.0) {
         let load = Load { inertia, torque: 0.0, efficiency: 1.0 };

@@ -140,7 +140,7 @@ fn a_reel_of_the_line_passes() {
 
 #[test]
 fn start_without_a_ramp_is_no_gentle_start() {
-    // No drive starts a reel in no time: the form asks a ramp, and the shortest one is the hardest.
+    // No drive starts a reel at once: the form requires a ramp, and the shortest one needs the greatest torque.
     assert!(line(&[]).with_entries(&[("inverter-ramp", "0")]).is_none());
     let hardest = line(&[("inverter-ramp", 0.01)]);
     for id in ["unwinder-ramp-torque", "unwinder-braking-torque"] {

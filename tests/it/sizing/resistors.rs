@@ -79,7 +79,7 @@ proptest! {
         let part = whole.clone().with_work(works.clone());
         let seconds: f64 = part.turns().iter().map(|turn| turn.seconds).sum();
         super::same("seconds", seconds, t, 1e-9);
-        // Work of the steady torque: its way within the works.
+        // Work of the steady torque: torque times the angle turned within the loaded spans.
         let way = |motion: &Motion, within: &dyn Fn(f64) -> bool| -> f64 {
             motion.turns().iter().filter(|turn| within(turn.t + 0.5 * turn.seconds)).map(|turn| 0.5 * (turn.from + turn.to).abs() * turn.seconds).sum()
         };

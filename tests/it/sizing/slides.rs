@@ -36,7 +36,7 @@ fn demand_on_a_slide_in_the_run_matches_the_formulas() {
                     let (work, formula) =
                         (axis(&sizing, id).work.unwrap(), readout(&project, &format!("{id}-peak-torque")));
                     let about = format!("{name} on {control}, {angle}°, {id}: {work:?}, {}", formula.value);
-                    // A short way ends before the rapid is reached.
+                    // A short move ends before the rapid is reached.
                     assert!(
                         work.peak.torque <= 1.001 * formula.value && work.peak.torque > 0.25 * formula.value,
                         "{about}"
@@ -186,7 +186,7 @@ fn weight_helps_a_cut_downhill() {
     let [flat, slant] = ["0", "45"].map(|angle| readout(&bed(angle), "x-cut-torque").value);
     let weight = 100.0 * 9.806_65 * math::sin(45_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
     assert!((flat - slant - weight / 0.9).abs() < 1e-9, "{flat} {slant}");
-    // Along the work X stands: its motor holds the weight against the cut.
+    // In a cut along the work X is at rest: its motor holds the weight against the cut.
     let along =
         lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "45"), ("path", "turning"), ("feed-force", "200")]);
     assert!(readout(&along, "x-cut-torque").value > flat);

@@ -106,7 +106,7 @@ fn stretches_of_a_run_add_up_to_its_travel() {
 
 #[test]
 fn energy_of_a_run_goes_into_friction_alone() {
-    // Without losses in the gear all that is given and does not come back is friction over the way.
+    // Without losses in the gear all energy that is given and not returned is friction times distance.
     let project = Project::named("ribbon-line", None, None).unwrap();
     let project = with(project, &[("efficiency-x", 100.0), ("efficiency-y", 100.0), ("pitch-count", 100.0)]);
     let run = run_of(&project);

@@ -22,7 +22,7 @@ fn unwinder(sizing: &Sizing) -> &[Candidate] {
     &sizing.axes.iter().find(|axis| axis.id == "unwinder").unwrap().candidates
 }
 
-/// Row of a brake resistor in the bill, in words.
+/// Requirement of the brake resistor, as its row of the bill has it.
 fn resistor(project: &Project) -> Option<String> {
     let rows = sized(project).bill.into_iter();
     rows.filter(|row| row.item == BillItem::Resistor).map(|row| row.asked).next()

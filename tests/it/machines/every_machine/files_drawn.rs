@@ -69,7 +69,7 @@ fn cad_library_reads_layers_units_and_dimensions() {
     for entity in drawing.entities() {
         assert!(layers.iter().any(|(name, _)| *name == entity.common.layer), "{}", entity.common.layer);
     }
-    // Parts of a dimension: extension lines, the dimension line as long as its text says, arrows.
+    // Parts of a dimension: extension lines, the dimension line with the length of its text, arrows.
     let mut measured = Vec::new();
     for block in drawing.blocks().filter(|block| block.name.starts_with("*D")) {
         let (mut lines, mut arrows, mut texts) = (Vec::new(), 0, Vec::new());

@@ -228,7 +228,7 @@ fn project_that_is_too_long_has_no_link() {
     expect!["The project has 43526 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(&project.to_link().unwrap_err()));
 }
 
-/// A change on the way: where, and to which character; `None` cuts the rest off.
+/// Damage to a link: the place and the new character; `None` cuts the rest off.
 fn changes() -> impl Strategy<Value = Vec<(prop::sample::Index, Option<char>)>> {
     let to = prop_oneof![9 => prop::char::range('!', '~').prop_map(Some), 1 => Just(None)];
     prop::collection::vec((any::<prop::sample::Index>(), to), 1..4)

@@ -135,7 +135,7 @@ const RARE: &[Entered] = &[
             ("start-x", "500"),
         ],
     ),
-    // A positioning that asks more of the motor than it has.
+    // A positioning that needs more torque than the motor has.
     (
         "turning-spindle",
         "sinumerik-802d",
@@ -471,7 +471,7 @@ fn button_takes_the_flattest_cutter() {
 
 #[test]
 fn remedy_that_does_not_help_has_no_button() {
-    // Two faults of the feed: the other clamp holds the speed down, whatever the first asks for.
+    // Two faults of the feed: the second clamp limits the speed, so the remedy of the first alone changes nothing.
     let line = project("ribbon-line", "mitsubishi-e60", &[("clamp-y", "1")]);
     let feed = readout(&line, "y-feed");
     assert_eq!((feed.verdict, buttons(&line, "y-feed").len()), (Verdict::Fail, 0));

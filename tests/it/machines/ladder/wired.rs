@@ -153,7 +153,7 @@ fn shift_never_turns_against_m4() {
             put_out(&ladder, &mut image, 4, on);
             settle(&ladder, &mut image, 0.0);
         }
-        // Fast and on its way down: no other run command, and none while it coasts either.
+        // Above the shift speed and slowing down: no other run command, and none while it coasts.
         image.set(Bit::Input(MachineContact::AtShiftSpeed), false);
         ask_for_stage_2(&ladder, &mut image);
         for t in [0.1, 4.0] {
@@ -292,7 +292,7 @@ fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
     let ladder = ladder(&project);
     let [first, second] = [1, 2].map(|stage| Bit::Output(MachineOutput::Gear(stage)));
     let mut image = at_rest(&ladder);
-    // An inverter that has just come on reports a slow spindle, whatever the work does.
+    // An inverter that has just come on reports a slow spindle even if the work turns.
     for slow in [false, true] {
         image.set(Bit::Input(MachineContact::AtShiftSpeed), slow);
         settle(&ladder, &mut image, 0.0);

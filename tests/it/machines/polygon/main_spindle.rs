@@ -148,7 +148,7 @@ fn turned_end_feeds_per_revolution_of_its_spindle() {
     assert_eq!(lines("M3 S800", 3), ["M3 S800", "G04 X2. (SPINDLE COMES TO ITS SPEED)", "G99"]);
     assert_eq!(lines("G01 Z-20.", 1), ["G01 Z-20. F0.2"]);
     assert_eq!(lines("G98 M5", 2), ["G98 M5", "G04 X2. (SPINDLE STOPS)"]);
-    // With the knob at 0 the bar stands, and the tool stands in front of it.
+    // With the knob at 0 the bar is at rest, and the tool waits in front of it.
     let mut planner = begun(&project, vec![Event { t: 0.0, action: Action::SpindleOverride(0.0) }]);
     let ended = ended(&mut planner);
     assert_eq!(ended, RunEnd::Stop);
@@ -328,7 +328,7 @@ fn work_servo_is_off_while_the_main_spindle_turns() {
 
 #[test]
 fn work_servo_waits_for_the_main_spindle_at_rest() {
-    // The ramp lasts longer than the way of the tool to the polygon.
+    // The ramp lasts longer than the move of the tool to the polygon.
     let turned_end =
         [("before", "false"), ("after", "true"), ("main-ramp", "20")].map(|(id, typed)| (id, typed.to_owned()));
     let project = Project::named("polygon-lathe", None, None).unwrap().with_entries(&turned_end).unwrap();

@@ -124,7 +124,7 @@ fn run_prints_speed_and_angle_of_work_and_tool() {
 
 #[test]
 fn finished_section_does_not_depend_on_block_times() {
-    // A depth reached again to the last digit once counted as a deeper one, read with the slide on its way out: the pass was lost.
+    // A sample taken with the slide on its retract once replaced a sample of equal depth, and its pass was missing in the section.
     let hexagon = project(&[("shape", "hexagon"), ("stock-diameter", "24"), ("tool-start", "-40"), ("depth", "3")]);
     let text = hexagon.written().files.0[0].text.clone();
     let (head, tail) = text.split_once("N20 G512").unwrap();

@@ -452,7 +452,7 @@ fn slide_reaches_the_pitch_in_the_calculated_run_in() {
             ("clearance", "7"),
             ("before", "true"),
             ("before-length", "20"),
-            // Slower than the thread in turning and on every way back but the rapids.
+            // Slower than the thread in turning and in every retract at feed.
             ("before-feed", "0.05"),
             ("before-pitch", "1.75"),
             ("before-thread-length", "16"),
@@ -504,7 +504,7 @@ fn clearance_shorter_than_the_run_in_fails_and_is_mended() {
     assert!(!project(&thread[..4]).design().readouts.iter().any(|row| row.id == "before-run-in"));
 }
 
-/// An example with other entries, and what its design says: ids and fields.
+/// Findings of an example with other entries: ids and fields.
 fn finding_ids(example: &str, entries: &[(&'static str, &str)]) -> Vec<(&'static str, Option<&'static str>)> {
     let plain = Project::named("polygon-lathe", None, Some(example)).unwrap();
     let found = plain.with_entries(entries).unwrap().design().diagnostics;

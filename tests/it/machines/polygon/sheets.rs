@@ -84,7 +84,7 @@ fn machine_sheets_have_the_expected_rows() {
         3 | 1 | -4:1 | 45 | 0.759 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.759 | 2.77 | 232 | -928 | 246 .. 249
         4 | 2 | -2:1 | 45 | 0.9914 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.9914 | 5.86 | 490 | -980 | 242 .. 250
     "#]].assert_eq(&choices);
-    // The work turns the other way: S is negative, P stays positive. R turns the work back for E; A is the lead.
+    // The work turns counter-clockwise: S is negative, P stays positive. R turns the work back for E; A is the lead.
     let turned = [("shape", "own"), ("work-ratio", "-1"), ("tool-ratio", "-2"), ("tool-start", "30"), ("lead", "-80")];
     let own = rows(&turned, "own-code");
     assert!(own.contains("G51.2 P1 Q2 R345. A-80. | ") && own.contains("\nS-200 | "), "{own}");

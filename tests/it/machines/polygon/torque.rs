@@ -217,7 +217,7 @@ fn worst_of_several_polygons_is_judged() {
     let one = project(&[]);
     let second = [("second", "true"), ("second-shape", "hexagon"), ("second-across-flats", "12"), ("second-tool", "2")];
     let two = project(&second);
-    // A deeper polygon on the way down: its far sides are nearer to the work's axis, the infeed reaches the stock.
+    // A deeper polygon during the infeed: its far sides are nearer to the work's axis, the infeed reaches the stock.
     assert!(value(&two, "work-torque") >= value(&one, "work-torque"));
     // Down with an insert of 3 mm by 0.1 mm: 525 N, at the tips.
     let down = project(&[("from-face", "20"), ("feed", "0.001"), ("finish-feed", "0.001")]);

@@ -304,7 +304,7 @@ fn values_that_a_control_lacks_have_no_effect() {
         let lines = files.iter().flat_map(|file| file.text.lines()).filter(|line| !line.starts_with('('));
         lines.collect::<Vec<_>>().join("\n")
     };
-    // Neither a final speed nor an exact stop; C counts degrees whatever unit Y has.
+    // Neither a final speed nor an exact stop; C counts degrees with any unit of Y.
     assert_eq!(text("gsk-980tdc", &chosen), text("gsk-980tdc", &chosen[2..3]));
     assert_eq!(text("mitsubishi-e60", &chosen[2..3]), text("mitsubishi-e60", &[]));
 }

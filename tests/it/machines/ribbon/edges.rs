@@ -1,4 +1,4 @@
-//! The ribbon line at the edges of its operation: a motor above its rated frequency or slower than its slip, feed in step, loops nobody builds.
+//! The ribbon line at the edges of its operation: a motor above its rated frequency or slower than its slip, feed in step, loops too long to build.
 
 use macroline::project::repairs::repairs;
 use macroline::text::catalog::sentence;

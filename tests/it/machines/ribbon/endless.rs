@@ -1,4 +1,4 @@
-//! Axes that run one way for ever: the control stops where one leaves its range, and parameters or the program prevent it.
+//! Axes that run in one direction without end: the control stops where one leaves its range, and parameters or the program prevent it.
 
 use macroline::controls::options::{CoordinateRange, Diameter, SwitchChoice};
 use macroline::machines::form::Value;
@@ -150,7 +150,7 @@ fn parameters_of_endless_axes_are_on_the_sheet() {
             assert!(parameter(&nothing, number).iter().all(|row| row.cells[3] == "0"), "{control} {number}");
         }
     }
-    // An axis that counts degrees rolls over whatever X does.
+    // An axis that counts degrees rolls over independently of X.
     let degrees = parameter(&line("mitsubishi-e60", &[("y-unit", "degrees"), ("endless", "nothing")]), "#1090");
     assert_eq!(degrees.iter().map(|row| row.cells[2].as_str()).collect::<Vec<_>>(), ["Y"]);
 }

@@ -233,7 +233,7 @@ fn nip_that_slips_before_x_stops_fails() {
     assert_eq!((row.verdict, row.advice.len()), (Verdict::Fail, 1), "{row:?}");
     let pressed = project.with_entries(&row.advice[0].entries).unwrap();
     assert_eq!(judged(&pressed).verdict, Verdict::Ok);
-    // A film that breaks within the way of X is not helped by the nip.
+    // A film that breaks before X has stopped breaks at any pinch force.
     let weak = film("mitsubishi-e60", "1000", &[("tensile-strength", "10")]);
     assert_eq!((judged(&weak).verdict, judged(&weak).advice[0].entries.len()), (Verdict::Fail, 0));
 }

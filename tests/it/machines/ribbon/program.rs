@@ -537,7 +537,7 @@ fn slack_in_the_run_equals_the_design() {
         let charts = machine().prepare(&values, on()).charts(&run, 0.0, end, 2001);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let (middle, last) = (slack[1200].1, slack[2000].1);
-        // The 12 bits of the output unwind 0.1 r/min less than is asked for: 0.25 mm in the time of a run.
+        // The 12 bits of the output unwind 0.1 r/min less than commanded: 0.25 mm in the time of a run.
         // A PLC that waits for the speed looks every 10 ms.
         let scan = if wait == "fin" { 2.6 } else { 0.0 };
         near(middle, result(&values, "slack-start"), 0.4 + scan);

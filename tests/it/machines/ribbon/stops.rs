@@ -445,7 +445,7 @@ fn table_counts_the_pauses_that_the_loop_holds() {
             let count = rows[0].iter().find_map(|cell| cell.split_once("The loop holds ")).expect("a count").1;
             count.split(' ').next().unwrap().parse::<u32>().unwrap()
         };
-        // The capacity that the design asks holds one, with the knob at its end; each further one lays less than that.
+        // The capacity that the design requires holds one product at the highest knob position; each further product lays less.
         let needed = readout(&line(control.id, &[]), "loop-needed").value;
         assert_eq!([counted(needed - 1.0), counted(needed + 1.0)], [0, 1], "{}: {needed}", control.id);
         assert!(counted(3.0 * needed) >= 3, "{}", control.id);
@@ -481,7 +481,7 @@ fn operator_continues_as_in_the_table_of_stops() {
         for actions in [&anew[..], &[(8.0, Action::Reset), (14.0, Action::Start)]] {
             if !tells {
                 assert_eq!(run(actions).0, RunEnd::Stop, "{} {actions:?}", control.id);
-                // The program asks for a turn of the roller: cycle start would turn it back, a reset before it ends the product.
+                // The program requires a turn of the roller by hand: cycle start would turn it back, a reset before it ends the product.
                 let turned = [(16.0, Action::Variable(138, Some(0.0))), (17.0, Action::Start)];
                 let (end, _) = run(&[actions, &turned[..]].concat());
                 assert_eq!(end, RunEnd::Stop, "{} {actions:?}", control.id);
@@ -523,7 +523,7 @@ proptest! {
             ("spindle-encoder", "true"), ("feed-form", if in_step { "per-revolution" } else { "per-minute" }),
             ("wait", if fin { "fin" } else { "dwell" }),
         ]);
-        // Without current the unwinder coasts, whatever the ramp.
+        // Without current the unwinder coasts, independently of the ramp.
         let needed = readout(&project, if kind == 3 { "loop-coasting" } else { "loop-needed" }).value;
         let whole = over_time(&project, vec![]).ended_at().unwrap();
         let t = at * whole;

@@ -71,7 +71,7 @@ fn machine_data_say_how_the_spindle_comes_to_its_angle() {
     assert_eq!(travel(&[]), (100.0, 0.0, 1.25));
     assert_eq!(travel(&[("positioning-speed", "40")]), (40.0, 0.0, 1.25));
     assert_eq!(travel(&[("positioning-direction", "ccw")]), (0.0, -100.0, -1.75));
-    // At 50 r/min per second the way is too short for 100 r/min.
+    // At 50 r/min per second the angle is too short for 100 r/min.
     assert!(travel(&[("positioning-acceleration", "50")]).0 < 70.0);
     let rows = |changes: &[(&str, &str)]| {
         let sheet = sheet("sinumerik-802d", &[&[("keyway", "true")], changes].concat());

@@ -71,7 +71,7 @@ fn friction_counts_in_torque_and_power() {
     // Most power at the highest speed of the constant surface speed: 1800 r/min at Ø 31.83.
     let power = force * 180.0 / 60_000.0 + 12.0 * 1800.0 / 9_549.297;
     near(readout(&lathe, "power").value, power, 1e-6);
-    // The list of motors asks (17.11 + 12) · 2 / 0.8 = 72.8 Nm of each: one of 48.4 Nm is refused.
+    // The list of motors requires (17.11 + 12) · 2 / 0.8 = 72.8 Nm of each: one of 48.4 Nm is refused.
     let sizing = size(&lathe, &lathe.written());
     let spindle = sizing.axes.iter().find(|axis| axis.id == "spindle").unwrap();
     let motor = spindle.candidates.iter().find(|motor| motor.part.model == "MT3 160 MB/2").unwrap();
@@ -128,7 +128,7 @@ fn run_of_a_face_asks_more_than_the_short_time_torque() {
 
 #[test]
 fn cut_of_a_run_has_the_energy_of_its_force() {
-    // Work of the cut: force over the way of the tool on the surface, π (r₁² - r₂²) / f for each of both passes, through a gear of 80 %.
+    // Work of the cut: force over the path of the tool on the surface, π (r₁² - r₂²) / f for each of both passes, through a gear of 80 %.
     let lathe = project("gsk-980tdc", &FACE);
     let spindle = run(&lathe);
     let friction = spindle.idle.clone().without_inertia().work(0.0).given;

@@ -78,7 +78,7 @@ fn driven_tool_has_a_number_of_its_own() {
     assert_eq!(errors(&keyway(&[("driven-number", "2")])), []);
 }
 
-/// The stock of a face stands out by its allowance: the turret turns in front of that.
+/// The stock of a face extends beyond its zero by the allowance: the turret turns in front of that.
 #[test]
 fn turret_turns_in_front_of_the_stock_of_a_face() {
     let start = |z| project("gsk-980tdc", &[("allowance", "25"), ("start-z", z), ("start-x", "90")]);

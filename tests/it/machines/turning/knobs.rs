@@ -16,7 +16,7 @@ fn shaft(control: &str, changes: &[(&'static str, &'static str)]) -> Project {
     project(control, &[&CUT_OF_THE_FACTS[..], &motor, changes].concat())
 }
 
-/// The warning of a result that holds at the form's positions of the knobs, in words.
+/// Sentence of the warning of a result that holds at the form's positions of the knobs.
 fn warning(project: &Project, id: &str) -> String {
     let row = readout(project, id);
     assert_eq!(row.verdict, Verdict::Warn, "{row:?}");
@@ -108,7 +108,7 @@ fn envelope_at_the_feed_knob_is_that_of_more_feed() {
         assert_eq!(feed, Some(150.0), "{id}");
         near_share(value, row(&more, OperatingEvent::Run, id).0, 1e-3);
     }
-    // The motors of the list are judged with it: the spindle of the smaller feed asks as much as that of the larger one at 100 %.
+    // The motors of the list are judged with it: the spindle with the smaller feed needs as much as that with the larger one at 100 %.
     let effective_torque = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().asked.effective;
     assert!(effective_torque(&knob) >= row(&more, OperatingEvent::Run, "z-effective-torque").0 * 0.999);
 }

@@ -65,13 +65,13 @@ fn restart_repeats_the_program_or_raises_an_alarm() {
             }
         }
     }
-    // The room of the turret: only the way to the first cut and the last retract are clear of the work.
+    // Within the swing of the turret: only the approach to the first cut and the last retract are clear of the work.
     assert!(alarms > 300 && repeats > 10, "{alarms} alarms, {repeats} repeats");
 }
 
 #[test]
 fn tool_beyond_the_clear_diameter_starts_the_same_part() {
-    // Reset on the way to the first cut: the tool is clear of the work.
+    // Reset in the approach to the first cut: the tool is clear of the work.
     let project = project("gsk-980tdc", &[]);
     let (_, end, again) = restarted(&project, 0.3, Action::Reset);
     assert_eq!(end, Some(RunEnd::ProgramEnd));
@@ -127,7 +127,7 @@ fn cleared_mark_frees_the_start_only_after_a_reset() {
     for control in ["sinumerik-802d", "sinumerik-808d"] {
         let project = Project::named("turning-spindle", Some(control), Some("keyway")).unwrap();
         let whole = outcome(&project, &[]);
-        // At the end of its way back the tool is out of the groove, and the spindle is still locked.
+        // At the end of its retract the tool is out of the groove, and the spindle is still locked.
         let block = whole.planner.program().numbered(64).unwrap();
         let end = whole.planner.timeline().end();
         let steps = (1..40_000).map(|k| end * f64::from(k) / 40_000.0);

@@ -87,7 +87,7 @@ fn ramp_fails_just_below_the_shortest_one() {
         let torque = 1.5 * 9_549.296_585_513_72 * 6.0 / value(&plain, "speed-largest");
         same(shortest, value(&plain, "inertia") * 1500.0 * RPM / (torque - 2.0));
         let hundredths = (shortest * 100.0).ceil();
-        // A greater speed at the highest position of the knob asks more, and is a warning.
+        // A greater speed at the highest position of the knob needs more torque, and is a warning.
         for (entry, verdict) in [(hundredths - 1.0, Verdict::Fail), (hundredths, Verdict::Warn)] {
             let entry = format!("{:.2}", entry / 100.0);
             let judged = readout(&shaft(control, &[("spindle-ramp", &entry)]), "shortest-ramp");

@@ -57,7 +57,7 @@ fn lower_stage_with_enough_torque_is_offered() {
     assert_eq!(torque.verdict, Verdict::Fail);
     assert_eq!(torque.advice[0].entries, [FieldEntry::new("gear", "1")]);
     let after = stalls.with_entries(&torque.advice[0].entries).unwrap();
-    // 286.5 Nm, of which the feed override at 150 % takes more.
+    // The motor has 286.5 Nm; with the feed override at 150 % the cut needs more.
     assert!(readout(&after, "torque").verdict < Verdict::Fail);
 }
 
@@ -239,7 +239,7 @@ fn examples_pass_with_each_material_at_light_cuts() {
 
 #[test]
 fn no_speed_is_offered_where_none_is_slow_enough() {
-    // 300 kW asked of 8 W: at 1 m/min it is still 1.7 kW. Without a material no smaller depth can be advised.
+    // 300 kW for a motor of 8 W: at 1 m/min it is still 1.7 kW. Without a material no smaller depth can be advised.
     let cut = [("cutting-force", "100000"), ("motor-power", "0.01")];
     let power = readout(&project("gsk-980tdc", &cut), "power");
     assert_eq!(power.verdict, Verdict::Fail);
@@ -276,7 +276,7 @@ fn slender_bar_asks_for_the_tailstock_that_holds_it() {
     let moment = std::f64::consts::PI * math::pow(20.0, 4.0) / 64.0;
     let force = readout(&bar("300", "false"), "force").value;
     near_share(slender.value, force * math::pow(300.0, 3.0) / (3.0 * 210e3 * moment), 1e-9);
-    // The bar gives way by more than the cut is deep.
+    // The bar bends by more than the depth of cut.
     assert!(slender.value > 2.0, "{}", slender.value);
     assert_eq!((slender.verdict, slender.advice[0].message.id), (Verdict::Fail, "turning.work-gives-way"));
     let held = bends("300", "true");
@@ -301,7 +301,7 @@ fn tailstock_is_in_program_ladder_and_bill() {
     };
     assert!(names_it(&held));
     assert!(!names_it(&free));
-    // A face is turned to the centre: no tailstock stands there.
+    // A face is turned to the centre: there is no room for a tailstock.
     assert!(!names_it(&held.with_entries(&[("path", "facing".to_owned())]).unwrap()));
     let switches = |project: &Project| {
         let bill = sized_without_envelope(project).bill;
