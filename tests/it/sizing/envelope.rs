@@ -538,7 +538,7 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
         sentences.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")),
         "{sentences:?}"
     );
-    // The loop that is offered is the one of runs that nothing holds.
+    // The offered loop capacity is that of runs without a hold by contacts.
     let sets: Vec<_> = sizing.holding_limits.iter().filter_map(|limit| limit.entry.clone()).collect();
     let after = sized(&project.with_entries(&sets).unwrap());
     assert!(after.envelope.iter().all(|row| row.id != "hold" && (row.id != "loop" || row.verdict == Verdict::Ok)));

@@ -101,7 +101,7 @@ fn overload_is_a_number_of_the_table_of_parts() {
         overload(&format!("{head},overload_percent\ninverter,Works,I,8,150\n"), "own.csv"),
         (Some(Some(12.0)), 0)
     );
-    // A table of before has no such column.
+    // A table of an earlier version has no such column.
     assert_eq!(overload(&format!("{head},overload\ninverter,Works,I,8,150 % for 3 s\n"), "own.csv"), (Some(None), 0));
     let json =
         r#"[{"kind": "inverter", "maker": "Works", "model": "I", "rated_current_a": 8, "overload_percent": 150}]"#;

@@ -293,7 +293,7 @@ fn unknown_regeneration_is_an_open_row_with_its_energy() {
     let answers = sizing.sheets().into_iter().filter(|sheet| sheet.id == "motors").flat_map(|sheet| sheet.rows);
     let own = answers.map(|row| row.cells).find(|cells| cells[0] == "Works S1").unwrap();
     assert!(own.iter().any(|cell| cell.contains("ask its maker for the brake resistor")), "{own:?}");
-    // Capacitors that take each stop leave nothing to ask.
+    // Capacitors that take the energy of each stop leave no open point.
     assert_eq!(open_resistor(&behind(",capacitor_j", &format!(",{}", 2.0 * load.stop))), None);
     assert!(
         open_resistor(&behind(",capacitor_j", &format!(",{}", 0.5 * load.stop)))

@@ -85,7 +85,7 @@ fn stretches_of_a_run_add_up_to_its_travel() {
                     pair[1].t
                 );
             }
-            // Each of the sixty blocks bends the speed twice; where the least increment changes nothing it stays one stretch.
+            // Each of the sixty blocks bends the speed twice; where that changes the speed by less than the least increment, both are one stretch.
             assert!(stretches.len() < 120, "{machine} {}: {} stretches", axis.id, stretches.len());
             let (sum, travel) = (travelled(&stretches), place(axis.mover));
             let about = format!("{machine} on {control}, {}", axis.id);

@@ -58,11 +58,7 @@ fn every_line_of_a_chart_has_a_colour_on_screen_and_paper() {
         for control in machine.controls() {
             let project = macroline::project::Project::of(machine.id(), Some(control)).unwrap();
             let charts = project.prepared().charts(&Running, 0.0, 1.0, 4);
-            assert!(
-                !charts.is_empty() && charts.iter().all(|chart| !chart.series.is_empty()),
-                "{} {control}",
-                machine.id()
-            );
+            assert!(charts.iter().any(|chart| !chart.series.is_empty()), "{} {control}", machine.id());
             for (chart, tone) in charts.iter().flat_map(|chart| chart.series.iter().map(|line| (chart.id, line.tone))) {
                 let rule = format!(".l{tone} {{ stroke");
                 assert!(sheets.iter().all(|sheet| sheet.contains(&rule)), "{} {chart}: {rule}", machine.id());

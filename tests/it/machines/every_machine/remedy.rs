@@ -98,7 +98,7 @@ fn larger_stock_is_offered_a_start_outside_it() {
             offered += 1;
         }
     }
-    assert!(offered > 4, "{offered} remedies");
+    assert!(offered > 1, "{offered} remedies");
 }
 
 #[test]

@@ -156,7 +156,7 @@ fn summary_has_essential_entries_and_no_sources() {
             assert!(!is_shown || product.contains(label), "{}: {label}", machine.id());
             shown += usize::from(is_shown);
         }
-        assert!(shown > 2, "{}: {shown} fields", machine.id());
+        assert!(shown > 0, "{}: no field", machine.id());
         for row in &sizing.bill {
             assert!(summary.replace('\u{a0}', " ").contains(&row.model), "{row:?}");
             assert!(row.asked.len() < 30 || !summary.contains(&row.asked), "{row:?}");

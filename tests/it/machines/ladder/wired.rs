@@ -164,7 +164,7 @@ fn shift_never_turns_against_m4() {
         settle(&ladder, &mut image, 4.1);
         assert_eq!(RUNS.map(|run| image.is_on(run)), [false, true], "{name}: slow");
     }
-    assert!(with_gears > 10, "{with_gears} ladders");
+    assert!(with_gears > 3, "{with_gears} ladders");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The polygon lathe with its knobs away from 100 %: speed of the work's shaft, loads of the cut, threads; and the rooms that the form has to give.
+//! The polygon lathe with its knobs away from 100 %: speed of the work's shaft, loads of the cut, threads; and the lengths that verdicts need from the form.
 
 use macroline::motion::{Action, Event, Snapshot};
 use macroline::project::Project;

@@ -180,7 +180,7 @@ fn ladder_takes_the_sequence_of_g512_and_g502() {
     let steps = |after: &mut dyn FnMut(&str) -> String, changes: &[&str]| {
         changes.iter().map(|change| format!("{change}: {}\n", after(change))).collect::<String>()
     };
-    // G512, G502; then G512, reset in the cut, which counts for nothing more until both requests fall.
+    // G512, G502; then G512, reset in the cut, which has no further effect until both requests fall.
     let whole = [
         "+AXIS6.STANDS",
         "+AXIS7.STANDS",

@@ -142,7 +142,7 @@ fn turned_knob_costs_little_time_and_piles_up_little() {
         let lag = readout(&line, "override-delay").value / 1000.0 + 0.15;
         assert!(most < 10.0 + 2.0 * 0.1 * speed / 0.8 * lag, "{}: {most} mm", control.id);
     }
-    assert!(turned > 2, "{turned} knobs");
+    assert!(turned > 1, "{turned} knobs");
 }
 
 proptest! {

@@ -345,7 +345,7 @@ fn counted_blocks_per_pass_equal_the_run() {
 /// Controls that report the position of the override knob to the program.
 fn with_override_echo() -> Vec<&'static Control> {
     let all: Vec<_> = controls().filter(|control| control.bench.override_echo.is_some()).collect();
-    assert!(all.len() > 2, "{} controls", all.len());
+    assert!(all.len() > 1, "{} controls", all.len());
     all
 }
 

@@ -1,4 +1,4 @@
-//! The ribbon line interrupted: hold, single block, alarm, reset, emergency stop, and the loop that has to take it all up.
+//! The ribbon line interrupted: hold, single block, alarm, reset, emergency stop, and the loop capacity that all of these need.
 
 use macroline::controls::VarKind;
 use macroline::interp::Interp;
