@@ -1,4 +1,4 @@
-//! Difference between two states of a project in words.
+//! Differences between two states of a project, as phrases.
 
 use macroline::controls;
 use macroline::machines::form::Value;
@@ -12,16 +12,16 @@ fn ribbon() -> Project {
 }
 
 /// Differences between a new ribbon line and the same after a change, as phrases.
-fn told(change: impl FnOnce(&mut Project)) -> Vec<String> {
+fn change_phrases(change: impl FnOnce(&mut Project)) -> Vec<String> {
     let mut after = ribbon();
     change(&mut after);
     changes(&ribbon(), &after)
 }
 
 #[test]
-fn changed_entry_is_told_with_both_values_and_its_unit() {
-    let told = told(|project| drop(project.values.insert("pitch".to_owned(), Value::Number(9.0))));
-    assert_eq!(told, ["Pitch 10 → 9 mm"]);
+fn changed_entry_has_both_values_and_its_unit() {
+    let found = change_phrases(|project| drop(project.values.insert("pitch".to_owned(), Value::Number(9.0))));
+    assert_eq!(found, ["Pitch 10 → 9 mm"]);
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn each_part_of_a_project_has_its_phrase() {
         (|project| assert!(project.keep_variant("").is_some()), "Variants"),
     ];
     for (change, phrase) in cases {
-        assert!(told(change).iter().any(|told| told == phrase), "{phrase}: {:?}", told(change));
+        assert!(change_phrases(change).iter().any(|words| words == phrase), "{phrase}: {:?}", change_phrases(change));
     }
 }
 
@@ -46,31 +46,31 @@ fn two_actions() -> [Event; 2] {
 }
 
 #[test]
-fn one_changed_action_of_the_operator_is_told() {
+fn one_changed_operator_action_is_listed() {
     let mut before = ribbon();
     before.panel = Panel::new(two_actions());
     let [hold, slow] = two_actions();
-    let told = |panel: Panel| {
+    let actions = |panel: Panel| {
         let mut after = before.clone();
         after.panel = panel;
         changes(&before, &after)
     };
     let panel = |events: &[&Event]| Panel::new(events.iter().map(|event| (*event).clone()));
-    assert_eq!(told(panel(&[&slow])), ["Feed hold at 1 s removed"]);
+    assert_eq!(actions(panel(&[&slow])), ["Feed hold at 1 s removed"]);
     let variable = Event { t: 3.25, action: Action::Variable(107, Some(9.5)) };
-    assert_eq!(told(panel(&[&hold, &slow, &variable])), ["At 3.25 s: #107 = 9.5"]);
+    assert_eq!(actions(panel(&[&hold, &slow, &variable])), ["At 3.25 s: #107 = 9.5"]);
     let late = Event { t: 4.0, ..hold.clone() };
-    assert_eq!(told(panel(&[&slow, &late])), ["Feed hold 1 → 4 s"]);
+    assert_eq!(actions(panel(&[&slow, &late])), ["Feed hold 1 → 4 s"]);
     let early = Event { t: 0.5, ..slow.clone() };
-    assert_eq!(told(panel(&[&early, &hold])), ["Spindle override 80 % 2.5 → 0.5 s"]);
+    assert_eq!(actions(panel(&[&early, &hold])), ["Spindle override 80 % 2.5 → 0.5 s"]);
     let fast = Event { action: Action::SpindleOverride(120.0), ..slow.clone() };
-    assert_eq!(told(panel(&[&hold, &fast])), ["At 2.5 s: Spindle override 80 % → 120 %"]);
-    assert_eq!(told(panel(&[&late, &variable])), ["Operator’s actions"], "more than one");
-    assert_eq!(told(Panel::default()), ["Operator’s actions"]);
+    assert_eq!(actions(panel(&[&hold, &fast])), ["At 2.5 s: Spindle override 80 % → 120 %"]);
+    assert_eq!(actions(panel(&[&late, &variable])), ["Operator’s actions"], "more than one");
+    assert_eq!(actions(Panel::default()), ["Operator’s actions"]);
 }
 
 #[test]
-fn removed_name_and_edits_are_told() {
+fn removed_name_and_edits_are_listed() {
     let mut before = ribbon();
     before.name = "Order 7".to_owned();
     before.edited = Some(Files::one("O1.nc", "M30"));
@@ -97,6 +97,6 @@ fn many_differences_are_counted() {
     after.title_block.author = "A".to_owned();
     let entries = [("pitch", 9.0), ("heads", 7.0), ("print-roller-diameter", 30.0)];
     entries.into_iter().for_each(|(id, value)| drop(after.values.insert(id.to_owned(), Value::Number(value))));
-    let told = changes_in_words(&ribbon(), &after);
-    assert_eq!(told, "Name Order 7; Pitch 10 → 9 mm; Print heads 36 → 7; 2 more");
+    let text = changes_in_words(&ribbon(), &after);
+    assert_eq!(text, "Name Order 7; Pitch 10 → 9 mm; Print heads 36 → 7; 2 more");
 }

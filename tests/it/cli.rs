@@ -169,7 +169,10 @@ fn inverter_fault_in_a_panel_file_stops_the_run_with_its_alarm() {
     std::fs::write(&panel, r#"[ { "t": 6.0, "inverter_fault": true } ]"#).unwrap();
     let out = run(&[&path, "--no-canon", "--panel", &text(&panel)], 1);
     assert_eq!(out["ended"], "alarm");
-    assert!(out["diagnostics"].as_array().unwrap().iter().any(|said| said["id"] == "motion.inverter-fault"), "{out}");
+    assert!(
+        out["diagnostics"].as_array().unwrap().iter().any(|finding| finding["id"] == "motion.inverter-fault"),
+        "{out}"
+    );
 }
 
 #[test]
@@ -225,13 +228,13 @@ fn endless_program_ends_at_its_budget() {
     assert_eq!(out["diagnostics"][0]["severity"], "warning");
     let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--seconds", "2"], 3);
     assert_eq!(out["ended"], "seconds");
-    let said = &out["diagnostics"][0];
-    assert_eq!(said["severity"], "info");
-    assert!(said["message"].as_str().unwrap().contains("budget"), "{said}");
+    let finding = &out["diagnostics"][0];
+    assert_eq!(finding["severity"], "info");
+    assert!(finding["message"].as_str().unwrap().contains("budget"), "{finding}");
 }
 
 #[test]
-fn run_tells_the_reference_point_of_g50_s_by_its_switch() {
+fn run_has_the_reference_point_of_g50_s_by_its_switch() {
     let path = folder("reference").join("O1.nc");
     std::fs::write(&path, "O1\nG00 X50. Z20.\nG50 S800\nG00 X80.\nM30\n%\n").unwrap();
     for (setting, x) in [("reference-point", json!(50.0)), ("work-zero", json!(50.0)), ("nothing", json!(null))] {
@@ -259,9 +262,9 @@ fn diagnostics_without_place_have_the_same_json_keys() {
     let path = folder.join("keys.nc");
     std::fs::write(&path, "%\nO1\nN1GOTO1\nX#2000\nM30\n%\n").unwrap();
     let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "10"], 3);
-    let told = out["diagnostics"].as_array().unwrap();
-    assert!(told.iter().any(|d| d["line"].is_null()) && told.iter().any(|d| d["line"] == 4), "{told:#?}");
-    for diagnostic in told {
+    let findings = out["diagnostics"].as_array().unwrap();
+    assert!(findings.iter().any(|d| d["line"].is_null()) && findings.iter().any(|d| d["line"] == 4), "{findings:#?}");
+    for diagnostic in findings {
         let keys: Vec<_> = diagnostic.as_object().unwrap().keys().map(String::as_str).collect();
         assert_eq!(
             keys,
@@ -277,9 +280,9 @@ fn terminal_output_is_short_and_without_control_characters() {
     let text_of_it = format!("%\nO1(\u{1b}[31m)\nGOTO7\n#1=1{}\nM30\n%\n", "+1".repeat(20_000));
     std::fs::write(&path, text_of_it).unwrap();
     let out = macroline(&["run", &text(&path), "--control", "mitsubishi-e60"]);
-    let said = String::from_utf8(out.stderr).unwrap();
-    assert!(!said.contains('\u{1b}') && said.lines().all(|line| line.chars().count() < 200), "{said}");
-    assert_eq!(said.matches("[P231]").count(), 1, "found by the reader and by the run, told once: {said}");
+    let stderr = String::from_utf8(out.stderr).unwrap();
+    assert!(!stderr.contains('\u{1b}') && stderr.lines().all(|line| line.chars().count() < 200), "{stderr}");
+    assert_eq!(stderr.matches("[P231]").count(), 1, "found by the reader and by the run, reported once: {stderr}");
 }
 
 #[test]
@@ -310,16 +313,16 @@ fn plc_inputs_are_forced_by_variable_or_register() {
     }
     std::fs::write(&panel, r##"[ { "t": 0, "input": { "R999": 1 }, "variable": { "#2000": 1 } } ]"##).unwrap();
     let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 4);
-    let said: Vec<_> = out["diagnostics"].as_array().unwrap().iter().map(|d| d["message"].to_string()).collect();
+    let messages: Vec<_> = out["diagnostics"].as_array().unwrap().iter().map(|d| d["message"].to_string()).collect();
     assert!(
-        said.iter().any(|said| said.contains("R999")) && said.iter().any(|said| said.contains("#2000")),
-        "{said:?}"
+        messages.iter().any(|text| text.contains("R999")) && messages.iter().any(|text| text.contains("#2000")),
+        "{messages:?}"
     );
     // Values beyond the range of the register.
     std::fs::write(&panel, r##"[ { "t": 0, "input": { "#1033": 5e9, "R72": 70000, "#1005": 2 } } ]"##).unwrap();
     let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 4);
-    let said = out["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "interp.output-range");
-    assert_eq!(said.count(), 3);
+    let out_of_range = out["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "interp.output-range");
+    assert_eq!(out_of_range.count(), 3);
     near(&out["variables"]["#100"], 2_147_483_647.0, 0.0);
     for name in ["#2000=1", "#3004=2", "R999=1", "R172=1", "#1033", "#100=abc", "#100=1e400"] {
         let out = macroline(&["run", &path, "--control", "mitsubishi-e60", "--set", name]);
@@ -387,8 +390,8 @@ fn run_prints_its_log_while_it_runs() {
         .stdout(std::process::Stdio::null())
         .output()
         .unwrap();
-    let said = String::from_utf8_lossy(&out.stderr);
-    assert!(out.status.code() == Some(3) && said.contains("blocks after 3000000 blocks"), "{said}");
+    let stderr = String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.code() == Some(3) && stderr.contains("blocks after 3000000 blocks"), "{stderr}");
 }
 
 /// Steps through a program with a script of commands: exit status, standard output, standard error.
@@ -409,8 +412,8 @@ fn step_exits_with_the_status_of_its_run() {
     std::fs::write(&path, "%\nO1\n#100=#107+1\n#101=SQRT[3-#100]\nM30\n%\n").unwrap();
     let file = text(&path);
     let args = [file.as_str(), "--control", "mitsubishi-e60", "--set", "#107=2"];
-    let (status, out, said) = step(&args, "into\nprint #100*2\ncontinue\n");
-    assert_eq!((status, said.as_str()), (0, ""));
+    let (status, out, stderr) = step(&args, "into\nprint #100*2\ncontinue\n");
+    assert_eq!((status, stderr.as_str()), (0, ""));
     assert!(out.starts_with(" --> a.nc:3:1\n"), "{out}");
     assert!(out.contains("  #100 vacant -> 3\n") && out.contains("#100*2 = 6\n"), "{out}");
     assert!(out.contains("the program is over\n"), "{out}");
@@ -419,10 +422,10 @@ fn step_exits_with_the_status_of_its_run() {
     let (status, out, _) = step(&args, "set #107=9\ncontinue\n");
     assert_eq!(status, 1);
     assert!(out.contains("error[P282]: SQRT of -7 has no value.\n --> a.nc:4:6\n"), "{out}");
-    let (status, out, said) = step(&args, "intwo\n");
+    let (status, out, stderr) = step(&args, "intwo\n");
     assert_eq!(status, 2);
     assert!(out.contains("There is no command “intwo”"), "{out}");
-    assert_eq!(said, "macroline: 1 of the commands could not be carried out\n");
+    assert_eq!(stderr, "macroline: 1 of the commands could not be carried out\n");
     assert_eq!(step(&[file.as_str()], "").0, 2);
 }
 
@@ -437,11 +440,11 @@ fn step_uses_panel_and_budget_of_the_project() {
 }
 
 /// Ids of the findings that a command prints, and its line with the number of silenced ones.
-fn ids_told(out: &Output) -> (Vec<String>, String) {
-    let said = String::from_utf8(out.stderr.clone()).unwrap();
+fn reported_ids(out: &Output) -> (Vec<String>, String) {
+    let stderr = String::from_utf8(out.stderr.clone()).unwrap();
     let id = |line: &str| Some(line.split_once('[')?.1.split_once("]: ")?.0.to_owned());
-    let ids = said.lines().filter(|line| !line.starts_with(' ')).filter_map(id).collect();
-    (ids, said.lines().find(|line| line.ends_with("silenced")).unwrap_or_default().to_owned())
+    let ids = stderr.lines().filter(|line| !line.starts_with(' ')).filter_map(id).collect();
+    (ids, stderr.lines().find(|line| line.ends_with("silenced")).unwrap_or_default().to_owned())
 }
 
 #[test]
@@ -453,9 +456,9 @@ fn warning_shows_the_id_that_suppresses_it() {
     for command in ["check", "run"] {
         let line = |more: &[&str]| macroline(&[&[command, path.as_str()], &control[..], more].concat());
         let all = ["lint.no-point".to_owned(), "lint.unreachable".to_owned()];
-        assert_eq!(ids_told(&line(&[])), (all.to_vec(), String::new()), "{command}");
+        assert_eq!(reported_ids(&line(&[])), (all.to_vec(), String::new()), "{command}");
         let out = line(&["--silence", "lint.no-point"]);
-        assert_eq!(ids_told(&out), (all[1..].to_vec(), "1 silenced".to_owned()), "{command}");
+        assert_eq!(reported_ids(&out), (all[1..].to_vec(), "1 silenced".to_owned()), "{command}");
         let out = line(&["--silence", "lint.no-point", "--silence", "lint.unreachable", "--json"]);
         let json: Json = serde_json::from_slice(&out.stdout).unwrap();
         assert_eq!(json["diagnostics"], json!([]), "{command}");
@@ -511,9 +514,9 @@ fn loop_without_its_other_end_is_one_finding() {
     let path = text(&folder("loops").join("O1.nc"));
     for (lines, alarm) in [("DO1\nG04 X1.\nEND", "P291"), ("DO1\nDO2\nEND1\nEND2", "P294"), ("G04 X1.\nEND1", "P294")] {
         std::fs::write(&path, format!("%\nO1\n{lines}\nM30\n%\n")).unwrap();
-        let told = run(&[&path, "--control", "mitsubishi-e60"], 1);
-        let alarms: Vec<_> = told["diagnostics"].as_array().unwrap().iter().map(|d| &d["alarm"]).collect();
-        assert_eq!((alarms, &told["ended"]), (vec![&json!(alarm)], &json!("alarm")), "{lines}");
+        let outcome = run(&[&path, "--control", "mitsubishi-e60"], 1);
+        let alarms: Vec<_> = outcome["diagnostics"].as_array().unwrap().iter().map(|d| &d["alarm"]).collect();
+        assert_eq!((alarms, &outcome["ended"]), (vec![&json!(alarm)], &json!("alarm")), "{lines}");
     }
 }
 
@@ -526,12 +529,12 @@ fn stopped_run_omits_the_warning_that_foresaw_it() {
         ("G01 X1. F0", "lint.feed-zero-digit", "P62"),
     ] {
         // The warning stays if the run does not reach its block.
-        for (jump, told) in [("", json!([alarm])), ("#3=1\nIF[#3 EQ 1]GOTO9", json!([null]))] {
+        for (jump, expected) in [("", json!([alarm])), ("#3=1\nIF[#3 EQ 1]GOTO9", json!([null]))] {
             std::fs::write(&path, format!("%\nO1\n#1=0\n{jump}\n{block}\nN9 M30\n%\n")).unwrap();
             let out = run(&[&path, "--control", "mitsubishi-e60"], i32::from(jump.is_empty()));
             let found = out["diagnostics"].as_array().unwrap();
             let alarms: Vec<&Json> = found.iter().map(|d| &d["alarm"]).collect();
-            assert_eq!(json!(alarms), told, "{block}: {found:#?}");
+            assert_eq!(json!(alarms), expected, "{block}: {found:#?}");
             let ids: Vec<&Json> = found.iter().map(|d| &d["id"]).collect();
             assert_eq!(ids.contains(&&json!(warning)), !jump.is_empty(), "{block}: {ids:?}");
         }
@@ -545,10 +548,10 @@ fn ignored_part_of_a_block_is_one_finding() {
         "%\nO1\nWHILE[#1 LT 5]DO1\n#1=#1+1\n#1132=#1*1E9\nG04 P0.5\nEND1\nM30\n%\n".replace("1E9", "1000000000");
     std::fs::write(&path, program).unwrap();
     let out = macroline(&["run", &text(&path), "--control", "mitsubishi-e60"]);
-    assert_eq!(ids_told(&out).0, ["interp.decimals-dropped", "interp.output-range"]);
+    assert_eq!(reported_ids(&out).0, ["interp.decimals-dropped", "interp.output-range"]);
     let silent = ["--silence", "interp.decimals-dropped", "--silence", "interp.output-range"];
     let out = macroline(&[&["run", &text(&path), "--control", "mitsubishi-e60"], &silent[..]].concat());
-    assert_eq!(ids_told(&out), (Vec::new(), "2 silenced".to_owned()));
+    assert_eq!(reported_ids(&out), (Vec::new(), "2 silenced".to_owned()));
 }
 
 #[test]
@@ -569,9 +572,9 @@ fn code_call_setting_without_a_program_is_a_finding() {
         let out = macroline(&["check", &text(&path), "--control", control, "--switch", &switch, "--json"]);
         let json: Json = serde_json::from_slice(&out.stdout).unwrap();
         let found = json["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "lint.call-parameter");
-        let said: Vec<String> = found.map(|d| d["message"].to_string()).collect();
-        assert_eq!(said.len(), strange.len(), "{setting}: {said:?}");
-        assert!(said.iter().zip(strange).all(|(said, piece)| said.contains(piece)), "{setting}: {said:?}");
+        let messages: Vec<String> = found.map(|d| d["message"].to_string()).collect();
+        assert_eq!(messages.len(), strange.len(), "{setting}: {messages:?}");
+        assert!(messages.iter().zip(strange).all(|(text, piece)| text.contains(piece)), "{setting}: {messages:?}");
     }
 }
 
@@ -585,7 +588,7 @@ fn suppression_hides_warnings_everywhere_but_never_errors() {
     std::fs::write(&path, saved.to_string()).unwrap();
     let out = text(&folder.join("out"));
     for line in [&["check", &path][..], &["run", &path], &["export", &path, "--out", &out]] {
-        let (ids, _) = ids_told(&macroline(line));
+        let (ids, _) = reported_ids(&macroline(line));
         assert_eq!(ids, ["lint.no-point"], "{line:?}");
     }
     let report = std::fs::read_to_string(folder.join("out/report.md")).unwrap();
@@ -594,7 +597,7 @@ fn suppression_hides_warnings_everywhere_but_never_errors() {
     saved["silenced"] = json!(["nc.no-such-sequence", "form.assumed"]);
     std::fs::write(&path, saved.to_string()).unwrap();
     let out = macroline(&["check", &path]);
-    assert_eq!((ids_told(&out).0, out.status.code()), (vec!["P231".to_owned()], Some(1)));
+    assert_eq!((reported_ids(&out).0, out.status.code()), (vec!["P231".to_owned()], Some(1)));
 }
 
 #[test]
@@ -604,10 +607,10 @@ fn axes_that_stop_between_short_blocks_are_one_finding() {
     let program = format!("%\nO1\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X0.5\n".repeat(40));
     std::fs::write(&path, program).unwrap();
     let args = ["run", &text(&path), "--control", "mitsubishi-e60"];
-    assert_eq!(ids_told(&macroline(&args)).0, ["lint.short-blocks"]);
+    assert_eq!(reported_ids(&macroline(&args)).0, ["lint.short-blocks"]);
     // Calculated lengths are reported by the run.
     std::fs::write(&path, format!("%\nO1\n#1=0.5\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X#1\n".repeat(40))).unwrap();
-    assert_eq!(ids_told(&macroline(&args)).0, ["motion.starved"]);
+    assert_eq!(reported_ids(&macroline(&args)).0, ["motion.starved"]);
 }
 
 #[test]
@@ -648,15 +651,15 @@ fn size_json_has_motors_envelope_limits_and_bill() {
         assert!(!sizing["inverse"][key].is_null(), "{key}: {}", sizing["inverse"]);
     }
     assert!(sizing["chance"].is_null());
-    let told = String::from_utf8(macroline(&["size", &path, "--draws", "20"]).stdout).unwrap();
+    let stdout = String::from_utf8(macroline(&["size", &path, "--draws", "20"]).stdout).unwrap();
     for part in ["Bill of materials", "What limits the machine", "Operating envelope", "Pull roller", "of 20 machines"]
     {
-        assert!(told.contains(part), "{part}: {told}");
+        assert!(stdout.contains(part), "{part}: {stdout}");
     }
 }
 
 #[test]
-fn compare_tells_entries_and_results_that_differ() {
+fn compare_lists_entries_and_results_that_differ() {
     let (slow, fast) = (folder("compare-a"), folder("compare-b"));
     let (a, b) = (project(&slow, json!({ "pitch": 9 })), project(&fast, json!({ "pitch": 9, "spindle-speed": 1400 })));
     let out = macroline(&["compare", &a, &b, "--json"]);
@@ -706,9 +709,9 @@ fn example_is_printed_with_the_reasons_of_its_faults() {
     assert!(printed.status.success());
     let project: Json = serde_json::from_slice(&printed.stdout).unwrap();
     assert_eq!((&project["control"], project["values"]["pitch"].as_f64()), (&json!("gsk-980tdc"), Some(8.0)));
-    let said = String::from_utf8(printed.stderr).unwrap();
+    let stderr = String::from_utf8(printed.stderr).unwrap();
     for part in ["The paper’s machine", "FAIL  Roller : ribbon speed", "alarm 20"] {
-        assert!(said.contains(part), "{part}: {said}");
+        assert!(stderr.contains(part), "{part}: {stderr}");
     }
     assert!(macroline(&["new", "ribbon-line"]).stderr.is_empty());
 }
@@ -717,8 +720,8 @@ fn example_is_printed_with_the_reasons_of_its_faults() {
 fn unknown_example_is_wrong_usage_with_the_known_ones() {
     let refused = macroline(&["new", "turning-spindle", "--example", "papers"]);
     assert_eq!(refused.status.code(), Some(2));
-    let said = String::from_utf8(refused.stderr).unwrap();
-    assert!(said.contains("facing, shaft, keyway, taper"), "{said}");
+    let stderr = String::from_utf8(refused.stderr).unwrap();
+    assert!(stderr.contains("facing, shaft, keyway, taper"), "{stderr}");
 }
 
 #[test]
@@ -735,7 +738,7 @@ fn list_names_the_examples_of_each_machine() {
 }
 
 #[test]
-fn design_tells_where_each_value_comes_from() {
+fn design_has_the_origin_of_each_value() {
     let path = project(&folder("origins"), json!({ "pitch": 9 }));
     let out = macroline(&["design", &path, "--json"]);
     let design: Json = serde_json::from_slice(&out.stdout).unwrap();
@@ -777,6 +780,6 @@ fn parts_prints_the_catalogue_and_takes_rows_back() {
     // A mistake is reported with its place, and fails.
     std::fs::write(&own, "kind,maker,model,ratio\ngear,Own,G1,two\n").unwrap();
     let wrong = macroline(&["parts", &text(&own)]);
-    let said = String::from_utf8(wrong.stderr).unwrap();
-    assert!(wrong.status.code() == Some(1) && said.contains("own.csv:2:13"), "{said}");
+    let stderr = String::from_utf8(wrong.stderr).unwrap();
+    assert!(wrong.status.code() == Some(1) && stderr.contains("own.csv:2:13"), "{stderr}");
 }

@@ -90,8 +90,8 @@ fn list_design_and_size_are_chinese() {
     }
     assert_chinese(&text(&chinese(&folder, &["size", "ribbon-line.json", "--draws", "2"])));
     assert_chinese(&text(&chinese(&folder, &["compare", "ribbon-line.json", "turning-spindle.json"])));
-    let told = text(&chinese(&folder, &["new", "ribbon-line", "--example", "paper"]));
-    assert!(told.contains("\n不满足  辊带速比："), "{told}");
+    let printed = text(&chinese(&folder, &["new", "ribbon-line", "--example", "paper"]));
+    assert!(printed.contains("\n不满足  辊带速比："), "{printed}");
 }
 
 #[test]
@@ -99,10 +99,10 @@ fn check_with_errors_is_chinese() {
     let folder = folder("check");
     let out = chinese(&folder, &["check", broken(&folder), "--control", "mitsubishi-e60"]);
     assert_eq!(out.status.code(), Some(1));
-    let told = text(&out);
-    assert_chinese(&told);
-    assert!(told.contains("错误[P283]：除数为 0。") && told.contains(" 处错误、"), "{told}");
-    assert!(told.contains("系统显示：P283 ") && told.contains("\n建议："), "{told}");
+    let printed = text(&out);
+    assert_chinese(&printed);
+    assert!(printed.contains("错误[P283]：除数为 0。") && printed.contains(" 处错误、"), "{printed}");
+    assert!(printed.contains("系统显示：P283 ") && printed.contains("\n建议："), "{printed}");
 }
 
 #[test]
@@ -114,13 +114,13 @@ fn step_answers_in_chinese() {
     let script = b"help\nlocals\nbreaks\nbreak N9\nbreak 4 if #107 GT 1\nbreaks\noff 1\noff 2\nbreaks\nwatch #107\n\
         set x\nback\nfault x\ncontinue\nwhere\nstack\nreset\nnonsense\nquit\n";
     child.stdin.take().unwrap().write_all(script).unwrap();
-    let told = text(&child.wait_with_output().unwrap());
-    assert_chinese(&told);
-    assert!(told.contains("监视 1：#107 = 空\n") && told.contains("停止 0 次，已停用\n"), "{told}");
+    let printed = text(&child.wait_with_output().unwrap());
+    assert_chinese(&printed);
+    assert!(printed.contains("监视 1：#107 = 空\n") && printed.contains("停止 0 次，已停用\n"), "{printed}");
 }
 
 #[test]
-fn wrong_usage_is_told_in_chinese() {
+fn wrong_usage_is_reported_in_chinese() {
     let folder = folder("usage");
     broken(&folder);
     for line in [
@@ -160,7 +160,7 @@ fn wrong_usage_is_told_in_chinese() {
 
 // The reason after the colon is worded by serde or the system, and stays in their language.
 #[test]
-fn broken_json_is_told_in_chinese() {
+fn broken_json_is_reported_in_chinese() {
     let folder = folder("json");
     for file in [
         "{",
@@ -178,18 +178,18 @@ fn broken_json_is_told_in_chinese() {
         "{\"version\":1,\"title_block\":true}",
     ] {
         std::fs::write(folder.join("j.json"), file).unwrap();
-        let told = text(&chinese(&folder, &["check", "j.json"]));
-        let sentence = told.lines().next().unwrap();
+        let printed = text(&chinese(&folder, &["check", "j.json"]));
+        let sentence = printed.lines().next().unwrap();
         assert!(
             sentence.starts_with("错误：这不是 JSON：") || sentence.starts_with("错误：内容不符合"),
-            "{file}: {told}"
+            "{file}: {printed}"
         );
     }
 }
 
 #[test]
 fn locale_chooses_the_language_unless_the_option_does() {
-    let told = |locale: [&str; 3], args: &[&str]| {
+    let prints_chinese = |locale: [&str; 3], args: &[&str]| {
         let [all, messages, lang] = locale;
         let mut command = command::macroline();
         command.env("LC_ALL", all).env("LC_MESSAGES", messages).env("LANG", lang).args(args);
@@ -205,10 +205,14 @@ fn locale_chooses_the_language_unless_the_option_does() {
         (["", "", "de_DE.UTF-8"], false),
         (["", "", ""], false),
     ] {
-        assert_eq!(told(locale, &["list"]), is_chinese, "{locale:?}");
-        assert!(told(locale, &["list", "--language", "zh"]) && told(locale, &["--language=zh", "list"]), "{locale:?}");
+        assert_eq!(prints_chinese(locale, &["list"]), is_chinese, "{locale:?}");
         assert!(
-            !told(locale, &["list", "--language=en"]) && !told(locale, &["--language", "en", "list"]),
+            prints_chinese(locale, &["list", "--language", "zh"]) && prints_chinese(locale, &["--language=zh", "list"]),
+            "{locale:?}"
+        );
+        assert!(
+            !prints_chinese(locale, &["list", "--language=en"])
+                && !prints_chinese(locale, &["--language", "en", "list"]),
             "{locale:?}"
         );
     }

@@ -1,4 +1,4 @@
-//! The command line for tests: in English, whatever the language of the machine.
+//! The command line for tests: in English, with any locale of the computer.
 
 use std::process::Command;
 

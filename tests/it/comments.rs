@@ -18,6 +18,7 @@ use macroline::text::catalog::{self, Language, programs};
 use serde_json::Value as Json;
 
 use super::command;
+use super::queries::every_machine_on_every_control;
 
 const GBK: &str = "gbk";
 const UTF8: &str = "utf-8";
@@ -36,21 +37,17 @@ fn in_english(project: &Project) -> Project {
     project
 }
 
-/// Every machine on every control, with the defaults of its form and with each of its examples.
-fn projects() -> Vec<Project> {
-    let mut all = Vec::new();
-    for machine in machines::ALL {
-        for control in machine.controls() {
-            all.push(Project::of(machine.id(), Some(control)).unwrap());
-            let examples = machine.examples().iter();
-            all.extend(examples.filter_map(|one| Some(Project::example(*machine, controls::find(control)?, one))));
-        }
-    }
-    all
+/// Every machine on every control, as a new project and with each of its examples.
+fn new_projects_and_examples() -> impl Iterator<Item = Project> {
+    every_machine_on_every_control().flat_map(|project| {
+        let (machine, control) = (project.machine, project.control);
+        let examples = machine.examples().iter().map(move |example| Project::example(machine, control, example));
+        std::iter::once(project).chain(examples)
+    })
 }
 
 fn chinese_projects(encoding: &str) -> Vec<Project> {
-    let allowed = projects().into_iter().filter(|project| project.control.switch("comment-characters").is_some());
+    let allowed = new_projects_and_examples().filter(|project| project.control.switch("comment-characters").is_some());
     allowed.map(|project| in_chinese(project, encoding)).collect()
 }
 
@@ -69,10 +66,11 @@ fn is_setting(comment: &str) -> bool {
 
 #[test]
 fn every_comment_of_every_program_has_chinese() {
-    let mut missing = std::collections::BTreeSet::new();
+    let (mut missing, mut compared) = (BTreeSet::new(), 0);
     for project in chinese_projects(GBK) {
         let [english, chinese] = [in_english(&project), project].map(|project| comments_of(&project.written().parsed));
         assert_eq!(english.len(), chinese.len());
+        compared += english.len();
         for (english, chinese) in english.into_iter().zip(chinese) {
             if is_setting(&english) {
                 assert_eq!(english, chinese);
@@ -82,6 +80,7 @@ fn every_comment_of_every_program_has_chinese() {
         }
     }
     assert!(missing.is_empty(), "no Chinese of {missing:#?}");
+    assert!(compared > 100, "{compared} comments");
 }
 
 /// Texts of the alarms and messages of a program.
@@ -97,7 +96,7 @@ fn messages_of(parsed: &Parsed) -> Vec<String> {
 #[test]
 fn every_alarm_and_message_of_every_program_has_chinese() {
     let mut all = BTreeSet::new();
-    for mut project in projects() {
+    for mut project in new_projects_and_examples() {
         all.extend(messages_of(&project.written().parsed));
         for (field, value) in [("rest", "alarm"), ("job", "product-length")] {
             if project.machine.fields().iter().any(|row| row.id == field) {
@@ -117,10 +116,10 @@ fn alarm_of_the_program_has_its_chinese_behind_it() {
     let own = macroline::msg!("interp.user-alarm-text", number = 20_u32, text = "CHECK THE DOOR");
     assert_eq!(catalog::sentence(&alarm), "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119");
     catalog::speak(Language::Chinese.sentences());
-    let said = [alarm, own].map(|alarm| catalog::sentence(&alarm));
+    let sentences = [alarm, own].map(|alarm| catalog::sentence(&alarm));
     catalog::speak(Language::English.sentences());
     let chinese = "程序产生用户报警 20：FEED #115 ABOVE LIMIT #119（进给 #115 超过上限 #119）";
-    assert_eq!(said, [chinese, "程序产生用户报警 20：CHECK THE DOOR"]);
+    assert_eq!(sentences, [chinese, "程序产生用户报警 20：CHECK THE DOOR"]);
 }
 
 #[test]
@@ -168,7 +167,7 @@ fn chinese_comments_are_short_and_in_gbk() {
 }
 
 #[test]
-fn values_of_a_comment_stand_in_its_chinese() {
+fn values_of_a_comment_are_in_its_chinese() {
     assert_eq!(programs::chinese("X PER PITCH").as_deref(), Some("X 每节距行程"));
     assert_eq!(programs::chinese("THEN X12.5 IS 24 MM ACROSS FLATS").as_deref(), Some("此时 X12.5 对应对边宽度 24 mm"));
     assert_eq!(programs::chinese("X OFFSET OF T3 IS -40."), Some("T3 的 X 刀偏为 -40.".to_owned()));

@@ -19,7 +19,7 @@ const NAMED_SUBPROGRAMS: &str = "%_N_L2_SPF\nR102=R102+1\nM17\n";
 
 /// Result of the lines on a control: the log, the common variables they set, or the alarm; empty for a control whose language has no such
 /// lines.
-fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> String {
+fn outcome(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> String {
     let names = control.syntax.names.is_some();
     let lines = if names { named } else { lines };
     if lines.is_empty() {
@@ -37,19 +37,21 @@ fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> St
     }
     let mut interp = Interp::new(Rc::new(parsed), StartProgram::First);
     let names = interp.names();
-    let mut said: Vec<String> = Vec::new();
-    let log = |canon: &Canon, _: Place| said.push(canon.line(names).to_string());
+    let mut effects: Vec<String> = Vec::new();
+    let log = |canon: &Canon, _: Place| effects.push(canon.line(names).to_string());
     let mut world = MachineAtRest::default();
     let end = interp::run(&mut interp, &mut world, 10_000, log);
-    said.extend(world.remarks.iter().map(|remark| format!("({})", remark.message.id)));
+    effects.extend(world.remarks.iter().map(|remark| format!("({})", remark.message.id)));
     match end {
-        Some(End::Program) => said.retain(|line| line != "end"),
-        Some(End::Alarm(diagnostic)) => said.push(format!("alarm {}", diagnostic.alarm.as_deref().unwrap_or("none"))),
-        None => said.push("endless".to_owned()),
+        Some(End::Program) => effects.retain(|line| line != "end"),
+        Some(End::Alarm(diagnostic)) => {
+            effects.push(format!("alarm {}", diagnostic.alarm.as_deref().unwrap_or("none")))
+        }
+        None => effects.push("endless".to_owned()),
     }
     let common = interp.variables().filter(|(name, _)| name.len() > 3);
-    said.extend(common.map(|(name, value)| format!("{name}={}", (value * 1e9).round() / 1e9)));
-    if said.is_empty() { "-".to_owned() } else { said.join(" ") }
+    effects.extend(common.map(|(name, value)| format!("{name}={}", (value * 1e9).round() / 1e9)));
+    if effects.is_empty() { "-".to_owned() } else { effects.join(" ") }
 }
 
 /// Name of each question, and the lines that answer it: on controls with numbered programs, and on those with named ones.
@@ -158,7 +160,7 @@ fn same_lines_on_each_control_match_the_table() {
     rows.extend(
         QUESTIONS
             .iter()
-            .map(|question| (question.0.to_owned(), ALL.iter().map(|control| told(control, question)).collect())),
+            .map(|question| (question.0.to_owned(), ALL.iter().map(|control| outcome(control, question)).collect())),
     );
     let width = |column: usize| rows.iter().map(|(_, cells)| cells[column].chars().count()).max().unwrap();
     let widths: Vec<usize> = (0..ALL.len()).map(width).collect();

@@ -9,8 +9,8 @@ use macroline::project::findings::render::{Renderer, summary};
 fn check(id: &str, text: &str, expected: Expect) {
     let parsed = parse(&Files::one("O1.nc", text), controls::find(id).unwrap());
     let renderer = Renderer::new(parsed.files());
-    let told: String = parsed.diagnostics().iter().map(|d| renderer.text(d) + "\n").collect();
-    expected.assert_eq(&(told + &summary(parsed.diagnostics()) + "\n"));
+    let rendered: String = parsed.diagnostics().iter().map(|d| renderer.text(d) + "\n").collect();
+    expected.assert_eq(&(rendered + &summary(parsed.diagnostics()) + "\n"));
 }
 
 #[test]

@@ -25,7 +25,7 @@ fn text(path: &Path) -> &str {
 }
 
 /// Standard error as text.
-fn said(out: &Output) -> String {
+fn error_text(out: &Output) -> String {
     String::from_utf8(out.stderr.clone()).unwrap()
 }
 
@@ -63,7 +63,7 @@ fn name_taken_by_a_folder_leaves_everything_as_it_was() {
     let before = contents(&out);
     let done = macroline(&["export", text(&project), "--out", text(&out)]);
     assert_eq!(done.status.code(), Some(1));
-    assert!(said(&done).contains("report.md: a folder has this name"), "{}", said(&done));
+    assert!(error_text(&done).contains("report.md: a folder has this name"), "{}", error_text(&done));
     assert!(done.stdout.is_empty());
     assert_eq!(contents(&out), before);
 }
@@ -75,12 +75,12 @@ fn folder_that_cannot_be_made_leaves_nothing() {
     fs::write(folder.join("file"), "kept").unwrap();
     let out = folder.join("file/deep/out");
     let done = macroline(&["export", text(&project), "--out", text(&out)]);
-    assert_eq!(done.status.code(), Some(1), "{}", said(&done));
-    assert!(said(&done).contains("file is a file, not a folder"), "{}", said(&done));
+    assert_eq!(done.status.code(), Some(1), "{}", error_text(&done));
+    assert!(error_text(&done).contains("file is a file, not a folder"), "{}", error_text(&done));
     assert_eq!(contents(&folder).len(), 2);
     let done = macroline(&["export", text(&project), "--out", "/dev/null"]);
     assert_eq!(
-        (done.status.code(), said(&done).contains("/dev/null is a file, not a folder")),
+        (done.status.code(), error_text(&done).contains("/dev/null is a file, not a folder")),
         (Some(1), !cfg!(windows))
     );
 }
@@ -94,7 +94,7 @@ fn failure_within_an_export_takes_all_of_it_back() {
     let out = folder.join("out");
     let export = format!("trap '' XFSZ; ulimit -f 4; \"$0\" export \"$1\" --out {}", text(&out));
     let done = shell(&export, text(&project));
-    assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+    assert_eq!(done.status.code(), Some(1), "{}", error_text(&done));
     assert!(!out.exists() && done.stdout.is_empty());
     fs::create_dir(&out).unwrap();
     fs::write(out.join("O9100.nc"), "kept").unwrap();
@@ -118,7 +118,7 @@ fn read_only_folder_stays_as_it_was() {
     fs::set_permissions(&out, fs::Permissions::from_mode(0o755)).unwrap();
     // For root the folder is writable, so there is nothing to check.
     if done.status.code() != Some(0) {
-        assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+        assert_eq!(done.status.code(), Some(1), "{}", error_text(&done));
         assert_eq!(contents(&out), before);
     }
 }
@@ -145,11 +145,11 @@ fn pdf_of_a_browser_is_a_file_of_the_export() {
     let folder = folder("pdf");
     let (project, browser, out) = (project(&folder, |_| {}), browser(&folder, PRINTS), folder.join("out"));
     let done = macroline(&["export", text(&project), "--out", text(&out), "--pdf", "--browser", &browser]);
-    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
-    let told = String::from_utf8(done.stdout).unwrap();
+    assert_eq!(done.status.code(), Some(0), "{}", error_text(&done));
+    let stdout = String::from_utf8(done.stdout).unwrap();
     for name in ["summary.pdf", "report.pdf"] {
         assert_eq!(fs::read_to_string(out.join(name)).unwrap(), "%PDF-1.4");
-        assert!(told.contains(&format!("{name}\n")), "{told}");
+        assert!(stdout.contains(&format!("{name}\n")), "{stdout}");
     }
 }
 
@@ -164,7 +164,7 @@ fn browser_that_prints_nothing_or_is_missing_exports_nothing() {
     {
         let done = macroline(&["export", text(&project), "--out", text(&out), "--pdf", "--browser", browser]);
         assert_eq!(done.status.code(), Some(1));
-        assert!(said(&done).contains(reason), "{}", said(&done));
+        assert!(error_text(&done).contains(reason), "{}", error_text(&done));
         assert!(!out.exists());
     }
     let without = command::macroline()
@@ -172,7 +172,7 @@ fn browser_that_prints_nothing_or_is_missing_exports_nothing() {
         .env("PATH", "")
         .output()
         .unwrap();
-    assert!(said(&without).contains("install Chromium, Chrome or Edge"), "{}", said(&without));
+    assert!(error_text(&without).contains("install Chromium, Chrome or Edge"), "{}", error_text(&without));
     assert_eq!(macroline(&["export", text(&project), "--out", "out", "--browser", "any"]).status.code(), Some(2));
 }
 
@@ -185,7 +185,7 @@ fn links_are_replaced_and_not_followed() {
     fs::write(folder.join("elsewhere"), "untouched").unwrap();
     std::os::unix::fs::symlink(folder.join("elsewhere"), out.join("O9100.nc")).unwrap();
     let done = macroline(&["export", text(&project), "--out", text(&out)]);
-    assert!(done.status.success(), "{}", said(&done));
+    assert!(done.status.success(), "{}", error_text(&done));
     assert_eq!(fs::read_to_string(folder.join("elsewhere")).unwrap(), "untouched");
     assert!(fs::read_to_string(out.join("O9100.nc")).unwrap().contains("O9100"));
     assert!(!fs::symlink_metadata(out.join("O9100.nc")).unwrap().is_symlink());
@@ -202,7 +202,7 @@ fn concurrent_exports_do_not_mix() {
             fs::create_dir(&own).unwrap();
             let project = project(&own, |project| project["values"]["pitch"] = serde_json::from_str(pitch).unwrap());
             let done = macroline(&["export", text(&project), "--out", text(&own.join("out"))]);
-            assert!(done.status.success(), "{}", said(&done));
+            assert!(done.status.success(), "{}", error_text(&done));
             (project, contents(&own.join("out")))
         })
         .collect();
@@ -230,7 +230,7 @@ fn names_that_would_be_one_file_are_an_error() {
         let out = folder.join("out");
         let done = macroline(&["export", text(&project), "--out", text(&out)]);
         assert_eq!(done.status.code(), Some(1), "{one} {other}");
-        assert!(said(&done).contains("would be one file"), "{}", said(&done));
+        assert!(error_text(&done).contains("would be one file"), "{}", error_text(&done));
         assert!(!out.exists());
     }
 }
@@ -250,13 +250,13 @@ fn closed_and_full_outputs_end_without_a_panic() {
     let export = format!("export \"$1\" --out {}", text(&out));
     for command in ["list", "new ribbon-line", "design \"$1\"", "design \"$1\" --json", "run \"$1\"", &export] {
         let full = shell(&format!("\"$0\" {command} > /dev/full"), text(&project));
-        assert_eq!(full.status.code(), Some(1), "{command}: {}", said(&full));
-        assert!(said(&full).contains("No space left"), "{command}: {}", said(&full));
+        assert_eq!(full.status.code(), Some(1), "{command}: {}", error_text(&full));
+        assert!(error_text(&full).contains("No space left"), "{command}: {}", error_text(&full));
         let broken = shell(&format!("{{ \"$0\" {command}; echo $? >&2; }} | true"), text(&project));
-        assert!(!said(&broken).contains("panicked"), "{command}: {}", said(&broken));
-        assert!(said(&broken).ends_with("0\n"), "{command}: {}", said(&broken));
+        assert!(!error_text(&broken).contains("panicked"), "{command}: {}", error_text(&broken));
+        assert!(error_text(&broken).ends_with("0\n"), "{command}: {}", error_text(&broken));
         let closed = shell(&format!("\"$0\" {command} >&-"), text(&project));
-        assert_eq!(closed.status.code(), Some(0), "{command}: {}", said(&closed));
+        assert_eq!(closed.status.code(), Some(0), "{command}: {}", error_text(&closed));
         let silent = shell(&format!("\"$0\" {command} 2> /dev/full > /dev/null"), text(&project));
         assert!(matches!(silent.status.code(), Some(0 | 1)), "{command}");
     }
@@ -278,13 +278,17 @@ fn wrong_shapes_are_refused_by_every_command() {
         let out = folder.join("out");
         let done = macroline(&["export", text(&path), "--out", text(&out)]);
         assert_eq!(done.status.code(), Some(1), "{change}");
-        assert!(said(&done).contains(place) && said(&done).contains("--> project.json:1:"), "{}", said(&done));
+        assert!(
+            error_text(&done).contains(place) && error_text(&done).contains("--> project.json:1:"),
+            "{}",
+            error_text(&done)
+        );
         assert!(!out.exists());
         for command in ["design", "check", "run"] {
             let done = macroline(&[command, text(&path), "--json"]);
             assert_eq!(done.status.code(), Some(1), "{command} {change}");
-            let told: Json = serde_json::from_slice(&done.stdout).unwrap();
-            let first = &told["diagnostics"][0];
+            let answer: Json = serde_json::from_slice(&done.stdout).unwrap();
+            let first = &answer["diagnostics"][0];
             assert_eq!((&first["severity"], &first["file"]), (&json!("error"), &json!("project.json")), "{first}");
             assert!(first["line"] == 1 && first["column"].as_u64().is_some_and(|at| at > 1), "{first}");
         }
@@ -292,15 +296,15 @@ fn wrong_shapes_are_refused_by_every_command() {
 }
 
 #[test]
-fn project_that_does_not_load_is_told_as_json() {
+fn project_that_does_not_load_is_reported_as_json() {
     let folder = folder("unloaded");
     let path = folder.join("project.json");
     fs::write(&path, "{ \"version\": 1,").unwrap();
     for command in ["design", "check", "run"] {
         let done = macroline(&[command, text(&path), "--json"]);
         assert_eq!(done.status.code(), Some(1));
-        let told: Json = serde_json::from_slice(&done.stdout).unwrap();
-        assert_eq!(told["diagnostics"][0]["id"], "project.not-json");
+        let answer: Json = serde_json::from_slice(&done.stdout).unwrap();
+        assert_eq!(answer["diagnostics"][0]["id"], "project.not-json");
         assert!(done.stderr.is_empty());
     }
 }
@@ -319,7 +323,7 @@ fn encodings_are_read_or_named() {
     for bytes in [utf16(&plain, true), utf16(&plain, false), format!("\u{feff}{plain}").into_bytes()] {
         fs::write(&path, bytes).unwrap();
         let same = macroline(&["design", text(&path)]);
-        assert_eq!((&same.stdout, same.status.code()), (&design.stdout, design.status.code()), "{}", said(&same));
+        assert_eq!((&same.stdout, same.status.code()), (&design.stdout, design.status.code()), "{}", error_text(&same));
     }
     // 主 in GBK.
     let mut bytes = plain.replace("\"name\":\"\"", "\"name\":\"#\"").into_bytes();
@@ -328,13 +332,17 @@ fn encodings_are_read_or_named() {
     fs::write(&path, bytes).unwrap();
     let refused = macroline(&["design", text(&path)]);
     assert_eq!(refused.status.code(), Some(1));
-    assert!(said(&refused).contains(&format!("Byte {at} of the file is not UTF-8")), "{}", said(&refused));
+    assert!(error_text(&refused).contains(&format!("Byte {at} of the file is not UTF-8")), "{}", error_text(&refused));
     let program = folder.join("O1.nc");
     for little in [true, false] {
         fs::write(&program, utf16("%\nO1\nM30\n%\n", little)).unwrap();
         let named = macroline(&["check", text(&program), "--control", "mitsubishi-e60"]);
         assert_eq!(named.status.code(), Some(1));
-        assert!(said(&named).contains("UTF-16") && said(&named).ends_with("1 error\n"), "{}", said(&named));
+        assert!(
+            error_text(&named).contains("UTF-16") && error_text(&named).ends_with("1 error\n"),
+            "{}",
+            error_text(&named)
+        );
     }
 }
 
@@ -353,10 +361,14 @@ fn files_that_are_no_text_are_named() {
         for command in ["check", "run"] {
             let named = macroline(&[command, text(&path), "--control", "mitsubishi-e60"]);
             assert_eq!(named.status.code(), Some(1), "{word}");
-            assert!(said(&named).contains(word) && said(&named).ends_with("1 error\n"), "{}", said(&named));
+            assert!(
+                error_text(&named).contains(word) && error_text(&named).ends_with("1 error\n"),
+                "{}",
+                error_text(&named)
+            );
         }
         let project = macroline(&["design", text(&path)]);
-        assert!(said(&project).contains(word) && project.status.code() == Some(1), "{}", said(&project));
+        assert!(error_text(&project).contains(word) && project.status.code() == Some(1), "{}", error_text(&project));
     }
 }
 
@@ -367,14 +379,14 @@ fn error_in_a_branch_never_taken_is_no_failure() {
     let status = |program: &str| {
         fs::write(&path, program).unwrap();
         let done = macroline(&["run", text(&path), "--control", "mitsubishi-e60"]);
-        (done.status.code(), said(&done))
+        (done.status.code(), error_text(&done))
     };
     for block in ["#2=1/0", "X5.Q[", "G777"] {
-        let (code, told) = status(&format!("%\nO1\nGOTO10\n{block}\nN10M30\n%\n"));
-        assert_eq!(code, Some(0), "{told}");
-        assert!(told.contains("warning[P") && told.contains("did not come to this block"), "{told}");
-        let (code, told) = status(&format!("%\nO1\n{block}\nN10M30\n%\n"));
-        assert_eq!(code, Some(1), "{told}");
+        let (code, stderr) = status(&format!("%\nO1\nGOTO10\n{block}\nN10M30\n%\n"));
+        assert_eq!(code, Some(0), "{stderr}");
+        assert!(stderr.contains("warning[P") && stderr.contains("did not come to this block"), "{stderr}");
+        let (code, stderr) = status(&format!("%\nO1\n{block}\nN10M30\n%\n"));
+        assert_eq!(code, Some(1), "{stderr}");
         // Checked without a run it is an error.
         assert_eq!(macroline(&["check", text(&path), "--control", "mitsubishi-e60"]).status.code(), Some(1));
     }
@@ -390,8 +402,8 @@ fn fixes_count_the_bytes_of_the_file() {
     bytes.extend(b")\nIF[#1==0]GOTO1\nN1\nM30\n%\n");
     fs::write(&path, &bytes).unwrap();
     let done = macroline(&["check", text(&path), "--control", "mitsubishi-e60", "--json"]);
-    let told: Json = serde_json::from_slice(&done.stdout).unwrap();
-    let fixes = told["diagnostics"].as_array().unwrap().iter().flat_map(|d| d["fixes"].as_array().unwrap());
+    let answer: Json = serde_json::from_slice(&done.stdout).unwrap();
+    let fixes = answer["diagnostics"].as_array().unwrap().iter().flat_map(|d| d["fixes"].as_array().unwrap());
     let edits: Vec<&Json> = fixes.flat_map(|fix| fix["edits"].as_array().unwrap()).collect();
     let sign = bytes.windows(2).position(|pair| pair == b"==").unwrap();
     assert!(edits.iter().any(|edit| edit["start"] == sign && edit["end"] == sign + 2), "{edits:?}");
@@ -402,7 +414,7 @@ fn fixes_count_the_bytes_of_the_file() {
 }
 
 #[test]
-fn files_of_one_name_are_told_apart() {
+fn files_of_one_name_are_distinguished() {
     let folder = folder("same-name");
     let paths: Vec<PathBuf> = ["a/x/O1.nc", "b/x/O1.nc", "b/x/O2.nc"].iter().map(|path| folder.join(path)).collect();
     for path in &paths {
@@ -411,8 +423,8 @@ fn files_of_one_name_are_told_apart() {
     }
     let mut args = vec!["check", "--control", "mitsubishi-e60", "--json"];
     args.extend(paths.iter().map(|path| text(path)));
-    let told: Json = serde_json::from_slice(&macroline(&args).stdout).unwrap();
-    let found = told["diagnostics"].as_array().unwrap().iter().filter(|d| d["alarm"] == "P241");
+    let answer: Json = serde_json::from_slice(&macroline(&args).stdout).unwrap();
+    let found = answer["diagnostics"].as_array().unwrap().iter().filter(|d| d["alarm"] == "P241");
     let files: Vec<&str> = found.map(|d| d["file"].as_str().unwrap()).collect();
     assert_eq!(files, ["a/x/O1.nc", "b/x/O1.nc", "O2.nc"]);
 }
@@ -434,8 +446,8 @@ fn hostile_text_is_escaped_wherever_it_leaves() {
     for command in ["check", "run"] {
         let done = macroline(&[command, text(&program), "--control", "sinumerik-802d"]);
         for stream in [&done.stdout, &done.stderr] {
-            let told = String::from_utf8(stream.clone()).unwrap();
-            assert!(!obeyed(&told), "{command}: {told:?}");
+            let output = String::from_utf8(stream.clone()).unwrap();
+            assert!(!obeyed(&output), "{command}: {output:?}");
         }
     }
     let path = project(&folder, |project| {
@@ -444,7 +456,7 @@ fn hostile_text_is_escaped_wherever_it_leaves() {
     });
     let out = folder.join("out");
     let done = macroline(&["export", text(&path), "--out", text(&out)]);
-    assert!(!obeyed(&said(&done)));
+    assert!(!obeyed(&error_text(&done)));
     if done.status.success() {
         let report = fs::read_to_string(out.join("report.md")).unwrap();
         assert!(!report.contains("<script>") && !report.contains("](http") && !obeyed(&report), "{report}");
@@ -452,10 +464,10 @@ fn hostile_text_is_escaped_wherever_it_leaves() {
         let saved: Json = serde_json::from_str(&fs::read_to_string(out.join("project.json")).unwrap()).unwrap();
         assert!(saved["values"]["customer"].as_str().unwrap().contains("<script>"), "JSON stays data");
     } else {
-        assert!(said(&done).contains("customer"), "{}", said(&done));
+        assert!(error_text(&done).contains("customer"), "{}", error_text(&done));
     }
     let missing = macroline(&["check", "\u{1b}[31m\u{202e}.nc", "--control", "mitsubishi-e60"]);
-    assert!(missing.status.code() == Some(2) && !obeyed(&said(&missing)), "{:?}", said(&missing));
+    assert!(missing.status.code() == Some(2) && !obeyed(&error_text(&missing)), "{:?}", error_text(&missing));
 }
 
 /// Processor time in seconds of a command in a shell, user and system.
@@ -549,7 +561,7 @@ fn large_faulty_programs_take_no_quadratic_time() {
         let program = |count: usize| head.to_owned() + &(1..=count).map(block).collect::<String>() + "M30\n";
         assert_no_quadratic_time(&path, name, &[&command(control)], &program);
     }
-    // One line of brackets, in a file whose missing variable asks for the free ones.
+    // One line of brackets, in a file that names a missing variable, for which free ones are proposed.
     let brackets = |count: usize| "O1\n#9999=1\n".to_owned() + &"(".repeat(10 * count);
     assert_no_quadratic_time(&path, "open brackets", &[&command("mitsubishi-e60")], &brackets);
     let words = |count: usize| ("X1Y1".repeat(count / 4) + "\n").repeat(20);
@@ -600,7 +612,7 @@ fn large_good_programs_take_no_quadratic_time() {
         let path = folder.join("large.nc");
         fs::write(&path, program(1000)).unwrap();
         let checked = macroline(&["check", text(&path), "--control", control]);
-        assert!(checked.status.success(), "{name}: {}", said(&checked));
+        assert!(checked.status.success(), "{name}: {}", error_text(&checked));
         assert_no_quadratic_time(&path, name, &commands, &program);
     }
 }

@@ -11,7 +11,7 @@ use macroline::project::export::{ExportFile, ExportOptions, FileRole};
 use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
 
-use crate::asked::near_share;
+use crate::queries::near_share;
 
 fn controls() -> &'static [&'static str] {
     macroline::machines::find("ribbon-line").unwrap().controls()
@@ -224,8 +224,8 @@ proptest! {
         let feed = project.design().readouts.iter().find(|row| row.id == "vector-feed").unwrap().value;
         let ratio = round(ratio * (feed / project.control.limits.feed_max * 1.01).max(1.0));
         project.values.insert("reduction-ratio".to_owned(), Value::Number(ratio));
-        let told = project.design().diagnostics;
-        prop_assert!(told.iter().all(|d| d.severity == macroline::text::Severity::Info), "{:?}", told);
+        let diagnostics = project.design().diagnostics;
+        prop_assert!(diagnostics.iter().all(|d| d.severity == macroline::text::Severity::Info), "{:?}", diagnostics);
         let out = run(&project);
         prop_assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
         let n = (f64::from(speed) * switched(&project, f64::from(percent)) / 100.0).min(1480.0);

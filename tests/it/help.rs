@@ -205,8 +205,8 @@ fn languages_have_the_same_manual_and_all_of_it_is_shown() {
             }
             shown
         });
-        let said = |sentence: &str| sentence.split(['{', '}']).step_by(2).all(|part| shown.contains(part));
-        broken.extend(rows.iter().filter(|row| !said(row.1)).map(|row| format!("nothing shows {}", row.0)));
+        let is_shown = |sentence: &str| sentence.split(['{', '}']).step_by(2).all(|part| shown.contains(part));
+        broken.extend(rows.iter().filter(|row| !is_shown(row.1)).map(|row| format!("nothing shows {}", row.0)));
     }
     assert_eq!(broken, Vec::<String>::new());
 }
@@ -353,25 +353,25 @@ fn drawing_of_every_machine_has_its_numbered_parts() {
 }
 
 /// Runs the program.
-fn told(args: &[&str]) -> Output {
+fn run(args: &[&str]) -> Output {
     command::macroline().args(args).output().unwrap()
 }
 
 #[test]
-fn explain_tells_causes_of_an_alarm_on_its_control() {
-    let out = told(&["explain", "P62"]);
+fn explain_prints_causes_of_an_alarm_on_its_control() {
+    let out = run(&["explain", "P62"]);
     let text = String::from_utf8(out.stdout).unwrap();
     assert!(out.status.success() && text.contains("No F command") && text.contains("Write F"), "{text}");
-    let out = told(&["explain", "field.pitch", "--json"]);
+    let out = run(&["explain", "field.pitch", "--json"]);
     let found: Json = serde_json::from_slice(&out.stdout).unwrap();
     assert_eq!(found["found"][0]["id"], "ribbon-line/field.pitch");
-    let out = told(&["explain", "G96", "--control", "sinumerik-802d", "--json"]);
+    let out = run(&["explain", "G96", "--control", "sinumerik-802d", "--json"]);
     let found: Json = serde_json::from_slice(&out.stdout).unwrap();
     assert_eq!(found["found"][0]["id"], "sinumerik-802d/code.G96");
 }
 
 #[test]
 fn explain_of_an_unknown_word_fails() {
-    assert_eq!(told(&["explain", "no such word at all"]).status.code(), Some(1));
-    assert_eq!(told(&["explain", "P62", "--control", "none"]).status.code(), Some(2));
+    assert_eq!(run(&["explain", "no such word at all"]).status.code(), Some(1));
+    assert_eq!(run(&["explain", "P62", "--control", "none"]).status.code(), Some(2));
 }

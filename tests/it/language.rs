@@ -8,8 +8,8 @@ mod loops;
 mod names;
 mod other_forms;
 mod quick_fixes;
-mod slips;
 mod trees;
+mod typing_mistakes;
 
 use expect_test::{Expect, expect};
 use macroline::controls::{Control, find};

@@ -84,7 +84,7 @@ fn hover_has_meaning_and_source() {
 }
 
 #[test]
-fn completion_replaces_what_is_typed() {
+fn completion_replaces_the_typed_text() {
     let mut client = Client::start(&["--control", "mitsubishi-e60"]);
     let uri = "file:///shop/O1.nc";
     // The letters before the word take two units each.
@@ -163,8 +163,8 @@ fn client_chooses_the_language_unless_the_option_does() {
         let mut client = Client::before_start(args);
         client.introduce_with(json!({ "locale": "zh-cn" }));
         let found = client.open("file:///shop/O1.nc", "O1\nG65 P9100\nM30\n%\n");
-        let said = found[0]["message"].as_str().unwrap();
-        assert_eq!(said.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c)), chinese, "{said}");
+        let message = found[0]["message"].as_str().unwrap();
+        assert_eq!(message.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c)), chinese, "{message}");
         client.end();
     }
 }

@@ -1,7 +1,6 @@
 //! The native tests, one binary: a test states a feature, and its failure tells the developer what to do.
 #![allow(clippy::unwrap_used, clippy::string_slice, reason = "a test stops at a fault")]
 
-mod asked;
 mod changes;
 mod cli;
 mod cli_language;
@@ -26,6 +25,7 @@ mod papers;
 mod parts;
 mod physics;
 mod programs;
+mod queries;
 mod rows;
 mod sarif;
 mod saved;

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use macroline::controls::{ALL, CodeId};
-use macroline::machines::{self, MachineVariable};
+use macroline::machines::MachineVariable;
 use macroline::motion::{Action, Budget, Event, Retention};
 use macroline::nc::{self, Files};
 use macroline::project::dependence::fields_by_result;
@@ -12,11 +12,7 @@ use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, run::Run};
 use macroline::text::catalog::sentence;
 
-fn projects() -> impl Iterator<Item = Project> {
-    machines::ALL
-        .iter()
-        .flat_map(|machine| machine.controls().iter().filter_map(|control| Project::of(machine.id(), Some(control))))
-}
+use crate::queries::every_machine_on_every_control;
 
 fn ribbon() -> Project {
     Project::of("ribbon-line", Some("mitsubishi-e60")).unwrap()
@@ -79,7 +75,7 @@ fn number_is_a_variable_in_programs_and_a_parameter_in_sheets() {
 
 #[test]
 fn every_row_of_a_control_has_a_meaning_and_a_source() {
-    for project in projects() {
+    for project in every_machine_on_every_control() {
         let control = project.control;
         let known = |word: &str, table| {
             let found = meaning::of(&project, word, table);
@@ -100,7 +96,7 @@ fn every_row_of_a_control_has_a_meaning_and_a_source() {
 
 #[test]
 fn every_word_of_the_written_programs_has_a_meaning() {
-    for project in projects() {
+    for project in every_machine_on_every_control() {
         let written = project.written();
         for line in written.files.0.iter().flat_map(|file| file.text.lines()) {
             for span in meaning::words(line, project.control) {
@@ -146,7 +142,7 @@ fn live_value_is_that_of_the_moment() {
 }
 
 #[test]
-fn meaning_is_there_for_a_program_that_nobody_generated() {
+fn pasted_program_has_meanings() {
     let control = ALL.iter().find(|control| control.id == "sinumerik-802d").unwrap();
     let project = Project::of("ribbon-line", Some(control.id)).unwrap();
     let line = "N10 G1 X=R107 CR=5 LIMS=2000 DIAMON ; G2";
@@ -173,28 +169,31 @@ fn result_depends_on_the_fields_of_its_formula() {
 
 #[test]
 fn every_result_depends_on_some_field() {
-    for project in projects() {
+    for project in every_machine_on_every_control() {
         let found = fields_by_result(&project);
-        for readout in project.design().readouts.iter().filter(|readout| readout.headline) {
+        let design = project.design();
+        let headlines: Vec<_> = design.readouts.iter().filter(|readout| readout.headline).collect();
+        assert!(!headlines.is_empty(), "{}", project.machine.id());
+        for readout in headlines {
             assert!(!found[readout.id].is_empty(), "{} {}", project.machine.id(), readout.id);
         }
     }
 }
 
 #[test]
-fn address_means_what_the_code_of_its_block_says() {
-    let said = |id: &str, line: &str, word: &str| {
+fn meaning_of_an_address_depends_on_the_code_of_its_block() {
+    let meaning_in = |id: &str, line: &str, word: &str| {
         let project =
             Project::of(if id == "mitsubishi-e60" { "ribbon-line" } else { "turning-spindle" }, Some(id)).unwrap();
         let at = line.find(word).unwrap() as u32;
         text(&meaning::at(&project, line, at).unwrap().1)
     };
-    assert_eq!(said("mitsubishi-e60", "G04 X2.", "X"), "Time of the dwell.");
-    assert_eq!(said("mitsubishi-e60", "G33 Z-10. F2.", "F"), "Lead of the thread.");
-    assert_eq!(said("sinumerik-802d", "G33 Z-10 K2", "K"), "Lead of the thread.");
+    assert_eq!(meaning_in("mitsubishi-e60", "G04 X2.", "X"), "Time of the dwell.");
+    assert_eq!(meaning_in("mitsubishi-e60", "G33 Z-10. F2.", "F"), "Lead of the thread.");
+    assert_eq!(meaning_in("sinumerik-802d", "G33 Z-10 K2", "K"), "Lead of the thread.");
     assert_eq!(
-        said("sinumerik-802d", "G2 X5 Z5 K2", "K"),
+        meaning_in("sinumerik-802d", "G2 X5 Z5 K2", "K"),
         "Centre of an arc from its start; argument of a macro call."
     );
-    assert_eq!(said("sinumerik-802d", "L10 P3", "P"), "How often a program is called.");
+    assert_eq!(meaning_in("sinumerik-802d", "L10 P3", "P"), "How often a program is called.");
 }

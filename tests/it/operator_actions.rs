@@ -181,14 +181,14 @@ fn typed_values_are_taken_within_their_ranges() {
         let read = read_value(&action, text, e60).ok().and_then(|read| read.value());
         assert_eq!(read, expected.map(ActionValue::Number), "{action:?} {text}");
     }
-    let told = |action: Action| sentence(&read_value(&action, "x", e60).unwrap_err());
-    assert_eq!(told(Action::FeedOverride(1.0)), "Feed override takes a number from 0 to 1000 %.");
-    assert_eq!(told(input("#1005")), "#1005 takes a number from 0 to 1.");
+    let refusal = |action: Action| sentence(&read_value(&action, "x", e60).unwrap_err());
+    assert_eq!(refusal(Action::FeedOverride(1.0)), "Feed override takes a number from 0 to 1000 %.");
+    assert_eq!(refusal(input("#1005")), "#1005 takes a number from 0 to 1.");
     assert_eq!(
-        told(Action::SpeedLimit(SpeedLimit::Upper, 0.0)),
+        refusal(Action::SpeedLimit(SpeedLimit::Upper, 0.0)),
         "Upper speed limit takes a number from 0 r/min upward."
     );
-    assert_eq!(told(Action::ManualSpeed(0.0)), "S takes a number.");
+    assert_eq!(refusal(Action::ManualSpeed(0.0)), "S takes a number.");
     assert!(read_value(&Action::Reset, "1", e60).is_err() && read_value(&Action::SingleBlock(true), "1", e60).is_err());
 }
 

@@ -10,7 +10,7 @@ use crate::command::macroline;
 /// Functions of the package, and an unknown one.
 const ASKS: [&str; 9] = ["list", "new", "design", "size", "export", "check", "run", "interpret", "other"];
 
-fn asked(ask: &str, request: &Json) -> Json {
+fn answered(ask: &str, request: &Json) -> Json {
     serde_json::from_str(&answer(ask, &request.to_string())).unwrap()
 }
 
@@ -39,18 +39,18 @@ fn package_answers_as_the_command_line_prints() {
     std::fs::write(&file, Project::of("ribbon-line", None).unwrap().to_json()).unwrap();
     std::fs::write(&bare, PROGRAM).unwrap();
     let (file, bare) = (file.to_str().unwrap(), bare.to_str().unwrap());
-    assert_eq!(asked("list", &json!({})), printed(&["list", "--json"]));
-    assert_eq!(asked("new", &json!({ "machine": "ribbon-line" })), printed(&["new", "ribbon-line"]));
+    assert_eq!(answered("list", &json!({})), printed(&["list", "--json"]));
+    assert_eq!(answered("new", &json!({ "machine": "ribbon-line" })), printed(&["new", "ribbon-line"]));
     let request = json!({ "project": project() });
-    assert_eq!(asked("design", &request), printed(&["design", file, "--json"]));
+    assert_eq!(answered("design", &request), printed(&["design", file, "--json"]));
     let drawn = json!({ "project": project(), "draws": 3, "seed": 2 });
-    assert_eq!(asked("size", &drawn), printed(&["size", file, "--json", "--draws", "3", "--seed", "2"]));
+    assert_eq!(answered("size", &drawn), printed(&["size", file, "--json", "--draws", "3", "--seed", "2"]));
     let request = json!({ "subject": programs(), "choices": { "silence": ["lint.no-point"] } });
     let arguments = ["check", bare, "--control", "mitsubishi-e60", "--silence", "lint.no-point", "--json"];
-    assert_eq!(asked("check", &request)["diagnostics"], printed(&arguments)["diagnostics"]);
+    assert_eq!(answered("check", &request)["diagnostics"], printed(&arguments)["diagnostics"]);
     let request = json!({ "subject": programs(), "continue": true, "set": { "#101": 3 } });
     let arguments = ["run", bare, "--control", "mitsubishi-e60", "--continue", "--set", "#101=3", "--json"];
-    assert_eq!(asked("run", &request), printed(&arguments));
+    assert_eq!(answered("run", &request), printed(&arguments));
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
@@ -62,7 +62,7 @@ fn export_has_the_files_of_the_command_line() {
     std::fs::write(&file, Project::of("ribbon-line", None).unwrap().to_json()).unwrap();
     let out = folder.join("out");
     assert!(macroline().arg("export").arg(&file).arg("--out").arg(&out).output().unwrap().status.success());
-    let files = asked("export", &json!({ "project": project() }))["files"].as_array().unwrap().clone();
+    let files = answered("export", &json!({ "project": project() }))["files"].as_array().unwrap().clone();
     assert_eq!(files.len(), std::fs::read_dir(&out).unwrap().count());
     for file in files {
         let written = std::fs::read_to_string(out.join(file["name"].as_str().unwrap())).unwrap();
@@ -148,18 +148,18 @@ fn wrong_arguments_are_sentences_and_never_a_panic() {
         json!({ "subject": { "control": "x", "files": [] } }),
     ];
     for request in wrong {
-        assert!(asked("run", &request)["error"].is_string(), "{request}");
+        assert!(answered("run", &request)["error"].is_string(), "{request}");
     }
-    let at = |positions: Json| asked("interpret", &json!({ "subject": programs(), "positions": positions }));
+    let at = |positions: Json| answered("interpret", &json!({ "subject": programs(), "positions": positions }));
     assert!(at(json!({ "Q": 1 }))["error"].is_string());
     assert!(at(json!({ "XY": 1 }))["error"].is_string());
     assert_eq!(at(json!({ "X": 1 }))["ended"], "alarm");
 }
 
 #[test]
-fn panel_errors_are_told_with_the_run() {
+fn panel_errors_are_reported_with_the_run() {
     let request = json!({ "subject": programs(), "panel": [{ "t": 0, "fly": true }] });
-    let found = &asked("run", &request)["diagnostics"][0];
+    let found = &answered("run", &request)["diagnostics"][0];
     assert_eq!((&found["severity"], &found["file"]), (&json!("error"), &json!("panel.json")));
 }
 
@@ -175,7 +175,7 @@ proptest! {
     fn any_program_gets_an_answer(text in "[GMXYZ#O0-9\\[\\]=+.\n -]{0,200}", ask in prop::sample::select(&ASKS[5..8])) {
         let files = json!([{ "name": "a.nc", "text": text }]);
         let subject = json!({ "control": "fanuc-0i-tf", "files": files });
-        let answer = asked(ask, &json!({ "subject": subject, "choices": {} }));
+        let answer = answered(ask, &json!({ "subject": subject, "choices": {} }));
         prop_assert!(answer["diagnostics"].is_array());
     }
 }

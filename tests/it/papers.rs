@@ -36,7 +36,7 @@ macro_rules! clauses {
 }
 use clauses;
 
-use crate::asked::{near, readout};
+use crate::queries::{near, readout};
 
 const LIMITS: Budget = Budget { blocks: 1_000_000, seconds: 3600.0 };
 
@@ -136,7 +136,7 @@ impl Run {
             if timeline.block_at(t).is_some_and(|place| place.span.start as usize == start) {
                 return t;
             }
-            t = timeline.next_block(t).unwrap_or_else(|| panic!("{block} is not run: {:?}", self.said()));
+            t = timeline.next_block(t).unwrap_or_else(|| panic!("{block} is not run: {:?}", self.finding_ids()));
         }
     }
 
@@ -154,7 +154,7 @@ impl Run {
     }
 
     /// Ids of the findings, of reading and of running.
-    fn said(&self) -> Vec<&'static str> {
+    fn finding_ids(&self) -> Vec<&'static str> {
         let read = review(self.planner.program().parsed(), None, &[]);
         read.iter().chain(self.planner.diagnostics()).map(|found| found.message.id).collect()
     }

@@ -117,7 +117,7 @@ fn limits_go_by_the_series() {
 }
 
 #[test]
-fn status_stands_only_where_a_source_states_it() {
+fn status_is_given_only_where_a_source_states_it() {
     let with = |status| shipped().iter().filter(|part| part.status == status).count();
     assert_eq!(with(Some(Status::Current)), 42);
     assert_eq!(with(Some(Status::PhasedOut)), 9);
@@ -172,10 +172,10 @@ fn table_of_another_country_reads_the_same() {
     let german = "\u{feff}Kind;Maker;Model;Rated power W;Rated torque Nm;Rated speed rpm;Inertia kgm2;Note\r\n\
                   servo;Own;A1;750;2,39;3000;0,000128;a, b\r\n;;;;;;;\r\n";
     let tabs = german.replace(';', "\t").replace("a, b", "\"a, b\"");
-    let said = format!("sep=;\r\n{}", &german[3..]);
+    let declared = format!("sep=;\r\n{}", &german[3..]);
     let quoted = "\"kind\";\"maker\";\"model\";\"rated_power_w\";\"rated_torque_nm\";\"rated_speed_rpm\";\"inertia_kgm2\";\"note\"\n\
                   \"servo\";\"Own\";\"A1\";\"750\";\"2.39\";\"3000\";\"1.28E-4\";\"a, b\"\n";
-    for text in [german, &tabs, &said, quoted] {
+    for text in [german, &tabs, &declared, quoted] {
         assert_eq!(read(text, "own.csv"), (parts.clone(), Vec::new()), "{text}");
     }
 }

@@ -61,7 +61,7 @@ fn start_fixture(control: &'static Control, source: &str) -> Interp {
     start_on(control, source, &settings)
 }
 
-/// The override knob at 100 %, X at 12.5 mm when the machine is asked.
+/// The override knob at 100 %, X at 12.5 mm where a program reads them.
 fn world() -> MachineAtRest {
     MachineAtRest {
         inputs: vec![(1033, 100.0)],
@@ -134,7 +134,7 @@ fn good_programs_give_their_canonical_log() {
     }
 }
 
-/// A log that ends in an alarm shows nothing of the blocks behind it, however green it is.
+/// A log that ends in an alarm checks none of the blocks behind it, although its test passes.
 #[test]
 fn good_programs_end_without_an_alarm_of_the_control() {
     let mut wrong = Vec::new();
@@ -157,7 +157,7 @@ fn bad_programs_raise_the_alarm_of_their_first_line() {
         for (path, source) in fixtures(control, "bad") {
             let mut interp = start_fixture(control, &source);
             let parsed = Rc::clone(interp.parsed());
-            let told = match parsed.diagnostics().iter().find(|finding| finding.severity == Severity::Error) {
+            let raised = match parsed.diagnostics().iter().find(|finding| finding.severity == Severity::Error) {
                 Some(finding) => alarm_and_place(&source, finding),
                 None => match interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) {
                     Some(End::Alarm(diagnostic)) => alarm_and_place(&source, &diagnostic),
@@ -165,10 +165,10 @@ fn bad_programs_raise_the_alarm_of_their_first_line() {
                 },
             };
             let first = source.lines().next().unwrap_or("");
-            let told = comment(control, &told);
-            if first != told {
+            let raised = comment(control, &raised);
+            if first != raised {
                 let name = path.file_name().unwrap().display();
-                wrong.push(format!("{} {name}: expected {first}, got {told}", control.id));
+                wrong.push(format!("{} {name}: expected {first}, got {raised}", control.id));
             }
         }
     }

@@ -81,13 +81,15 @@ fn unusual_codes(control: &Control) -> Vec<String> {
     }
     for row in control.codes {
         let as_family = |one: &CodeDef| (one.id, one.code, one.group) == (row.id, row.code, row.group);
-        let said = format!("{} is {:?} {:?}", control.code_name(row.id), row.code, row.group);
-        if !listed.remove(&(said.clone(), row.cite.source.english)) && !family.iter().any(as_family) {
-            broken.push(format!("{}: {said} by `{}`", control.id, row.cite.source));
+        let described = format!("{} is {:?} {:?}", control.code_name(row.id), row.code, row.group);
+        if !listed.remove(&(described.clone(), row.cite.source.english)) && !family.iter().any(as_family) {
+            broken.push(format!("{}: {described} by `{}`", control.id, row.cite.source));
         }
     }
     broken.extend(
-        listed.into_iter().map(|(said, source)| format!("{}: no row says that {said} by `{source}`", control.id)),
+        listed
+            .into_iter()
+            .map(|(described, source)| format!("{}: no row says that {described} by `{source}`", control.id)),
     );
     broken
 }
@@ -130,7 +132,7 @@ fn is_named(code: &[String], kind: &str, variant: &str) -> bool {
     })
 }
 
-/// Meanings that only the report's list of open points shows: no sheet of a machine asks for them.
+/// Meanings that only the report's list of open points shows: no sheet of a machine has them.
 const ONLY_LISTED: &[(&str, &str)] = &[("ParamRole", "DecimalPoint"), ("ParamRole", "ExactStopCheck")];
 
 /// Rows whose meaning no code outside the controls acts on.
@@ -381,7 +383,9 @@ fn row_that_no_code_acts_on_is_found() {
 #[test]
 fn register_of_another_variable_is_found() {
     let carries = |row: &Signal| matches!(row.role, SignalRole::MacroInputLow(_));
+    let mut carrying = 0;
     for control in ALL.iter().filter(|control| control.interface.iter().any(carries)) {
+        carrying += 1;
         let interface = planted(control.interface, carries, |row| row.device = "R999");
         assert!(!wrong_registers(&Control { interface, ..**control }).is_empty(), "{}", control.id);
         let interface = planted(control.interface, carries, |row| row.plc_writes = false);
@@ -390,15 +394,19 @@ fn register_of_another_variable_is_found() {
         let vars = planted(control.vars, |row| bits(row.kind), |row| row.device = "R999");
         assert!(!wrong_registers(&Control { vars, ..**control }).is_empty(), "{}", control.id);
     }
+    assert!(carrying > 1, "{carrying} controls");
 }
 
 #[test]
 fn parameter_of_another_switch_is_found() {
+    let mut planted_switches = 0;
     for control in ALL {
         for row in control.switches.iter().filter(|row| !row.parameter.is_empty()) {
             let is = |one: &Switch| one.id() == row.id();
             let switches = planted(control.switches, is, |row| row.parameter = "#9999");
             assert!(!wrong_parameters(&Control { switches, ..**control }).is_empty(), "{} {}", control.id, row.id());
+            planted_switches += 1;
         }
     }
+    assert!(planted_switches > 20, "{planted_switches} switches have a parameter");
 }

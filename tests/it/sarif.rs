@@ -90,7 +90,7 @@ fn alarm_fails_the_check_and_leads_its_sentence() {
 }
 
 #[test]
-fn rules_say_what_they_are_about() {
+fn rules_have_descriptions_without_placeholders() {
     let folder = folder("rules");
     std::fs::write(folder.join("O1.nc"), "%\nO1\nG91 G01 X8 F100\n#101=ROUND[2.5\nM30\n%\n").unwrap();
     for language in ["en", "zh"] {
@@ -130,7 +130,7 @@ fn file_that_is_no_project_or_program_is_a_result_too() {
 }
 
 #[test]
-fn finding_about_a_field_stands_in_the_project() {
+fn finding_about_a_field_has_its_place_in_the_project() {
     let folder = folder("field");
     let project = macroline::project::Project::named("ribbon-line", None, Some("paper")).unwrap();
     std::fs::write(folder.join("line.json"), project.to_json()).unwrap();

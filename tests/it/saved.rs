@@ -164,7 +164,7 @@ fn wrong_shapes_are_errors_at_their_place() {
 }
 
 #[test]
-fn reasons_are_told_in_the_language_that_is_spoken() {
+fn reasons_are_in_the_chosen_language() {
     let project = |lines: &str| with(&format!("  \"values\": {{}}{lines}"));
     let texts = [
         "{ no".to_owned(),
@@ -187,17 +187,17 @@ fn reasons_are_told_in_the_language_that_is_spoken() {
         project(",\n  \"variants\": [ { \"name\": \"A\", \"control\": \"x\", \"values\": 3 } ]"),
     ];
     speak(Language::Chinese.sentences());
-    let told: Vec<String> = texts
+    let sentences: Vec<String> = texts
         .iter()
         .flat_map(|text| Project::from_json(text).diagnostics)
         .map(|found| sentence(&found.message))
         .collect();
     speak(Language::English.sentences());
-    assert_eq!(told.len(), texts.len(), "{told:#?}");
+    assert_eq!(sentences.len(), texts.len(), "{sentences:#?}");
     let is_english = |text: &str| text.len() > 2 && text.chars().all(|c| c.is_ascii_alphabetic());
-    for said in told {
-        let words: Vec<bool> = said.split(' ').map(is_english).collect();
-        assert!(!words.windows(2).any(|pair| pair[0] && pair[1]), "{said}");
+    for text in sentences {
+        let words: Vec<bool> = text.split(' ').map(is_english).collect();
+        assert!(!words.windows(2).any(|pair| pair[0] && pair[1]), "{text}");
     }
 }
 
@@ -603,7 +603,7 @@ fn export_opens_as_a_whole_without_its_documents() {
             let opened = import::open(&ribbon(), &files);
             let project = opened.project.unwrap();
             assert!(project.machine.id() == machine.id() && project.edited.is_none(), "{}", machine.id());
-            assert!(opened.diagnostics.iter().any(|told| told.message_id() == "project.documents-left"));
+            assert!(opened.diagnostics.iter().any(|found| found.message_id() == "project.documents-left"));
         }
     }
 }

@@ -581,9 +581,9 @@ fn results_of_the_papers_example_are_those_of_the_oracle() {
     let mut other = Vec::new();
     for (id, readout, scale) in READOUTS {
         let own = design.readouts.iter().find(|row| row.id == readout).unwrap().value * scale;
-        let asked = oracle["scalars"][id]["value"].as_f64().unwrap();
-        if (own - asked).abs() > SAME * asked.abs() {
-            other.push(format!("{id} {readout}: {own}, asked {asked}"));
+        let expected = oracle["scalars"][id]["value"].as_f64().unwrap();
+        if (own - expected).abs() > SAME * expected.abs() {
+            other.push(format!("{id} {readout}: {own}, expected {expected}"));
         }
     }
     assert!(other.is_empty(), "{other:#?}");

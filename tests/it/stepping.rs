@@ -38,8 +38,8 @@ fn bench_with(files: &Files, switches: &Switches, panel: Panel) -> Run {
 fn talk(console: &mut Console, script: &str) -> String {
     let mut out = String::new();
     for line in script.lines() {
-        let (said, answer) = console.line(line);
-        let mark = if said == Outcome::Wrong { "> ?" } else { "> " };
+        let (outcome, answer) = console.line(line);
+        let mark = if outcome == Outcome::Wrong { "> ?" } else { "> " };
         out += &format!("{mark}{line}\n{answer}");
     }
     out
@@ -81,7 +81,9 @@ fn help_lists_every_command() {
     let files = Files::one("a.nc", CALLS);
     let mut console = Console::new(bench(&files, Panel::default()), Renderer::new(&files));
     let (_, help) = console.line("help");
-    for line in help.lines().filter(|line| !line.starts_with(' ')) {
+    let commands: Vec<&str> = help.lines().filter(|line| !line.starts_with(' ')).collect();
+    assert!(commands.len() > 5, "{help}");
+    for line in commands {
         let command = line.split([' ', ',']).next().unwrap();
         let (_, answer) = console.line(command);
         assert!(!answer.starts_with("There is no command"), "{command}: {answer}");
@@ -105,11 +107,11 @@ fn fault_of_the_inverter_ends_only_once_cleared_and_reset() {
         ("fault off", alarm),
         ("reset", "the control waits for the operator: “start” goes on\n"),
     ] {
-        let (outcome, said) = console.line(line);
-        assert!(outcome == Outcome::Done && said.starts_with(answer), "{line}: {said}");
+        let (outcome, reply) = console.line(line);
+        assert!(outcome == Outcome::Done && reply.starts_with(answer), "{line}: {reply}");
     }
-    let (_, said) = console.line("start");
-    assert!(!said.contains("alarm") && !said.contains("waits"), "{said}");
+    let (_, reply) = console.line("start");
+    assert!(!reply.contains("alarm") && !reply.contains("waits"), "{reply}");
     assert_eq!(console.line("fault there").0, Outcome::Wrong);
 }
 
@@ -120,8 +122,8 @@ fn zero_returns_to_the_reference_point_at_the_end() {
     let parsed = Rc::new(nc::parse(&files, find("gsk-980tdc").unwrap()));
     let mut console = Console::new(run::of_programs(parsed, None, Panel::default(), &begin), Renderer::new(&files));
     for (lines, x) in [(["continue", "zero"], "60"), (["start", "continue"], "20"), (["where", "zero"], "60")] {
-        let [_, (_, said)] = lines.map(|line| console.line(line));
-        assert!(said.starts_with("the program is over\n"), "{lines:?}: {said}");
+        let [_, (_, reply)] = lines.map(|line| console.line(line));
+        assert!(reply.starts_with("the program is over\n"), "{lines:?}: {reply}");
         assert_eq!(console.line("print #5041").1, format!("#5041 = {x}\n"), "{lines:?}");
     }
 }

@@ -107,14 +107,14 @@ fn typed_inch_is_kept_in_millimetres() {
 }
 
 #[test]
-fn entry_out_of_range_is_told_in_inches() {
+fn entry_out_of_range_is_reported_in_inches() {
     let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
-    let told = |typed: &str| {
+    let refusal = |typed: &str| {
         let problem = pitch.typed(typed).unwrap_err();
         [&problem.message].into_iter().chain(&problem.hints).map(sentence).collect::<Vec<_>>().join(" ")
     };
-    assert_eq!(told("-1"), "-1 is too small. Allowed: 0.01 to 10000 mm");
-    assert_eq!(in_inches(|| told("-1")), "-1 is too small. Allowed: 0.0004 to 393.7008 in");
+    assert_eq!(refusal("-1"), "-1 is too small. Allowed: 0.01 to 10000 mm");
+    assert_eq!(in_inches(|| refusal("-1")), "-1 is too small. Allowed: 0.0004 to 393.7008 in");
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn limits_of_a_field_can_be_typed_as_they_are_shown() {
 
 #[test]
 fn sentence_converts_numbers_and_entries() {
-    let said = || {
+    let results = || {
         [
             msg!("ribbon.slips", ratio = (1.5, 3), smear = (2.54, 3), limit = (0.5, 3)),
             msg!("advice.set-pitch", pitch = "62.832"),
@@ -172,7 +172,7 @@ fn sentence_converts_numbers_and_entries() {
         Set as now mm/rev
         Allowed: 0.01 to 10000 mm
         Allowed: 1 to 100 %
-        Rounding A to the control’s unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&said());
+        Rounding A to the control’s unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&results());
     expect![[r#"
         The roller’s surface runs 1.5 times as fast as the ribbon: each head slips 0.1 in while it touches, 0.0197 are allowed.
         Set a pitch of 2.4737 in
@@ -180,7 +180,7 @@ fn sentence_converts_numbers_and_entries() {
         Set as now mm/rev
         Allowed: 0.0004 to 393.7008 in
         Allowed: 1 to 100 %
-        Rounding A to the control’s unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&in_inches(said));
+        Rounding A to the control’s unit would add up to 12.7 ° in eight hours; the program carries the remainder, so nothing adds up."#]].assert_eq(&in_inches(results));
 }
 
 #[test]
@@ -284,12 +284,12 @@ fn report_in_inches_has_millimetres_only_of_the_control() {
         let text = in_inches(|| {
             let (written, sizing) = (project.written(), size(&project, &project.written()));
             let options = ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() };
-            let mut told = project.report(&project.prepared(), &written, &options);
-            told.sheets.retain(|sheet| sheet.id != "parameters");
-            told.open.clear();
+            let mut shown = project.report(&project.prepared(), &written, &options);
+            shown.sheets.retain(|sheet| sheet.id != "parameters");
+            shown.open.clear();
             let rows = |html: String| html.replace("</tr>", "\n").replace("</li>", "\n");
             let scene = picture(&project.prepared().scene(), &Pose::default(), Theme::Light);
-            let texts = [rows(report::html(&told)), report::markdown(&told), sizing.text(), origins::text(&project)];
+            let texts = [rows(report::html(&shown)), report::markdown(&shown), sizing.text(), origins::text(&project)];
             [texts.join("\n"), scene].join("\n")
         });
         let lines = metric_lines(&text).into_iter().filter(|line| !of_the_control(line));

@@ -96,7 +96,7 @@ fn variant_comes_back_with_control_entries_and_settings() {
 }
 
 #[test]
-fn variant_on_the_same_control_keeps_what_the_operator_did() {
+fn variant_on_the_same_control_keeps_operator_actions() {
     let mut project = two();
     project.panel = Panel::new([Event { t: 2.0, action: Action::Reset }]);
     project.take_variant(0);

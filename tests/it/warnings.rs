@@ -67,12 +67,12 @@ impl Case<'_> {
     #[track_caller]
     fn quiet(&self, text: &str) {
         let (_, found) = self.review(text);
-        let said = |d: &Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
-        assert!(found.is_empty(), "{text}\n{:#?}", found.iter().map(said).collect::<Vec<_>>());
+        let described = |d: &Diagnostic| format!("{}: {}", d.message.id, sentence(&d.message));
+        assert!(found.is_empty(), "{text}\n{:#?}", found.iter().map(described).collect::<Vec<_>>());
     }
 }
 
-/// A lathe program without G99 on a control that starts with G98 crawls; the other way round it digs.
+/// A feed per revolution that is read as mm/min is far too slow; one in mm/min that is read per revolution is far too fast.
 #[test]
 fn feed_of_the_other_unit_is_a_warning() {
     let slow = "O1 (SHAFT)\nT0101 M03 S800\nG00 X40. Z2.\nG01 Z-20. F0.15\nX44. F.2\nM30";
@@ -145,7 +145,7 @@ fn comparing_decimals_for_equality_is_a_warning() {
 
 #[test]
 fn comparing_whole_numbers_gives_no_warning() {
-    // Counts are whole, whatever is added to them.
+    // Counts stay whole after any addition.
     E60.quiet("O1\n#1=0\nN1 #1=#1+2\nIF[#1 NE 10]GOTO1\nM30");
     // Change of a value against its copy.
     E60.quiet("O1\n#1=10/3\n#2=#1\n#1=#1+#1033\nIF[#2 EQ #1]GOTO9\n#2=#1\nN9 M30");
@@ -711,7 +711,7 @@ fn conditions_that_always_hold_are_a_warning() {
             Nothing leads here: this block and what follows it (2 in a row) never run. Jump here, or delete them.
     "#]],
     );
-    // A way out of it; a program that ends in such a loop needs no other end.
+    // A jump out of the loop; a program that ends in such a loop needs no other end.
     E60.quiet("O1\nWHILE[1 EQ 1]DO1\nG91 G01 X1. F100\nIF[#1033 EQ 1]GOTO9\nEND1\nN9 M30");
     E60.quiet("O1\nWHILE[1 EQ 1]DO1\nG91 G01 X1. F100\nEND1");
 }

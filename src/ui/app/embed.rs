@@ -150,14 +150,14 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn unknown_machine_in_the_address_is_said() {
+    async fn unknown_machine_in_the_address_is_reported() {
         let bench = embedded_by("embed&machine=loom").await;
         assert_eq!(bench.text("h1"), t(machines::ALL[0].name()));
         assert!(bench.text(".notice").contains("ribbon-line"));
     }
 
     #[wasm_bindgen_test]
-    async fn unknown_language_and_units_in_the_address_are_said() {
+    async fn unknown_language_and_units_in_the_address_are_reported() {
         let bench = embedded_by("embed&machine=turning-spindle&lang=fr&lengths=feet").await;
         assert_eq!(bench.text("h1"), t(machines::ALL[1].name()));
         let notices: Vec<String> = bench.all(".notice").iter().filter_map(|notice| notice.text_content()).collect();

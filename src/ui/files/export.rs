@@ -464,7 +464,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn refusing_finding_is_told_and_leads_to_its_line() {
+    async fn refusing_finding_is_shown_and_leads_to_its_line() {
         let bench = mount(|| view! { <ExportDialog /> }).await;
         bench.worker.answer_here(|_, _| {
             let remark = |refuses, text: &str| Remark {

@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn state_of_the_store_is_said() {
+    async fn state_of_the_store_is_shown() {
         let bench = header().await;
         for (kept, words) in [
             (Kept::Yes, "page.kept"),

@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn broken_project_changes_nothing_and_is_told() {
+    async fn broken_project_changes_nothing_and_gives_a_notice() {
         let bench = opened("order.json", "{ not a project").await;
         assert!(bench.page.project.get_untracked() == project());
         assert_eq!(bench.notices().len(), 1);
@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn broken_panel_file_changes_nothing_and_is_told() {
+    async fn broken_panel_file_changes_nothing_and_gives_a_notice() {
         let bench = mount(|| ()).await;
         bench.page.note(Event { t: 1.0, action: Action::Hold });
         let file = |text: &str| nc::File { name: "panel.json".to_owned(), text: text.to_owned() };

@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn table_without_a_sound_row_changes_nothing_and_is_told() {
+    async fn table_without_a_sound_row_only_gives_a_notice() {
         let bench = opened("kind,maker,model\nservo,Works,\n").await;
         assert!(bench.page.project.get_untracked() == project());
         assert!(bench.notices().iter().all(|told| told.starts_with("own.csv: ")) && !bench.notices().is_empty());

@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn project_that_is_too_long_for_a_link_says_so() {
+    async fn project_too_long_for_a_link_gives_a_notice() {
         let mut order = project();
         let words = (0..4000_u32).map(|at| format!("N{at} G01 X{}.{at}\n", at * 7919 % 10_007));
         order.edited = Some(Files::one("O1.nc", words.collect::<String>()));
@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn link_that_was_cut_changes_nothing_and_is_told() {
+    async fn cut_link_changes_nothing_and_gives_a_notice() {
         let bench = mount(|| ()).await;
         let link = project().to_link().unwrap();
         opened(&bench, link.get(..link.len() - 5).unwrap()).await;

@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn unknown_error_is_told_by_its_name_in_chinese() {
+    async fn unknown_error_is_named_in_chinese() {
         let bench = bench().await;
         test_shelf::refuse("UnknownError");
         assert_eq!(keep_present(bench.page).await.unwrap_err(), "refused");

@@ -471,7 +471,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn project_that_gives_way_is_kept_whatever_takes_its_place() {
+    async fn replaced_project_is_kept_at_every_replacement() {
         let ways: [fn(Page); 4] = [
             |page| page.change_machine(machines::ALL[1].id()),
             |page| page.replace(project().with_name("Order 7")),

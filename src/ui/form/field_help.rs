@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn help_says_label_purpose_range_and_default() {
+    async fn help_has_label_purpose_range_and_default() {
         let bench = about("pitch").await;
         let text = bench.text("#about");
         for part in [t(field("pitch").label), t(field("pitch").help), "0.01 … 10000 mm", "10 mm"] {
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn help_in_inches_says_what_the_program_has() {
+    async fn help_in_inches_has_the_value_of_the_program() {
         assert!(!about("pitch").await.text("#about").contains(t("page.in-program")));
         let _inches = InInches::new();
         let text = about("pitch").await.text("#about");

@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn product_fields_stand_before_the_folded_groups() {
+    async fn product_fields_are_before_the_folded_groups() {
         let bench = form().await;
         let fields = crate::ui::testing::project().machine.fields();
         let essential = fields.iter().filter(|field| field.essential).count();

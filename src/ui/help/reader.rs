@@ -393,7 +393,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn help_without_an_answer_says_so() {
+    async fn help_without_an_answer_has_a_note() {
         let bench = mount(|| view! { <HelpDialog /> }).await;
         bench.worker.answer_here(|_, _| None);
         bench.page.view.helping.set(true);

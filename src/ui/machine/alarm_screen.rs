@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn hold_by_a_contact_is_told_and_cycle_start_does_not_act() {
+    async fn hold_by_a_contact_is_shown_and_refuses_cycle_start() {
         let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
         project.values.insert("loop-capacity".to_owned(), Value::Number(20.0));
         let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn emergency_stop_is_told_with_its_way_out() {
+    async fn emergency_stop_is_shown_with_its_remedy() {
         let bench = mount(|| view! { <AlarmScreen /> }).await;
         bench.run().await;
         bench.seek(1.0).await;

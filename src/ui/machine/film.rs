@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn scrubber_moves_the_head_and_says_the_time() {
+    async fn scrubber_moves_the_head_and_names_the_time() {
         let bench = film().await;
         bench.page.player.playing.set(true);
         bench.type_into("#head", "1500").await;

@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn zero_return_tells_places_on_controls_that_have_it() {
+    async fn zero_return_shows_places_on_controls_that_have_it() {
         for (control, has_it) in [("mitsubishi-e60", false), ("gsk-980tdc", true)] {
             let project = crate::project::Project::of("turning-spindle", Some(control)).unwrap();
             let bench = mount_project(project, || view! { <OperatorPanel /> }).await;
@@ -378,7 +378,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn effect_is_told_and_all_actions_can_be_forgotten() {
+    async fn effect_is_shown_and_all_actions_can_be_removed() {
         let bench = panel().await;
         assert_eq!(bench.text("#changed"), t("page.hand-hint"));
         assert!(bench.has(".changed .clear.gone"));

@@ -466,7 +466,7 @@ pub(super) mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn wrong_entry_stays_and_what_is_allowed_is_told() {
+    async fn wrong_entry_stays_and_has_its_allowed_values() {
         let bench = three().await;
         bench.choose(&selector(0, "value"), "1001").await;
         assert_eq!(bench.value(&selector(0, "value")), "1001");

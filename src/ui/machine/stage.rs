@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn state_tells_what_the_machine_does_to_the_work() {
+    async fn state_names_the_operation_on_the_work() {
         let bench = stage().await;
         bench.seek(3.0).await;
         let activity = bench.page.player.activity.get_untracked().unwrap();
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn emergency_stop_is_told_at_the_end_of_the_run() {
+    async fn emergency_stop_is_shown_at_the_end_of_the_run() {
         let bench = stage().await;
         bench.seek(1.0).await;
         crate::ui::state::operator::act(bench.page, crate::motion::Action::EmergencyStop);
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn state_of_a_run_that_stops_at_once_says_so() {
+    async fn run_that_stops_at_once_has_its_own_state() {
         let project = crate::project::Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
         let bench = mount_project(project, || view! { <Stage /> }).await;
         bench.run().await;

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn play_button_says_what_it_will_do() {
+    async fn play_button_names_its_action() {
         let bench = transport().await;
         assert_eq!(bench.attribute("#play", "aria-label"), t("page.play"));
         bench.press("#play").await;
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn automatic_rate_is_told_beside_the_clock() {
+    async fn automatic_rate_is_shown_beside_the_clock() {
         let bench = transport().await;
         bench.seek(3.0).await;
         let visible = bench.page.project.with_untracked(|project| project.machine.info().speed);

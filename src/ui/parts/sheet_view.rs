@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn sheet_without_a_worker_says_so() {
+    async fn sheet_without_a_worker_gives_a_notice() {
         let bench = mount(|| view! { <SheetView sheets=follow_sheets(|sheets| sheets.plc) /> }).await;
         assert_eq!(bench.text(".sheets"), t("page.no-answer"));
     }

@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn cursor_block_tells_its_next_time_and_goes_there() {
+    async fn cursor_block_shows_its_next_time_and_goes_there() {
         let bench = mount(|| view! { <BlockTimes /> }).await;
         bench.run().await;
         assert!(!bench.has(".begins"));
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn block_that_does_not_run_says_so() {
+    async fn block_that_does_not_run_has_a_note() {
         let bench = mount(|| view! { <BlockTimes /> }).await;
         bench.run().await;
         cursor(&bench, "#3000").await;

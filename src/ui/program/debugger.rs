@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn step_stops_at_the_next_block_and_says_it() {
+    async fn step_stops_at_the_next_block_and_names_it() {
         let bench = debugger().await;
         bench.page.view.stepping.set(true);
         settled().await;

@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn editor_that_cannot_be_loaded_says_so() {
+    async fn editor_that_cannot_be_loaded_gives_a_notice() {
         let bench = mount(|| view! { <Editor /> }).await;
         let note = bench.find(".note");
         until(move || note.text_content().is_some_and(|text| text.starts_with(t("page.editor-failed")))).await;

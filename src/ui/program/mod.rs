@@ -402,7 +402,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn kept_edit_says_that_it_is_kept() {
+    async fn kept_edit_is_marked() {
         let bench = tab().await;
         bench.press_button(t("page.paper")).await;
         bench.press_button(t("page.keep")).await;

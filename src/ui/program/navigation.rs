@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn place_without_a_name_is_told_by_a_notice() {
+    async fn place_without_a_name_gives_a_notice() {
         let (bench, options) = editor().await;
         let nowhere = JsValue::from(0);
         assert_eq!(rows(call(&options, "list", &[&"uses".into(), &nowhere]).unwrap()).await.len(), 0);

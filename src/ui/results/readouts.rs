@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn failed_result_says_so_in_words_and_advises() {
+    async fn failed_result_has_words_and_advice() {
         let bench = results().await;
         let mut design = (*bench.page.results.design.get_untracked()).clone();
         design.readouts.truncate(1);

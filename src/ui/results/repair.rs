@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn repair_without_a_remedy_changes_nothing_and_says_so() {
+    async fn repair_without_a_remedy_only_gives_a_notice() {
         let bench = failing().await;
         let before = bench.page.project.get_untracked();
         bench.worker.answer_here(|_, _| Some(Response::Repairs(vec![FoundRepairs::default()])));

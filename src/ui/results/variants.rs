@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn section_without_a_variant_says_what_they_are_for() {
+    async fn empty_section_of_variants_explains_their_use() {
         let bench = section().await;
         assert_eq!((bench.text(".lead").as_str(), bench.value("input").as_str()), (t("page.variants-lead"), "A"));
         assert!(bench.has(".scroll.gone"));

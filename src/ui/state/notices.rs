@@ -103,7 +103,7 @@ mod tests {
     use super::*;
 
     #[wasm_bindgen_test]
-    fn same_notice_is_shown_once_and_said_again() {
+    fn same_notice_is_shown_once_and_announced_again() {
         let notices = Notices::new(Vec::new());
         notices.notify(Tone::Warn, "a".to_owned());
         notices.notify(Tone::Warn, "b".to_owned());

@@ -30,8 +30,8 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
         assert!(block.span.start >= at && !block.span.of(text).is_empty(), "blocks follow one another: {block:?}");
         at = block.span.end;
     }
-    told(&parsed, parsed.diagnostics(), text);
-    told(&parsed, &review(&parsed, None, &[]), text);
+    check_findings(&parsed, parsed.diagnostics(), text);
+    check_findings(&parsed, &review(&parsed, None, &[]), text);
     let mut at = 0;
     for (span, _) in nc::tokens(text, control) {
         assert!(span.start >= at && !span.of(text).is_empty(), "pieces follow one another: {span:?}");
@@ -47,7 +47,7 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
 }
 
 /// Findings have places in the text, sentences without gaps, and fixes that fit.
-fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
+fn check_findings(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
     let renderer = Renderer::new(parsed.files());
     for finding in findings {
         let place = finding.place.expect("a finding about a program has a place");

@@ -7,7 +7,7 @@ use super::dice::Dice;
 /// An arc from one quadrant point of a circle to another, in units of the circle's own axes.
 pub(crate) struct Arc {
     pub(crate) plane: Code,
-    /// Letter, way to the end, way to the centre: of the first axis of the plane, and of the second.
+    /// Letter, distance to the end, distance to the centre: of the first axis of the plane, and of the second.
     pub(crate) axes: [(Address, i32, i32); 2],
     pub(crate) clockwise: bool,
     pub(crate) radius: i32,

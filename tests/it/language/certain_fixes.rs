@@ -382,7 +382,7 @@ fn call_with_repeats_in_p_keeps_its_repeats() {
 }
 
 #[test]
-fn name_that_no_label_can_have_is_said_to_be_none() {
+fn impossible_label_is_refused_with_the_rule_of_labels() {
     check(
         "sinumerik-802d",
         "A1: G0 X1",

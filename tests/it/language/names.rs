@@ -399,11 +399,11 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
 fn letter_o_in_m30_is_one_finding() {
     for (end, mended) in [("M3O", "M30"), ("N5 M1O7", "M107")] {
         let parsed = read_on(control(), &format!("G0 X1\n{end}\n"));
-        let said: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
+        let found: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
         match mended {
-            // The program has no end, whatever fix is made.
-            "M107" => assert_eq!(said, ["nc.no-program-end", "nc.letter-o"]),
-            _ => assert_eq!(said, ["nc.letter-o"], "{end}"),
+            // The program has no end after any of the fixes.
+            "M107" => assert_eq!(found, ["nc.no-program-end", "nc.letter-o"]),
+            _ => assert_eq!(found, ["nc.letter-o"], "{end}"),
         }
         let fix_of = parsed.diagnostics().iter().find(|finding| finding.message.id == "nc.letter-o");
         let files = fix(parsed.files(), &fix_of.unwrap().fixes[0]);
@@ -413,7 +413,7 @@ fn letter_o_in_m30_is_one_finding() {
 
 #[test]
 fn each_mistake_on_the_802d_is_one_finding() {
-    let said = |text: &str| {
+    let ids_in = |text: &str| {
         let parsed = read_on(control(), text);
         let ids: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
         ids.join(" ")
@@ -434,7 +434,7 @@ fn each_mistake_on_the_802d_is_one_finding() {
         ("G1 X5 F.1 LF\nM3 S5 LF ;TURNS\nM2", "nc.printed-line-end nc.printed-line-end"),
         ("H1=1 H2=2 H3=3 H4=4\nM2", "nc.too-many-auxiliaries"),
     ] {
-        assert_eq!(said(text), ids, "{text}");
+        assert_eq!(ids_in(text), ids, "{text}");
     }
 }
 
@@ -548,12 +548,12 @@ fn duplicate_names_of_any_length_are_findings() {
 fn check_warnings(text: &str, expected: Expect) {
     let parsed = read_on(control(), text);
     let found = nc::warnings(&parsed, None, &[]);
-    let said = |d: &Diagnostic| {
+    let described = |d: &Diagnostic| {
         let hints = d.hints.iter().map(|hint| format!(" = {}", sentence(hint)));
         let place = parsed.text(d.place.unwrap());
         format!("{place}: {}{}\n", sentence(&d.message), hints.collect::<String>())
     };
-    expected.assert_eq(&found.iter().map(said).collect::<String>());
+    expected.assert_eq(&found.iter().map(described).collect::<String>());
 }
 
 #[test]

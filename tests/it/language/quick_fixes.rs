@@ -17,7 +17,7 @@ use super::findings;
 /// the result is shown, and reads without an error.
 #[track_caller]
 fn check(block: &str, expected: Expect) {
-    let mut said: Vec<(Vec<&str>, String)> = Vec::new();
+    let mut groups: Vec<(Vec<&str>, String)> = Vec::new();
     for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
         let mut files = Files::one("O1.nc", format!("{block}\nM30\n%\n"));
         let mut parsed = parse(&files, control);
@@ -35,19 +35,19 @@ fn check(block: &str, expected: Expect) {
             out += &format!("= {}\n", files.0[0].text.strip_suffix("\nM30\n%\n").unwrap().replace('\n', "\n  "));
         }
         let plain = without_alarms(&out);
-        match said.iter_mut().find(|(_, other)| without_alarms(other) == plain) {
+        match groups.iter_mut().find(|(_, other)| without_alarms(other) == plain) {
             Some((names, other)) => {
                 names.push(control.id);
                 *other = side_by_side(other, &out);
             }
-            None => said.push((vec![control.id], out)),
+            None => groups.push((vec![control.id], out)),
         }
     }
     let all = controls::ALL.iter().filter(|control| control.syntax.names.is_none()).count();
     let head =
         |names: Vec<&str>| if names.len() == all { String::new() } else { format!("--- {}\n", names.join(", ")) };
     let lines =
-        said.into_iter().map(|(names, out)| (head(names), if out.is_empty() { "right\n".to_owned() } else { out }));
+        groups.into_iter().map(|(names, out)| (head(names), if out.is_empty() { "right\n".to_owned() } else { out }));
     expected.assert_eq(&lines.map(|(head, out)| head + &out).collect::<String>());
 }
 

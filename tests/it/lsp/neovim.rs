@@ -8,7 +8,7 @@ use super::client::folder;
 use crate::command::{MACROLINE, in_english};
 
 #[test]
-fn neovim_shows_and_mends_what_the_server_finds() {
+fn neovim_shows_and_fixes_findings_of_the_server() {
     let folder = folder("neovim");
     let file = folder.join("O1.nc");
     std::fs::write(&file, "O1\n#100=1\nG00 X#100\nIF[#100>2]GOTO10\nGOTO10\nN10 M30\n%\n").unwrap();
@@ -23,9 +23,9 @@ fn neovim_shows_and_mends_what_the_server_finds() {
         .env("XDG_CACHE_HOME", &folder)
         .output()
         .expect("Neovim is missing: scripts/setup.sh editor");
-    let told = String::from_utf8_lossy(&out.stdout);
-    let seen: Json = serde_json::from_str(told.trim())
-        .unwrap_or_else(|_| panic!("{told}\n{}", String::from_utf8_lossy(&out.stderr)));
+    let printed = String::from_utf8_lossy(&out.stdout);
+    let seen: Json = serde_json::from_str(printed.trim())
+        .unwrap_or_else(|_| panic!("{printed}\n{}", String::from_utf8_lossy(&out.stderr)));
     assert_eq!(seen["before"][0]["line"], 3, "{seen}");
     assert_eq!(seen["before"][0]["source"], "macroline");
     assert!(seen["hover"].as_str().unwrap().starts_with("G0: "), "{seen}");

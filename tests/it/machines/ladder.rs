@@ -56,7 +56,7 @@ const FORMS: &[(&str, &[Entries])] = &[
 ];
 
 /// The forms and the examples of every machine on each of its controls, with a name for messages.
-fn projects() -> impl Iterator<Item = (String, Project)> {
+fn forms_and_examples() -> impl Iterator<Item = (String, Project)> {
     let examples = machines::ALL.iter().flat_map(|machine| {
         machine.controls().iter().flat_map(move |control| {
             machine.examples().iter().map(move |example| {
@@ -111,7 +111,7 @@ fn sources(ladder: &Ladder) -> (Devices<Bit>, Devices<PlcNumber>) {
 
 #[test]
 fn every_signal_has_one_coil() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let mut written: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let list = listing(&project);
         for (target, condition) in list.targets() {
@@ -133,7 +133,7 @@ fn every_signal_has_one_coil() {
 
 #[test]
 fn every_signal_of_the_interface_has_its_rung() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let (list, interface) = (listing(&project), sheet(&project, "interface"));
         let (targets, used): (BTreeSet<_>, _) = (list.targets().map(|(target, _)| target).collect(), list.operands());
         let mut known = BTreeSet::new();
@@ -152,7 +152,7 @@ fn every_signal_of_the_interface_has_its_rung() {
         for row in project.control.interface.iter().filter(|row| {
             matches!(row.role, SignalRole::SpindleOverride | SignalRole::SpindleOverrideCode | SignalRole::Finished)
         }) {
-            let turns = name.starts_with("polygon") && row.role != SignalRole::Finished;
+            let turns = project.machine.id() == "polygon-lathe" && row.role != SignalRole::Finished;
             assert!(turns || known.contains(row.device), "{name}: {} has no rung", row.device);
         }
     }
@@ -160,7 +160,7 @@ fn every_signal_of_the_interface_has_its_rung() {
 
 #[test]
 fn every_instruction_is_one_of_the_plc() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let unknown = listing(&project).unknown();
         assert!(unknown.is_empty(), "{name}: {unknown:?}");
     }
@@ -212,12 +212,14 @@ pub(super) fn at_rest(ladder: &Ladder) -> Image {
 #[test]
 fn spindle_keys_act_without_a_program_and_stop_wins() {
     use MachineContact::{ForwardKey, ReverseKey, StopKey};
-    for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
+    let mut with_keys = 0;
+    for (name, project) in forms_and_examples().filter(|(_, project)| project.machine.id() != "polygon-lathe") {
         let ladder = ladder(&project);
         let [forward, reverse] = RUNS;
         if !ladder.drives(forward) {
             continue;
         }
+        with_keys += 1;
         let press = |image: &mut Image, keys: &[MachineContact]| {
             for on in [true, false] {
                 keys.iter().for_each(|key| image.set(Bit::Input(*key), is_closed(*key, on)));
@@ -241,6 +243,7 @@ fn spindle_keys_act_without_a_program_and_stop_wins() {
         image.set(Bit::Signal(SignalRole::Running), true);
         assert_eq!(press(&mut image, &[ForwardKey]), (false, false), "{name}: a program runs");
     }
+    assert!(with_keys > 10, "{with_keys} ladders");
 }
 
 /// Outputs of the run commands.
@@ -268,7 +271,7 @@ fn is_held(ladder: &Ladder, image: &Image) -> bool {
 fn turning() -> impl Iterator<Item = (String, Ladder, Image, [bool; 2], [MachineContact; 2])> {
     use MachineContact::{ForwardKey, ReverseKey};
     // Also where the spindle turns through a reset.
-    let with_runs = projects().flat_map(|(name, project)| {
+    let with_runs = forms_and_examples().flat_map(|(name, project)| {
         let mut other = project.clone();
         other.switches.0.push(("spindle-at-reset".to_owned(), "turns".to_owned()));
         [(name.clone(), ladder(&project)), (format!("{name}, turns through reset"), ladder(&other))]
@@ -336,7 +339,7 @@ fn stop_key_in_a_hold_refuses_cycle_start() {
 /// Builders move and acknowledge messages: none is an interlock.
 #[test]
 fn no_rung_reads_the_message_of_another() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         for rung in ladder.rungs.iter() {
             let messages = rung.when.iter().flatten().map(|contact| contact.bit);
@@ -438,11 +441,13 @@ fn spindle_is_locked_by_its_clamp_for_the_keyway() {
 
 #[test]
 fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
-    for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
+    let mut with_runs = 0;
+    for (name, project) in forms_and_examples().filter(|(_, project)| project.machine.id() != "polygon-lathe") {
         let ladder = ladder(&project);
         if !ladder.drives(RUNS[0]) {
             continue;
         }
+        with_runs += 1;
         let mut image = Image::default();
         let keys = [MachineContact::ForwardKey, MachineContact::ReverseKey];
         let keys = [&keys[..], &[MachineContact::ResetKey]].concat();
@@ -496,14 +501,16 @@ fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
         };
         assert_eq!(run(&mut image, 3), (true, false), "{name}: M3");
         assert!(!held(&mut image, true), "{name}");
-        assert_eq!(held(&mut image, false), name.starts_with("ribbon"), "{name}: hold");
+        assert_eq!(held(&mut image, false), project.machine.id() == "ribbon-line", "{name}: hold");
         assert!(!held(&mut image, true), "{name}: goes on");
     }
+    assert!(with_runs > 10, "{with_runs} ladders");
 }
 
 #[test]
 fn reset_acknowledges_an_emergency_stop_that_is_over() {
-    for (name, project) in projects() {
+    let mut acknowledged = 0;
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         let acknowledge = Bit::Signal(SignalRole::EmergencyAcknowledge);
         let needed = project.control.interface.iter().any(|row| row.role == SignalRole::EmergencyAcknowledge);
@@ -511,6 +518,7 @@ fn reset_acknowledges_an_emergency_stop_that_is_over() {
         if !needed {
             continue;
         }
+        acknowledged += 1;
         let mut image = at_rest(&ladder);
         for (pressed, key) in [(true, true), (false, false), (false, true)] {
             image.set(Bit::Input(MachineContact::Emergency), !pressed);
@@ -519,11 +527,12 @@ fn reset_acknowledges_an_emergency_stop_that_is_over() {
             assert_eq!(image.is_on(acknowledge), key && !pressed, "{name}: pressed {pressed}, reset {key}");
         }
     }
+    assert!(acknowledged > 10, "{acknowledged} ladders");
 }
 
 #[test]
 fn spindle_override_is_always_valid() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         let valid = Bit::Signal(SignalRole::SpindleOverrideValid);
         let mut image = Image::default();
@@ -545,23 +554,23 @@ fn tool_changes_wait_for_the_turret() {
     let (start, there) = (Bit::Output(MachineOutput::TurretStart), Bit::Input(MachineContact::TurretInPosition));
     let late = Bit::Output(MachineOutput::Message(MachineContact::TurretInPosition));
     let mut turrets = 0;
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         // A single cutter of the polygon lathe is on a spindle of its own: nothing turns for its T.
-        let least = if name.starts_with("polygon") { 2 } else { 1 };
+        let least = if project.machine.id() == "polygon-lathe" { 2 } else { 1 };
         assert_eq!(ladder.drives(start), tools(&project).len() >= least, "{name}: {:?}", tools(&project));
         if !ladder.drives(start) {
             continue;
         }
         turrets += 1;
         let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
-        let asked = Bit::Signal(if fin { SignalRole::TStrobe } else { SignalRole::TFunction });
+        let tool_signal = Bit::Signal(if fin { SignalRole::TStrobe } else { SignalRole::TFunction });
         let mut image = at_rest(&ladder);
         image.set(Bit::Input(MachineContact::SpindleClamped), false);
         settle(&ladder, &mut image, 0.0);
         let mut seconds = 0.0;
         let mut step = |strobe: bool, contact: bool| {
-            image.set(asked, strobe);
+            image.set(tool_signal, strobe);
             image.set(there, contact);
             seconds += 6.0;
             settle(&ladder, &mut image, seconds);
@@ -572,10 +581,10 @@ fn tool_changes_wait_for_the_turret() {
             };
             (image.is_on(start), waits, image.is_on(late))
         };
-        // The answer of the tool before is still on: it answers nothing.
+        // The answer of the previous tool is still on: it is no answer to this one.
         assert_eq!(step(true, true), (false, true, false), "{name}");
         assert_eq!(step(fin, false), (true, true, false), "{name}: the turret turns");
-        assert_eq!(step(fin, false), (true, true, true), "{name}: the operator is told why the program stands");
+        assert_eq!(step(fin, false), (true, true, true), "{name}: a message says why the program waits");
         assert_eq!(step(fin, true), (fin, false, false), "{name}: the tool is in position");
         let (started, ..) = step(false, true);
         assert!(!started, "{name}: the start signal falls with the strobe");
@@ -591,7 +600,9 @@ const STOPS: [Bit; 2] = [Bit::Device("G360.3"), Bit::Device("G400.3")];
 #[test]
 fn alarm_and_emergency_stop_end_both_axes_in_ratio() {
     let (button, delayed) = (Bit::Input(MachineContact::Emergency), Bit::Input(MachineContact::EmergencyDelayed));
-    for (name, project) in projects().filter(|(name, _)| name.starts_with("polygon")) {
+    let mut lathes = 0;
+    for (name, project) in forms_and_examples().filter(|(_, project)| project.machine.id() == "polygon-lathe") {
+        lathes += 1;
         let held = ladder(&project);
         let off = ladder(&project.with_entries(&[("emergency", "off")]).unwrap());
         assert_eq!(
@@ -617,11 +628,12 @@ fn alarm_and_emergency_stop_end_both_axes_in_ratio() {
             assert!(!image.is_on(released), "{name}: the relay's time is over");
         }
     }
+    assert!(lathes > 1, "{lathes} polygon lathes");
 }
 
 #[test]
 fn every_output_to_the_machine_has_its_wire() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         let outputs = ladder.bits.iter().filter(|row| matches!(row.0, Bit::Output(output) if !output.is_message()));
         let wired = macroline::machines::devices::wired(Some(&ladder));
@@ -638,12 +650,14 @@ fn is_answered(image: &Image) -> bool {
 
 #[test]
 fn m3_and_keys_wait_for_the_contact_of_the_gear() {
-    for (name, project) in projects().filter(|(name, _)| name.starts_with("turning")) {
+    let mut with_gears = 0;
+    for (name, project) in forms_and_examples().filter(|(_, project)| project.machine.id() == "turning-spindle") {
         let ladder = ladder(&project);
         let in_gear = |stage| Bit::Input(MachineContact::InGear(stage));
         if !ladder.bits.iter().any(|row| row.0 == in_gear(2)) || !ladder.drives(RUNS[0]) {
             continue;
         }
+        with_gears += 1;
         let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
         let answered =
             |image: &Image| if fin { is_answered(image) } else { !image.is_on(Bit::Signal(SignalRole::ReadInDisable)) };
@@ -681,11 +695,12 @@ fn m3_and_keys_wait_for_the_contact_of_the_gear() {
         let alarm = image.is_on(Bit::Output(MachineOutput::GearAlarm));
         assert!(!image.is_on(RUNS[0]) && alarm && is_held(&ladder, &image), "{name}: nothing restarts by itself");
     }
+    assert!(with_gears > 3, "{with_gears} ladders");
 }
 
 #[test]
 fn controls_without_fin_hold_the_next_block() {
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
         assert_eq!(fin, project.control.plc != PlcLanguage::Step7, "{name}");
@@ -703,10 +718,10 @@ proptest! {
 
     /// The simulated ladder equals the exported one: random inputs, scan by scan.
     #[test]
-    fn exported_list_does_what_the_simulated_ladder_does(
+    fn exported_list_acts_like_the_simulated_ladder(
         steps in prop::collection::vec((any::<u64>(), prop::sample::select(&[0u32, 4, 8, 10, 50, 120, 900][..])), 40..80),
     ) {
-        for (name, project) in projects() {
+        for (name, project) in forms_and_examples() {
             let (ladder, mut list) = (ladder(&project), listing(&project));
             let (bits, words) = sources(&ladder);
             let (mut image, mut ms) = (Image::default(), 0u32);

@@ -2,22 +2,16 @@
 
 use macroline::controls::Code;
 use macroline::drives::Rotation;
-use macroline::machines;
 use macroline::motion::{Action, Event, PlcOrders, PlcSignals, ProgramState, Snapshot};
 use macroline::project::Project;
 
-use super::ribbon_controls::over_time;
-use crate::asked::{report_text, stop_table};
+use super::ribbon::each_control::over_time;
+use crate::queries::{every_machine_on_every_control, report_text, stop_table};
 
-/// Each of the two machines on each of its controls.
-fn projects() -> impl Iterator<Item = Project> {
-    ["turning-spindle", "polygon-lathe"].into_iter().flat_map(|id| {
-        let machine = machines::find(id).unwrap();
-        machine
-            .controls()
-            .iter()
-            .map(move |control| Project::of_form(machine, macroline::controls::find(control).unwrap()))
-    })
+/// Each of the two lathes on each of its controls.
+fn lathes() -> impl Iterator<Item = Project> {
+    every_machine_on_every_control()
+        .filter(|project| ["turning-spindle", "polygon-lathe"].contains(&project.machine.id()))
 }
 
 /// Speeds of spindle, work and tool.
@@ -27,7 +21,7 @@ fn turning(now: &Snapshot) -> [f64; 3] {
 
 #[test]
 fn tables_of_both_lathes_name_every_interruption() {
-    for project in projects() {
+    for project in lathes() {
         let rows = stop_table(&project);
         let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
         let mut wanted =
@@ -99,7 +93,7 @@ fn clamp_of_the_keyway_follows_the_table_of_stops() {
 
 #[test]
 fn both_lathes_stop_and_turn_on_as_their_tables_say() {
-    for project in projects() {
+    for project in lathes() {
         let whole = over_time(&project, vec![]);
         let end = whole.timeline().end();
         // In a cut: it turns, faster than while gears mesh, and the slide along the work moves.

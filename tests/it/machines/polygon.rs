@@ -1,5 +1,14 @@
 //! The polygon lathe: its programs run, both axes keep their ratio, mistakes are alarms, the run cuts the shape of the formulas.
 
+mod drawing;
+mod knobs;
+mod main_spindle;
+mod paper;
+mod several;
+mod shaft;
+mod sheets;
+mod torque;
+
 use std::path::PathBuf;
 use std::rc::Rc;
 
@@ -16,9 +25,9 @@ use macroline::text::Severity;
 use macroline::text::catalog::{number_text, sentence};
 use macroline::view::{Theme, Verdict, svg};
 
-use super::drawn::area;
-use crate::asked;
-use crate::asked::value;
+use super::every_machine::drawn::area;
+use crate::queries;
+use crate::queries::value;
 
 const WORK: usize = 0;
 const TOOL: usize = 1;
@@ -28,7 +37,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 }
 
 fn values(changes: &[(&str, &str)]) -> Values {
-    asked::values(machine(), changes)
+    queries::values(machine(), changes)
 }
 
 pub(super) fn project(changes: &[(&str, &str)]) -> Project {
@@ -98,9 +107,9 @@ fn exported_programs_match_their_goldens() {
 fn paper_example_turns_work_at_200_and_tool_at_400() {
     let planner = whole(&edited(&[], PAPER));
     // Its retract stays at F200.
-    let said = edited(&[], PAPER);
-    let said: Vec<_> = said.advice(&said.written()).iter().map(|d| d.message.id).collect();
-    assert_eq!(said, ["lint.slow-retract"]);
+    let paper = edited(&[], PAPER);
+    let ids: Vec<_> = paper.advice(&paper.written()).iter().map(|d| d.message.id).collect();
+    assert_eq!(ids, ["lint.slow-retract"]);
     let timeline = planner.timeline();
     // While Z cuts at X20.
     let cutting = (0..6000).map(|i| timeline.at(f64::from(i) * 0.01)).filter(|now| {
@@ -219,7 +228,7 @@ fn both_axes_reach_start_angles_in_the_sense_of_the_sign() {
 
 #[test]
 fn wrong_g512_arguments_raise_alarms() {
-    let said = |block: &str| {
+    let outcome = |block: &str| {
         let text = format!("O3000\nT0101\nG0X40.Z5.\n{block}\nG502\nM30\n");
         let project = edited(&[], &text);
         let mut planner = planned(&project);
@@ -230,7 +239,7 @@ fn wrong_g512_arguments_raise_alarms() {
             other => format!("{other:?}"),
         }
     };
-    expect!["Some(ProgramEnd)"].assert_eq(&said("G512 B200 D1 Q2 A0. E0."));
+    expect!["Some(ProgramEnd)"].assert_eq(&outcome("G512 B200 D1 Q2 A0. E0."));
     for (block, number) in [
         ("G512 D1 Q2", "3001"),
         ("G512 B0 D1 Q2", "3001"),
@@ -252,8 +261,8 @@ fn wrong_g512_arguments_raise_alarms() {
         ("G512 B200 D1 Q-12", "3010"),
         ("G502 Z0", "3007"),
     ] {
-        let said = said(block);
-        assert!(said.starts_with(number), "{block}: {said}");
+        let found = outcome(block);
+        assert!(found.starts_with(number), "{block}: {found}");
     }
 }
 
@@ -300,8 +309,8 @@ fn reset_or_emergency_stop_needs_a_new_g512() {
 
 #[test]
 fn power_failure_loses_the_ratio_with_held_drives_too() {
-    let told = [("held", Verdict::None, "polygon.coasts-without-supply"), ("off", Verdict::Warn, "polygon.coasts")];
-    for (emergency, verdict, advice) in told {
+    let cases = [("held", Verdict::None, "polygon.coasts-without-supply"), ("off", Verdict::Warn, "polygon.coasts")];
+    for (emergency, verdict, advice) in cases {
         let lathe = project(&[("emergency", emergency), ("work-coast", "6"), ("tool-coast", "2.5")]);
         let row = lathe.design().readouts.into_iter().find(|row| row.id == "coast-phase").expect("a row");
         // 400 r/min of 2000 in 2.5 s are 800 r/min/s, 200 of 1000 in 6 s are 166.7: 3 (400²/800 - 2 · 200²/166.7).
@@ -309,9 +318,9 @@ fn power_failure_loses_the_ratio_with_held_drives_too() {
         assert_eq!((row.verdict, row.advice[0].message.id), (verdict, advice), "{emergency}");
         let sheets = lathe.prepared().sheets();
         let stops = sheets.iter().find(|sheet| sheet.id == "stops").expect("a table");
-        let told = stops.rows.iter().find(|row| row.cells[0] == "Power failure").expect("a row").cells.join(" ");
-        assert!(told.contains(" 840° off its angle") && told.contains("discard the part"), "{told}");
-        assert!(told.contains("coast"), "{told}");
+        let cells = stops.rows.iter().find(|row| row.cells[0] == "Power failure").expect("a row").cells.join(" ");
+        assert!(cells.contains(" 840° off its angle") && cells.contains("discard the part"), "{cells}");
+        assert!(cells.contains("coast"), "{cells}");
     }
 }
 
@@ -331,9 +340,9 @@ fn drives_off_at_emergency_stop_lose_the_ratio() {
     }
     let stands = timeline.at(9.0).pmc;
     let lost = stands[TOOL].actual - 2.0 * stands[WORK].actual;
-    let told = value(&project, "coast-phase");
+    let calculated = value(&project, "coast-phase");
     // Coasting is given in steps of 10 ms.
-    assert!(told < -300.0 && (lost - told).abs() < 1.0, "{lost} for {told}");
+    assert!(calculated < -300.0 && (lost - calculated).abs() < 1.0, "{lost} for {calculated}");
     // Reset while they coast brakes nothing, and the next start finds the start angles again.
     let mut planner = planner;
     planner.event(Event { t: 5.2, action: Action::Reset });
@@ -346,8 +355,8 @@ fn drives_off_at_emergency_stop_lose_the_ratio() {
 }
 
 #[test]
-fn feed_into_standing_work_is_one_finding_at_its_block() {
-    let said = |text: &str| {
+fn feed_into_work_at_rest_is_one_finding_at_its_block() {
+    let places = |text: &str| {
         let planner = planned(&edited(&[], &format!("O3000\nT0101\nG98G0X29.Z2.\n{text}M30\n")));
         let standing = planner.diagnostics().iter().filter(|d| d.message.id == "motion.feed-without-rotation");
         standing.map(|d| d.place.unwrap().span.start).collect::<Vec<_>>()
@@ -357,13 +366,13 @@ fn feed_into_standing_work_is_one_finding_at_its_block() {
     let cut = "G0X22.\nG1Z-10.F200.\n";
     let out = "G0X29.\nZ2.\n";
     // Before G512, and after G502.
-    assert_eq!(said(&format!("{cut}{out}{on}{cut}{out}G502\n")), [begin + 7]);
+    assert_eq!(places(&format!("{cut}{out}{on}{cut}{out}G502\n")), [begin + 7]);
     let behind = format!("{on}{cut}{out}G502\n");
-    assert_eq!(said(&format!("{behind}{cut}{out}")), [begin + behind.len() as u32 + 7]);
+    assert_eq!(places(&format!("{behind}{cut}{out}")), [begin + behind.len() as u32 + 7]);
     // Across the face, and an arc.
-    assert_eq!(said("G0Z-1.\nG1X-1.F100.\n").len(), 1);
-    assert_eq!(said("G0Z0.\nG2X20.Z-5.R20.F100.\n").len(), 1);
-    // While something turns, beside the work, and out of it.
+    assert_eq!(places("G0Z-1.\nG1X-1.F100.\n").len(), 1);
+    assert_eq!(places("G0Z0.\nG2X20.Z-5.R20.F100.\n").len(), 1);
+    // While work or tool turns, beside the work, and away from it.
     for text in [
         format!("{on}{cut}{out}G502\n"),
         format!("M3S300\n{cut}{out}M5\n"),
@@ -372,7 +381,7 @@ fn feed_into_standing_work_is_one_finding_at_its_block() {
         format!("{on}{cut}G502\nG1X30.F200.\n"),
         format!("{on}{cut}G502\nG1Z2.F200.\n"),
     ] {
-        assert!(said(&text).is_empty(), "{text}");
+        assert!(places(&text).is_empty(), "{text}");
     }
     // Generated programs, and the paper's.
     for project in [project(&[]), project(&STAR), edited(&[], PAPER)] {
@@ -442,16 +451,16 @@ fn unequal_time_constants_fail_the_phase_verdict() {
     let project = project(&[("tool-time-constant", "500"), ("work-gain", "40")]);
     let design = project.design();
     let advice = design.readouts.iter().flat_map(|row| &row.advice);
-    assert_eq!(advice.filter(|told| told.message.id == "polygon.out-of-phase").count(), 1);
+    assert_eq!(advice.filter(|found| found.message.id == "polygon.out-of-phase").count(), 1);
     // Once: it is no finding too.
-    assert!(design.diagnostics.iter().all(|told| told.message.id != "polygon.out-of-phase"));
+    assert!(design.diagnostics.iter().all(|found| found.message.id != "polygon.out-of-phase"));
     let planner = whole(&project);
     let now = planner.timeline().at(8.0);
     let ahead = now.pmc[TOOL].actual - 2.0 * now.pmc[WORK].actual;
-    let told = value(&project, "phase");
-    assert!((ahead - told).abs() < 1e-3, "{ahead} for {told}");
+    let calculated = value(&project, "phase");
+    assert!((ahead - calculated).abs() < 1e-3, "{ahead} for {calculated}");
     // (0.25 + 1/30 - 0.15 - 1/40) s at 400 r/min.
-    assert!((told + 6.0 * 400.0 * (0.1 + 1.0 / 30.0 - 1.0 / 40.0)).abs() < 1e-9);
+    assert!((calculated + 6.0 * 400.0 * (0.1 + 1.0 / 30.0 - 1.0 / 40.0)).abs() < 1e-9);
 }
 
 #[test]
@@ -469,7 +478,7 @@ fn dropped_program_restores_the_form() {
 
 #[test]
 fn design_readouts_match_their_golden() {
-    let said = |changes: &[(&str, &str)]| {
+    let verdicts = |changes: &[(&str, &str)]| {
         let design = machine().prepare(&values(changes), project(&[]).control_context()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
             let advice: Vec<_> = row.advice.iter().map(|advice| sentence(&advice.message)).collect();
@@ -479,19 +488,19 @@ fn design_readouts_match_their_golden() {
         let errors = errors.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(&d.message)));
         verdicts.chain(errors).collect::<String>()
     };
-    expect![[""]].assert_eq(&said(&[]));
+    expect![[""]].assert_eq(&verdicts(&[]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.0496 mm; 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.0496 mm of flatness error. The list of choices says which limit excludes each.
-    "#]].assert_eq(&said(&[("flatness", "0.01"), ("stock-diameter", "29")]));
+    "#]].assert_eq(&verdicts(&[("flatness", "0.01"), ("stock-diameter", "29")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.9914 mm; 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
         Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
         Fail curvature: The sides are hollow: 0.9914 mm higher toward the corners than in the middle.
-    "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "-2")]));
+    "#]].assert_eq(&verdicts(&[("shape", "own"), ("tool-ratio", "-2")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.1012 mm; 0.1 mm are allowed. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts make them less hollow. The flattest choice here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
         Fail curvature: The sides are hollow: 0.1012 mm higher toward the corners than in the middle.
-    "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "3"), ("sides", "6")]));
+    "#]].assert_eq(&verdicts(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "3"), ("sides", "6")]));
     expect![[r#"
         Fail sides: This cutter turns 6 sides, not 4. The flattest choice here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
         Fail flatness: The sides are uneven by 0.239 mm; 0.1 mm are allowed.
@@ -499,7 +508,7 @@ fn design_readouts_match_their_golden() {
         Fail curvature: The sides are hollow: 0.239 mm higher toward the corners than in the middle.
         Warn fastest-cut: The inserts cut faster than they may: 141 r/min for B is as fast as suits.
         Warn tool-torque: With the feed override at 150 %, the cut asks 59.1 Nm, and the drive gives 49.2 Nm at this speed: reduce the feed, or keep the override lower.
-    "#]].assert_eq(&said(&[
+    "#]].assert_eq(&verdicts(&[
         ("shape", "own"),
         ("inserts", "1"),
         ("tool-ratio", "6"),
@@ -509,35 +518,35 @@ fn design_readouts_match_their_golden() {
     expect![[r#"
         Fail relief: The inserts need more than 4.76° of relief in pass 4, to 20 mm; they have 3°. Take less depth of cut, smaller stock, a larger cutter or more relief. No choice on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of choices says which limit excludes each.
         Warn orientation-error: A side is 15° off the orientation that is asked for: A15 corrects it.
-    "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
+    "#]].assert_eq(&verdicts(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.1338 mm; 0.1 mm are allowed.
         Warn insert-depth: Insert 2 is 0.1 mm off the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Reset it, or set all inserts to one radius.
         Warn insert-turn: Insert 2 turns its sides by 0.5° against where they belong.
-    "#]].assert_eq(&said(&[
+    "#]].assert_eq(&verdicts(&[
         ("radius-errors", "0 0.1"),
         ("angle-errors", "0 1"),
     ]));
     // An insert that is short leaves its sides high, not hollow.
-    assert_eq!(said(&[("radius-errors", "0.01 -0.01")]), "");
+    assert_eq!(verdicts(&[("radius-errors", "0.01 -0.01")]), "");
     expect![[r#"
         Fail twist: G512 has whole D and Q only: the program turns the sides straight. The twist needs the tool at 399.75 r/min while Z feeds, from the same angle in every pass; own-code.nc has it for a control with G51.2.
-    "#]].assert_eq(&said(&[("lead", "400")]));
+    "#]].assert_eq(&verdicts(&[("lead", "400")]));
     expect![[r#"
         Error across-flats: The finished part is 25 mm across flats; the stock has 24 mm: there is nothing to cut.
         Error start-x: The slide would start at 20 mm, inside the stock or its clearance: start at 28 mm or more.
     "#]]
-    .assert_eq(&said(&[("across-flats", "25"), ("start-x", "20"), ("depth", "0.01"), ("stock-diameter", "24")]));
+    .assert_eq(&verdicts(&[("across-flats", "25"), ("start-x", "20"), ("depth", "0.01"), ("stock-diameter", "24")]));
     expect![[r#"
         Error tool-ratio: Q is 0: give a whole number other than 0.
         Error radius-errors: Give numbers from -1 to 1 with spaces between them, one for each of the 2 inserts at most.
         Error angle-errors: Give numbers from -10 to 10 with spaces between them, one for each of the 2 inserts at most.
     "#]]
-    .assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
-    // A preset beyond its tolerance: there is no other way to turn it.
+    .assert_eq(&verdicts(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
+    // A preset whose sides are beyond their tolerance: no choice of cutter and ratio is within it.
     expect![[r#"
         Fail flatness: The sides are uneven by 0.2212 mm; 0.1 mm are allowed. No choice on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of choices says which limit excludes each.
-    "#]].assert_eq(&said(&[("shape", "triangle")]));
+    "#]].assert_eq(&verdicts(&[("shape", "triangle")]));
     // The relief is too small, so the insert would have to cut with its back.
     expect![[r#"
         Fail flatness: The sides are uneven by 1.8627 mm; 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No choice on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of choices says which limit excludes each.
@@ -546,44 +555,44 @@ fn design_readouts_match_their_golden() {
         Fail distance: The axes would be nearer to each other than 20 mm.
         Fail reach: The body of the cutter touches the stock beside the polygon and overlaps it by 18 mm: the tips need an overhang of at least 20 mm, or the stock a diameter of at most 24 mm.
         Warn work-torque-effective: The strikes of the cut heat the drive of the work’s axis like 33.06 Nm without a pause, and its drive gives 31.51 Nm continuously at this speed: reduce feed or depth.
-    "#]].assert_eq(&said(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
+    "#]].assert_eq(&verdicts(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
     expect![[r#"
         Warn relief: Less than 2° of relief are left.
     "#]]
-    .assert_eq(&said(&[("relief", "5.5")]));
+    .assert_eq(&verdicts(&[("relief", "5.5")]));
     expect![[r#"
         Warn slowest-cut: The inserts cut more slowly than they should: from 96 r/min for B on they do not.
     "#]]
-    .assert_eq(&said(&[("work-limit", "150"), ("speed", "40"), ("slowest-cut", "60")]));
+    .assert_eq(&verdicts(&[("work-limit", "150"), ("speed", "40"), ("slowest-cut", "60")]));
     expect![[r#"
         Fail work-speed: The work axis turns 150 r/min at most: B may be 150 at most.
     "#]]
-    .assert_eq(&said(&[("work-limit", "150")]));
+    .assert_eq(&verdicts(&[("work-limit", "150")]));
     expect![[r#"
         Fail distance: The axes would be nearer to each other than 70 mm.
         Fail feed: 100 mm/min is more than the 50 mm/min that the slide may feed: lower the feed or the speed.
     "#]]
-    .assert_eq(&said(&[("least-distance", "70"), ("clamp-z", "50")]));
+    .assert_eq(&verdicts(&[("least-distance", "70"), ("clamp-z", "50")]));
     expect![[r#"
         Fail distance: The axes would be further apart than 50 mm.
         Error start-x: At the start the axes of work and cutter would be 75 mm apart, and the slide reaches 50 mm: start nearer.
     "#]]
-    .assert_eq(&said(&[("greatest-distance", "50"), ("across-flats", "24"), ("stock-diameter", "24.5")]));
+    .assert_eq(&verdicts(&[("greatest-distance", "50"), ("across-flats", "24"), ("stock-diameter", "24.5")]));
     expect![[r#"
         Warn slowest-cut: The inserts cut more slowly than they should: from 64 r/min for B on they do not.
         Error depth: More than 60 passes: take more depth.
     "#]]
-    .assert_eq(&said(&[("depth", "0.01"), ("feed", "0.001"), ("speed", "1"), ("finish-feed", "0.001")]));
+    .assert_eq(&verdicts(&[("depth", "0.01"), ("feed", "0.001"), ("speed", "1"), ("finish-feed", "0.001")]));
     expect![[r#"
         Fail tool-speed: The tool axis turns 2000 r/min at most: B may be 20 at most.
         Fail tool-run-up: The run-up asks 138.2 Nm of the tool, and its drive gives 6 Nm: the tool falls behind its ratio to the work. A longer ramp on both axes keeps them together, or a lower B.
         Error tool-ratio: This cutter leaves no section: it reaches the centre of the work, or there would be more than 1000 sides.
-    "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "50"), ("tool-ratio", "99")]));
+    "#]].assert_eq(&verdicts(&[("shape", "own"), ("inserts", "50"), ("tool-ratio", "99")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 2.195 mm; 0.1 mm are allowed. Tool and work turn against each other: sides come out hollow. Give D and Q the same sign.
         Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
         Fail curvature: The sides are hollow: 2.195 mm higher toward the corners than in the middle.
-    "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "-2"), ("stock-diameter", "30")]));
+    "#]].assert_eq(&verdicts(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "-2"), ("stock-diameter", "30")]));
 }
 
 #[test]
@@ -709,7 +718,7 @@ fn taken_way_gives_the_figures_of_its_row() {
                 number_text(readout.value, decimals)
             };
             let [slowest, fastest] = ["slowest-cut", "fastest-cut"].map(|id| shown(id, 0));
-            let said = [
+            let expected = [
                 shown("flatness", 4),
                 shown("deviation-low", 4),
                 shown("deviation-high", 4),
@@ -719,8 +728,8 @@ fn taken_way_gives_the_figures_of_its_row() {
                 format!("{slowest} .. {fastest}"),
             ];
             let row: Vec<&String> = [4].into_iter().chain(6..12).map(|at| &way.cells[at]).collect();
-            assert_eq!(row, said.iter().collect::<Vec<_>>(), "{changes:?} {sets:?}");
-            // A way that is shown as possible stays within all of its limits, except the torque of the cut, which follows from the feed.
+            assert_eq!(row, expected.iter().collect::<Vec<_>>(), "{changes:?} {sets:?}");
+            // A choice that is shown as possible stays within all of its limits, except the torque of the cut, which follows from the feed.
             let failed = taken
                 .readouts
                 .iter()

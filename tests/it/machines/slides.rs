@@ -4,7 +4,7 @@ use macroline::project::Project;
 use macroline::view::Verdict;
 
 use super::turning::project;
-use crate::asked::{near, readout};
+use crate::queries::{near, readout};
 
 /// 0.8 of the first critical speed of a steel bar of 27.2 mm between a fixed bearing and a supporting one, 3 m apart (sizing facts 2.13).
 #[test]

@@ -4,7 +4,7 @@ use macroline::machines;
 use macroline::motion::{Action, RunEnd};
 use macroline::project::Project;
 
-use super::restart::{Outcome, within};
+use super::every_machine::restart::{Outcome, within};
 
 /// Each machine with a spindle on each of its controls, and a moment of its program at which spindle and axes move.
 fn moving() -> impl Iterator<Item = (String, Project, f64)> {
@@ -25,7 +25,7 @@ fn moving() -> impl Iterator<Item = (String, Project, f64)> {
     })
 }
 
-fn said(outcome: &Outcome, id: &str) -> bool {
+fn reports(outcome: &Outcome, id: &str) -> bool {
     outcome.planner.diagnostics().iter().any(|finding| finding.message.id == id)
 }
 
@@ -39,7 +39,7 @@ fn opposite_key_in_a_hold_leaves_the_direction() {
         };
         let (speed, held) = turned(&[(at, Action::Hold), (at + 1.0, Action::ManualSpeed(-300.0))]);
         let (left, _) = turned(&[(at, Action::Hold)]);
-        assert!(said(&held, "motion.spindle-key-refused"), "{name}");
+        assert!(reports(&held, "motion.spindle-key-refused"), "{name}");
         assert_eq!(speed, left, "{name}");
     }
 }
@@ -50,7 +50,7 @@ fn spindle_stopped_in_a_hold_refuses_cycle_start() {
         let speed = within(3600.0, &project, &[]).planner.timeline().at(at).spindle.command;
         let stopped = [(at, Action::Hold), (at + 1.0, Action::ManualSpeed(0.0)), (at + 20.0, Action::Start)];
         let held = within(3600.0, &project, &stopped);
-        assert!(said(&held, "motion.start-refused"), "{name}");
+        assert!(reports(&held, "motion.start-refused"), "{name}");
         let [before, after] = [at + 19.0, at + 40.0].map(|t| held.planner.timeline().at(t));
         assert!(before.axes.iter().zip(&after.axes).all(|(a, b)| a.position == b.position), "{name}: it moved");
         let again = [(at + 21.0, Action::ManualSpeed(speed)), (at + 30.0, Action::Start)];

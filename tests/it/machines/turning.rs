@@ -1,5 +1,17 @@
 //! The turning spindle: its closed forms against the run, its programs, its drawing, its verdicts.
 
+mod clauses;
+mod cooling;
+mod demand;
+mod drawing;
+mod each_control;
+mod gears;
+mod guards;
+mod knobs;
+mod restart;
+mod run_up;
+mod torque;
+
 use std::path::PathBuf;
 
 use expect_test::{expect, expect_file};
@@ -15,9 +27,9 @@ use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
-use super::drawn::area;
-use crate::asked;
-use crate::asked::value;
+use super::every_machine::drawn::area;
+use crate::queries;
+use crate::queries::value;
 
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
 
@@ -26,7 +38,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 }
 
 fn values(changes: &[(&str, &str)]) -> Values {
-    asked::values(machine(), changes)
+    queries::values(machine(), changes)
 }
 
 pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
@@ -117,8 +129,8 @@ fn cutting_time_of_the_run_equals_closed_form() {
                     let project = ideal(control, &changes);
                     let planner = over_time(&project);
                     let took: f64 = cuts(&project, &planner).iter().map(|(from, to)| to - from).sum();
-                    let asked = value(&project, "cutting-time");
-                    assert!((took / asked - 1.0).abs() < 1e-4, "{control} {changes:?}: {took} for {asked}");
+                    let calculated = value(&project, "cutting-time");
+                    assert!((took / calculated - 1.0).abs() < 1e-4, "{control} {changes:?}: {took} for {calculated}");
                 }
             }
         }
@@ -220,7 +232,7 @@ fn cut_part_never_grows() {
 
 #[test]
 fn design_readouts_match_their_golden() {
-    let said = |changes: &[(&str, &str)]| {
+    let verdicts = |changes: &[(&str, &str)]| {
         let design = machine()
             .prepare(&values(changes), project("gsk-980tdc", &[]).control_context())
             .design(&Origins::default());
@@ -232,16 +244,16 @@ fn design_readouts_match_their_golden() {
         let errors = errors.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(&d.message)));
         verdicts.chain(errors).collect::<String>()
     };
-    expect![[""]].assert_eq(&said(&[("spindle-ramp", "1"), ("motor-power", "22")]));
+    expect![[""]].assert_eq(&verdicts(&[("spindle-ramp", "1"), ("motor-power", "22")]));
     expect![[r#"
         Fail speed-smallest: The speed limit of 3500 r/min lies above the 3000 r/min of chuck and spindle: set it to 3000 or less.
         Warn acceleration-needed: The spindle would have to gain 3142 r/min each second; it can gain only 1000: the surface speed lags behind near the limit. Lower the cutting speed, the feed or the speed limit.
-    "#]].assert_eq(&said(&[("upper-limit", "3500"), ("finished-diameter", "0")]));
+    "#]].assert_eq(&verdicts(&[("upper-limit", "3500"), ("finished-diameter", "0")]));
     expect![[r#"
         Error finished-diameter: The finished part reaches 80 mm; the stock has 80 mm: there is nothing to cut.
         Error start-x: The tool would start at 80 mm, inside the stock or its clearance: start at more than 84 mm.
     "#]]
-    .assert_eq(&said(&[("finished-diameter", "80"), ("start-x", "80")]));
+    .assert_eq(&verdicts(&[("finished-diameter", "80"), ("start-x", "80")]));
     expect![[r#"
         Warn limit-diameter: Below 57.296 mm the spindle is held at 1000 r/min: the surface speed falls to 62.8 m/min, over 58 % of the diameter.
         Warn stage-speed: Stage 1 ends at 1000 r/min, below the speed limit of 2500 r/min: the surface speed falls from there on. Take a faster stage. That makes another result fail: Highest feed.
@@ -249,12 +261,12 @@ fn design_readouts_match_their_golden() {
         Fail power: Cut and friction need 12.21 kW, 6 kW are available at the spindle, and at a lower cutting speed the torque is too small. Cut with less depth.
         Fail torque: Cut and friction take 162 Nm at 716 r/min, and the motor gives 49.2 Nm in stage 1: the spindle stalls. Take a stage with more torque, or cut with less depth.
         Fail peak-torque: At Ø 80 mm cut, friction and the acceleration of the constant surface speed together take 171.4 Nm at 716 r/min; the motor gives 85.9 Nm there for a short time: the spindle lags or stalls. Feed more slowly, or limit the speed to less.
-    "#]].assert_eq(&said(&[("cutting-force", "4000"), ("gear", "1"), ("feed", "2")]));
+    "#]].assert_eq(&verdicts(&[("cutting-force", "4000"), ("gear", "1"), ("feed", "2")]));
     expect![[r#"
         Warning lower-limit: At Ø 80 mm the lower limit of 3000 r/min lifts the cutting speed to 754 m/min.
         Warning lower-limit: The lower limit of 3000 r/min lies above the upper one of 2500 r/min: the upper one holds.
     "#]]
-    .assert_eq(&said(&[("cutting-speed", "20"), ("lower-limit", "3000")]));
+    .assert_eq(&verdicts(&[("cutting-speed", "20"), ("lower-limit", "3000")]));
 }
 
 /// The parameter sheet: number, name, index, value, unit.
@@ -527,7 +539,7 @@ fn charts_over_the_speed_have_every_gear_stage() {
             assert_eq!(first.0, number(&project, "stage-1"));
             let cut = torque.series.iter().find(|line| line.label == "lathe.chart.cut").unwrap();
             assert!((cut.points.last().unwrap().1 - value(&project, "torque")).abs() < 1e-9, "{control} {changes:?}");
-            // The way in from the clearance begins at Ø 84.
+            // The infeed from the clearance begins at Ø 84.
             let slower = if prepared.hidden().contains(&"lower-limit") { 1.0 } else { 80.0 / 84.0 };
             let (speed, way_in) = (cut.points.last().unwrap().0, value(&project, "speed-largest"));
             assert!((speed * slower - way_in).abs() < 1e-9, "{control} {changes:?}: {speed}, {way_in}");
@@ -575,21 +587,21 @@ fn pass_count_is_independent_of_query_order() {
     let project = ideal("gsk-980tdc", &[("path", "taper"), ("depth", "1")]);
     let planner = over_time(&project);
     let end = planner.timeline().end();
-    let asked = |fresh: &Planner<Interp>, t: f64| [36, 37, 50].map(|block| fresh.executions(block, t).begun);
+    let begun = |fresh: &Planner<Interp>, t: f64| [36, 37, 50].map(|block| fresh.executions(block, t).begun);
     let moments: Vec<f64> = (0..400).map(|at| end * f64::from(at) / 399.0).collect();
     // Forward, as in play; and back and forth, as in scrubbing.
-    let forward: Vec<_> = moments.iter().map(|&t| asked(&planner, t)).collect();
+    let forward: Vec<_> = moments.iter().map(|&t| begun(&planner, t)).collect();
     let looked = over_time(&project);
     for at in (0..400).map(|at| at * 157 % 400) {
-        assert_eq!(asked(&looked, moments[at]), forward[at]);
+        assert_eq!(begun(&looked, moments[at]), forward[at]);
     }
     assert_eq!(forward[399], [30, 30, 1]);
     // A change of an earlier event restarts the count.
     let mut changed = planner.clone();
     changed.event(Event { t: end / 2.0, action: Action::Reset });
     changed.advance(f64::INFINITY, usize::MAX);
-    let half = asked(&changed, f64::INFINITY);
-    assert!(half[0] < 30 && half == asked(&planner, end / 2.0), "{half:?}");
+    let half = begun(&changed, f64::INFINITY);
+    assert!(half[0] < 30 && half == begun(&planner, end / 2.0), "{half:?}");
 }
 
 #[test]
@@ -607,8 +619,8 @@ fn part_beyond_the_travels_is_an_error() {
 }
 
 #[test]
-fn feed_into_work_at_standstill_is_told() {
-    let told = |project: &Project| {
+fn feed_into_work_at_standstill_is_reported() {
+    let is_reported = |project: &Project| {
         let planner = over_time(project);
         planner.diagnostics().iter().any(|found| found.message.id == "motion.feed-without-rotation")
     };
@@ -617,9 +629,9 @@ fn feed_into_work_at_standstill_is_told() {
         let mut files = project.written().files;
         files.0[0].text = format!("O9201\nG98 {spindle}\nG00 X70. Z2.\nG01 Z-10. F200\nG00 X90.\nM30\n%\n");
         project.edited = Some(files);
-        assert_eq!(told(&project), wanted, "{spindle}");
+        assert_eq!(is_reported(&project), wanted, "{spindle}");
     }
     // A driven tool cuts the keyway while the spindle holds its angle.
     let keyway = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
-    assert!(PATHS.iter().all(|path| !told(&project("gsk-980tdc", &[("path", path)]))) && !told(&keyway));
+    assert!(PATHS.iter().all(|path| !is_reported(&project("gsk-980tdc", &[("path", path)]))) && !is_reported(&keyway));
 }

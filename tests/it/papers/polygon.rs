@@ -14,7 +14,7 @@ const TOOL: usize = 1;
 clauses! {
     "intro"  "One insert at 1 : 2 turns a knob of two sides." one_insert_turns_two_sides;
     "intro"  "A triangle lock and a hexagon key come from other inserts and ratios." triangle_and_hexagon_are_turned;
-    "intro"  "The time of milling in polar interpolation stands beside that of turning." time_of_milling_is_told;
+    "intro"  "The time of milling in polar interpolation stands beside that of turning." time_of_milling_is_a_result;
     "intro"  "A polygon in the middle of a shaft is turned; both shoulders stay." polygon_in_the_middle_of_a_shaft;
     "1 (1)"  "The tip moves by equations (1) and (2)." tip_moves_by_equations_1_and_2;
     "1 (5)"  "At 1 : 2 the path is an ellipse with half axes R+r and R−r." path_at_1_to_2_is_an_ellipse;
@@ -33,7 +33,7 @@ clauses! {
     "3.2"    "G512 B D Q A E starts, G502 ends polygon turning." g512_starts_and_g502_ends;
     "note 1" "D and Q are whole; a negative one turns backward." ratios_are_whole_and_signed;
     "note 2" "A and E may have decimals and a sign, which is the sense." start_angles_have_decimals_and_sense;
-    "note 3" "G512 and G502 stand alone in their blocks." codes_stand_alone;
+    "note 3" "G512 and G502 stand alone in their blocks." codes_are_alone_in_their_block;
     "4"      "O3000 runs as printed." o3000_runs_as_printed;
     "4"      "O3000 turns 20 mm across flats." o3000_turns_20_mm;
     "4"      "Diameter, thread and polygon are turned in one program." diameter_thread_and_polygon_in_one_program;
@@ -70,7 +70,7 @@ fn triangle_and_hexagon_are_turned() {
     assert_eq!((sides("triangle-lock"), sides("hexagon-key")), (3.0, 6.0));
 }
 
-fn time_of_milling_is_told() {
+fn time_of_milling_is_a_result() {
     let square = lathe(&[]);
     assert!(readout(&square, "milling-time").value > 0.0);
     let ratio = |feed: &str| readout(&lathe(&[("mill-feed", feed)]), "milling-ratio").value;
@@ -259,7 +259,7 @@ fn start_angles_have_decimals_and_sense() {
     assert!(feeds(WORK) < 0.0 && feeds(TOOL) > 0.0);
 }
 
-fn codes_stand_alone() {
+fn codes_are_alone_in_their_block() {
     assert_eq!(block("G512 B200 D1 Q2 G502").alarm(), "129");
     assert_eq!(block("G512 B200 D1 Q2 X20.").alarm(), "3007");
     assert_eq!(part("O3000\nT0101\nG0X60.Z5.\nG512 B200 D1 Q2\nG502 X70.\nM30\n").alarm(), "3007");
@@ -267,7 +267,7 @@ fn codes_stand_alone() {
 
 fn o3000_runs_as_printed() {
     let run = part(O3000);
-    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.said());
+    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.finding_ids());
 }
 
 fn o3000_turns_20_mm() {

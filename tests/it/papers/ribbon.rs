@@ -23,7 +23,7 @@ clauses! {
     "2 (5)"   "A macro program computes them; the main program calls it." macro_program_is_called;
     "3 (1)"   "N10 S1000 M3 turns the motor at 1000 r/min." block_of_the_paper_turns_the_motor;
     "3 (2)"   "#1001 is the speed at 10 V." speed_at_10_volts_is_a_parameter;
-    "3 (2)"   "#1039, #1024 and #1001 are on the parameter sheet." parameters_of_the_spindle_are_told;
+    "3 (2)"   "#1039, #1024 and #1001 are on the parameter sheet." parameters_of_the_spindle_are_on_the_sheet;
     "3 (3)"   "Equation (1): the actual speed is S times the knob." actual_speed_is_s_times_the_knob;
     "3 (3)"   "The ladder hands the knob from R148 to #1033 by R74." ladder_hands_over_the_knob;
     "3 (4)"   "Equation (2): the line speed is K times the actual speed." line_speed_is_k_times_the_actual_speed;
@@ -141,7 +141,7 @@ fn speed_at_10_volts_is_a_parameter() {
     }
 }
 
-fn parameters_of_the_spindle_are_told() {
+fn parameters_of_the_spindle_are_on_the_sheet() {
     let sheet = exported(&line(), "parameters.csv");
     for row in ["#1039,", "prints it as #1024", "prints it as #1001"] {
         assert!(sheet.contains(row), "{row}");

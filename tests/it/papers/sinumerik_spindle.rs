@@ -33,15 +33,15 @@ clauses! {
     "4 (2) 1" "G0 does not change the speed." rapid_keeps_the_speed;
     "4 (2) 1" "G0 before G1, G2, G3, CIP or CT sets the speed of that contour." rapid_before_a_contour_sets_its_speed;
     "4 (2) 2" "LIMS limits the speed towards the centre." lims_limits_towards_the_centre;
-    "4 (2) 2" "A cut to the centre without LIMS is told when read." cut_to_the_centre_without_lims_is_told;
+    "4 (2) 2" "A cut to the centre without LIMS is warned of when read." cut_to_the_centre_without_lims_is_warned_of;
     "4 (2) 2" "LIMS acts under G96 only." lims_acts_under_g96_only;
     "4 (2) 2" "LIMS may not exceed G26 or the machine data." lims_stays_below_the_other_limits;
     "4 (2) 3" "G97: S is r/min again; without S the speed that G96 reached stays." g97_keeps_the_speed_reached;
     "4 (2) 3" "G94 and G95 cancel G96; without S the last programmed S returns." g94_and_g95_cancel_g96;
     "4 (2) 4" "The formula: speed is surface speed over circumference." speed_is_surface_speed_over_circumference;
     "4 (2) 4" "A part of many diameters takes less time than at one speed." surface_speed_saves_time;
-    "4 (2) 4" "The work's zero lies on the turning centre; else it is told." zero_off_centre_is_told;
-    "4 (2) 4" "TRANS in X under G96 is told." trans_under_g96_is_told;
+    "4 (2) 4" "The work's zero lies on the turning centre; else it is warned of." zero_off_centre_is_warned_of;
+    "4 (2) 4" "TRANS in X under G96 is warned of." trans_under_g96_is_warned_of;
 }
 
 /// A program of these blocks.
@@ -100,7 +100,11 @@ fn limits_are_setting_data() {
 
 fn limits_need_their_own_block() {
     let run = blocks("G26 S1200 G1 X10 F100\nS2000 M3\nG4 F1");
-    assert!(run.said().iter().any(|id| id.contains("alone") || id.contains("own-block")), "{:?}", run.said());
+    assert!(
+        run.finding_ids().iter().any(|id| id.contains("alone") || id.contains("own-block")),
+        "{:?}",
+        run.finding_ids()
+    );
 }
 
 fn programmed_s_stays_under_limits() {
@@ -194,7 +198,7 @@ fn block_ends_when_axes_and_spos_have() {
 fn keyway_is_cut_at_the_angle() {
     let lathe = Project::named("turning-spindle", Some(SIEMENS), Some("keyway")).ok().unwrap();
     let run = over_time(&lathe, vec![]);
-    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.said());
+    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.finding_ids());
     let end = run.planner.timeline().end();
     // Along the work at feed, with the spindle held.
     let held = (0..5000).map(|at| run.at(end * f64::from(at) / 5000.0)).filter(|now| now.spindle.held);
@@ -202,8 +206,8 @@ fn keyway_is_cut_at_the_angle() {
 }
 
 fn cut_at_the_angle_needs_lock_and_driven_tool() {
-    let said = blocks("SPOS=90\nG94 F100\nG1 X20\nG1 Z-10").said();
-    assert!(said.iter().any(|id| id.contains("lock")) && said.iter().any(|id| id.contains("driven")), "{said:?}");
+    let found = blocks("SPOS=90\nG94 F100\nG1 X20\nG1 Z-10").finding_ids();
+    assert!(found.iter().any(|id| id.contains("lock")) && found.iter().any(|id| id.contains("driven")), "{found:?}");
 }
 
 fn surface_speed_follows_the_diameter() {
@@ -238,9 +242,9 @@ fn lims_limits_towards_the_centre() {
     assert_eq!((now.command, now.bound), (2000.0, Bound::Surface));
 }
 
-fn cut_to_the_centre_without_lims_is_told() {
+fn cut_to_the_centre_without_lims_is_warned_of() {
     let to_centre =
-        |limit: &str| blocks(&format!("G95 F0.5 S500 M3\nG0 X40 Z0\nG96 S100{limit} F0.5\nG1 X0\nG4 F1")).said();
+        |limit: &str| blocks(&format!("G95 F0.5 S500 M3\nG0 X40 Z0\nG96 S100{limit} F0.5\nG1 X0\nG4 F1")).finding_ids();
     assert!(to_centre("").contains(&"lint.centre-unlimited"));
     assert!(!to_centre(" LIMS=2000").contains(&"lint.centre-unlimited"));
 }
@@ -283,12 +287,12 @@ fn surface_speed_saves_time() {
     assert!(time("surface") < time("fixed"));
 }
 
-fn zero_off_centre_is_told() {
-    let said = blocks(&CUT.replace("G96", "TRANS X4\nG96")).said();
-    assert!(said.contains(&"motion.off-centre"), "{said:?}");
+fn zero_off_centre_is_warned_of() {
+    let found = blocks(&CUT.replace("G96", "TRANS X4\nG96")).finding_ids();
+    assert!(found.contains(&"motion.off-centre"), "{found:?}");
 }
 
-fn trans_under_g96_is_told() {
-    let said = blocks(&format!("{CUT}\nTRANS X10\nG1 X60\nG4 F1")).said();
-    assert!(said.contains(&"motion.off-centre"), "{said:?}");
+fn trans_under_g96_is_warned_of() {
+    let found = blocks(&format!("{CUT}\nTRANS X10\nG1 X60\nG4 F1")).finding_ids();
+    assert!(found.contains(&"motion.off-centre"), "{found:?}");
 }

@@ -1,4 +1,4 @@
-//! Typical mistakes in tables of parts: each gets a sentence, its place, and a way out.
+//! Typical mistakes in tables of parts: each gets a sentence with its place and its correction.
 
 use expect_test::{Expect, expect};
 use macroline::nc::Files;
@@ -17,8 +17,8 @@ fn check(text: &str, name: &str, expect: Expect) {
 }
 
 macro_rules! mistakes {
-    ($($name:ident: $file:literal, $text:expr, $said:expr;)*) => {
-        $(#[test] fn $name() { check($text, $file, $said); })*
+    ($($name:ident: $file:literal, $text:expr, $expected:expr;)*) => {
+        $(#[test] fn $name() { check($text, $file, $expected); })*
     };
 }
 

@@ -90,7 +90,7 @@ fn speed_limits_match_the_table_and_name_the_binding_one() {
 #[test]
 fn positioning_travel_matches_the_table() {
     use Approach::{Clockwise, CounterClockwise, Direct, Incremental};
-    // sinumerik-802d.md section 3.6: angle, target, sign of the rotation, approach, way.
+    // sinumerik-802d.md section 3.6: angle, target, sign of the rotation, approach, angle to go.
     let table = [
         (10.0, 90.0, 1.0, Direct, 80.0),
         (10.0, 90.0, -1.0, Direct, -280.0),

@@ -120,8 +120,8 @@ fn feed_per_revolution_without_spindle_waits_with_one_finding() {
     let mut plant = lathe();
     plant.spindle.rules.manual_in_automatic = true;
     let mut planner = run_on(&plant, vec![], vec![per_turn(10.0), per_turn(20.0)]);
-    let said: Vec<_> = planner.diagnostics().iter().map(|found| (found.message.id, found.place)).collect();
-    assert_eq!(said, [("motion.spindle-at-rest", Some(place(0)))]);
+    let found: Vec<_> = planner.diagnostics().iter().map(|found| (found.message.id, found.place)).collect();
+    assert_eq!(found, [("motion.spindle-at-rest", Some(place(0)))]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
     // The axes go on as soon as the spindle turns: 100 turns.
     planner.event(at(5.0, Action::ManualSpeed(600.0)));

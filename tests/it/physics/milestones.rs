@@ -16,7 +16,7 @@ fn whole(project: &Project) -> Run {
 }
 
 fn all() -> impl Iterator<Item = Project> {
-    machines::ALL.iter().filter_map(|machine| Project::of(machine.id(), None))
+    machines::ALL.iter().map(|machine| Project::of(machine.id(), None).expect("a new project"))
 }
 
 #[test]
@@ -109,14 +109,15 @@ fn lathes_tell_the_pass_that_they_cut() {
         let end = run.timeline().end();
         let begins = machine.pass_starts(&run, end);
         assert_eq!(begins.len(), passes, "{id}");
-        let told = |at: usize| activity(&project, &run, (begins[at], begins.get(at + 1).copied().unwrap_or(end)));
-        assert_eq!(told(0), Some(format!("Cutting, pass 1 / {passes}")), "{id}");
+        let pass_activity =
+            |at: usize| activity(&project, &run, (begins[at], begins.get(at + 1).copied().unwrap_or(end)));
+        assert_eq!(pass_activity(0), Some(format!("Cutting, pass 1 / {passes}")), "{id}");
         // At every moment of the pass, and not by turns.
         let during = |share: f64| begins[0] + share * (begins[1] - begins[0]);
         let silent = (0..200).map(|step| during(0.4 + 0.1 * f64::from(step) / 200.0));
         let silent: Vec<_> = silent.filter(|t| activity(&project, &run, (*t, *t)).is_none()).collect();
         assert_eq!(silent, [0.0; 0], "{id}");
-        assert!(third.is_none_or(|third| told(2).as_deref() == Some(third)), "{id}");
+        assert!(third.is_none_or(|third| pass_activity(2).as_deref() == Some(third)), "{id}");
         // Before the first pass, and at the end.
         assert_eq!(activity(&project, &run, (0.0, begins[0])), None, "{id}");
         assert_eq!(activity(&project, &run, (end, end)), None, "{id}");
@@ -125,7 +126,7 @@ fn lathes_tell_the_pass_that_they_cut() {
 }
 
 #[test]
-fn ribbon_line_tells_the_dot_that_it_prints() {
+fn activity_of_the_ribbon_line_has_the_number_of_the_dot() {
     let project = Project::of("ribbon-line", None).unwrap();
     let run = whole(&project);
     let (dot, _) = project.prepared().first_contact(&run, run.timeline().end()).unwrap();

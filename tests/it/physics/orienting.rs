@@ -145,7 +145,7 @@ fn angle_is_held_until_m3_m4_or_m5() {
     assert!(moment(3).held && moment(5).held && (moment(5).angle - 45.0).abs() < 1e-9);
     let last = planner.timeline().at(planner.timeline().end()).spindle;
     assert_eq!((last.held, last.actual), (false, 240.0));
-    // Reset leaves it held, emergency stop does not; on its way both stop it.
+    // Reset leaves it held, emergency stop does not; during the orientation both stop it.
     let lines = || vec![m3(300.0), dwell(1.0), orient(45.0, Approach::Direct), dwell(9.0)];
     let there = begins(&planner, 3);
     for (t, action, held) in [

@@ -186,7 +186,7 @@ fn program_switches_exact_stop_off() {
 fn clamp_slows_the_vector_and_keeps_the_ratio() {
     let mut plant = plant();
     plant.axes[1].clamp = 60e3;
-    // The paper's block asks 118 m/min of Y.
+    // The paper's block needs 118 m/min of Y.
     let planner = run_on(&plant, vec![], vec![linear(80.0, 628.319, 119_391.393)]);
     let now = planner.timeline().at(0.4);
     close(now.axes[1].feed, 60e3, 1e-9);

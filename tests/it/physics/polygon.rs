@@ -9,7 +9,7 @@ use macroline::drives::polygon::{Curve, CutterSetup, Ratio, Section, ellipse};
 use macroline::math::{self, PI};
 
 use super::close;
-use crate::asked::near;
+use crate::queries::near;
 
 fn ratio(tool: i32, work: i32) -> Ratio {
     Ratio::new(tool, work).unwrap()
@@ -199,7 +199,7 @@ fn relief_and_cutting_speed_follow_the_tip_motion() {
         }
         let curve = Curve::new(d + r, r, k).unwrap();
         let edge = random.between(0.05, 1.0);
-        // The tip's way over the work in the tool's frame: e^(iσ/k) dP/dθ, by central differences.
+        // The tip's velocity over the work in the tool's frame: e^(iσ/k) dP/dθ, by central differences.
         let place = |sigma: f64| {
             let (b, reach) = (curve.turn(sigma), curve.reach(sigma));
             (reach * math::cos(b), -reach * math::sin(b))

@@ -7,7 +7,7 @@ use macroline::interp::{Interp, StartProgram};
 use macroline::nc::{Files, parse, parse_with};
 
 use super::*;
-use crate::asked::first_at;
+use crate::queries::first_at;
 
 /// The ribbon line's loop on the sheet (ribbon-line.md section 6), recomputed only when the override has changed.
 const RIBBON: &str = "%

@@ -9,7 +9,7 @@ use macroline::nc::{Files, parse_with};
 use macroline::text::Severity;
 
 use super::*;
-use crate::asked::first_at;
+use crate::queries::first_at;
 
 /// A program on a control: switches, hand, plant (changed from a lathe without inertia) and the builder's PLC.
 struct Lathe {
@@ -73,7 +73,7 @@ fn last(planner: &Planner<Interp>) -> SpindleState {
     planner.timeline().at(planner.timeline().end()).spindle
 }
 
-fn said(planner: &Planner<Interp>) -> Vec<&'static str> {
+fn finding_ids(planner: &Planner<Interp>) -> Vec<&'static str> {
     planner.diagnostics().iter().map(|found| found.message.id).collect()
 }
 
@@ -191,13 +191,13 @@ fn worked_802d_program_faces_and_stops_at_keyways() {
         assert!(held.held && held.angle == 0.0, "{held:?}");
         let end = last(&planner);
         assert!(end.held && (end.angle - 180.0).abs() < 1e-9, "{end:?}");
-        assert_eq!(said(&planner), [""; 0]);
+        assert_eq!(finding_ids(&planner), [""; 0]);
     }
 }
 
 #[test]
 fn spos_words_choose_their_direction() {
-    // sinumerik-802d.md section 3.6: from, target, state before, form, way, end.
+    // sinumerik-802d.md section 3.6: from, target, state before, form, angle to go, end.
     for (from, state, form, way, end) in [
         (10.0, "S1 M3", "90", 80.0, 90.0),
         (10.0, "S1 M4", "90", -280.0, 90.0),
@@ -213,7 +213,7 @@ fn spos_words_choose_their_direction() {
         (100.0, "", "AC(50)", -50.0, 50.0),
     ] {
         let mut lathe = Lathe::new("sinumerik-802d", &[]);
-        // A spindle that turns slowly and stops at once needs no more than the way itself.
+        // A spindle that turns slowly and stops at once needs no more than the angle to go.
         lathe.plant.spindle.positioning = Some(Positioning { speed: 100.0, acceleration: 1e9, clockwise: true });
         let planner = lathe.run(&format!("SPOS=0\nSPOS={from}\n{state}\nN9 SPOS={form}\nM0"));
         let begin = begins(&planner, "N9");
@@ -231,11 +231,11 @@ fn spos_words_choose_their_direction() {
 fn shifted_work_zero_under_surface_speed_is_a_finding() {
     let shifted = |lines: &str| {
         let planner = Lathe::new("sinumerik-802d", &[]).run(&format!("S100 M3\n{lines}\nM0"));
-        (said(&planner), last(&planner).command)
+        (finding_ids(&planner), last(&planner).command)
     };
     assert_eq!(shifted("G0 X50\nG96 S100 F.1\nG1 X40").0, [""; 0]);
-    let (told, rpm) = shifted("TRANS X10\nG96 S100 F.1\nG0 X40\nG1 X30");
-    assert_eq!(told, ["motion.off-centre"]);
+    let (ids, rpm) = shifted("TRANS X10\nG96 S100 F.1\nG0 X40\nG1 X30");
+    assert_eq!(ids, ["motion.off-centre"]);
     // The control takes 30 mm for the diameter where the tool is at 40 mm.
     close(rpm, 1000.0 * 100.0 / (math::PI * 30.0), 1e-6);
     // A small offset is a remark; a setting of the control defines small.
@@ -246,12 +246,12 @@ fn shifted_work_zero_under_surface_speed_is_a_finding() {
     );
     let exact =
         Lathe::new("sinumerik-802d", &[("small-offset", "nothing")]).run("S100 M3\nTRANS X.02\nG96 S100 F.1\nM0");
-    assert_eq!(said(&exact), ["motion.off-centre"]);
+    assert_eq!(finding_ids(&exact), ["motion.off-centre"]);
     assert_eq!(shifted("TRANS Z5\nG96 S100 F.1\nG1 X30").0, [""; 0]);
     assert_eq!(shifted("TRANS X10\nG1 X30 F.1").0, [""; 0]);
     // Other controls shift by G50 and by offsets.
     let planner = Lathe::new("gsk-980tdc", &[]).run("G50 X80. Z0.\nG96 S100 M03\nG01 X70. F100\nM00");
-    assert_eq!(said(&planner), ["motion.off-centre"]);
+    assert_eq!(finding_ids(&planner), ["motion.off-centre"]);
 }
 
 #[test]
@@ -299,69 +299,69 @@ fn gsk_voltage_follows_x_in_cuts_alone_unless_set() {
 }
 
 #[test]
-fn motion_on_the_spindle_ramp_is_told_once_a_block() {
-    let told = |switches: &[(&str, &str)], lines: &str| {
+fn motion_on_the_spindle_ramp_is_reported_once_a_block() {
+    let found = |switches: &[(&str, &str)], lines: &str| {
         let mut lathe = Lathe::new("sinumerik-802d", switches);
         lathe.plant.spindle.ramp = 3.5;
-        said(&lathe.run(&format!("G94 F100\n{lines}\nM0")))
+        finding_ids(&lathe.run(&format!("G94 F100\n{lines}\nM0")))
     };
     let free = [("speed-reached", "no-wait")];
     let (rapid, cut) = ("motion.rapid-while-ramping", "motion.cut-while-ramping");
-    assert_eq!(told(&[], "S1000 M3 G0 X50"), [rapid]);
-    assert_eq!(told(&[], "S1000 M3\nG4 F5\nG0 X50"), [""; 0]);
-    assert_eq!(told(&[], "S1000 M3\nG1 X50"), [""; 0]);
-    assert_eq!(told(&free, "S1000 M3\nG1 X50"), [cut]);
-    assert_eq!(told(&free, "S1000 M3\nG4 F5\nG1 X5\nS2000\nG1 X9"), [cut]);
-    assert_eq!(told(&[], "S1000 M3\nG4 F5\nS2000\nG0 X9"), [rapid]);
-    assert_eq!(told(&free, "S1000 M3 G0 X1\nG1 X2\nX2.1"), [rapid, cut, cut]);
-    assert_eq!(told(&[], "S1000 M3\nG4 F5\nM5\nG0 X9"), [""; 0]);
+    assert_eq!(found(&[], "S1000 M3 G0 X50"), [rapid]);
+    assert_eq!(found(&[], "S1000 M3\nG4 F5\nG0 X50"), [""; 0]);
+    assert_eq!(found(&[], "S1000 M3\nG1 X50"), [""; 0]);
+    assert_eq!(found(&free, "S1000 M3\nG1 X50"), [cut]);
+    assert_eq!(found(&free, "S1000 M3\nG4 F5\nG1 X5\nS2000\nG1 X9"), [cut]);
+    assert_eq!(found(&[], "S1000 M3\nG4 F5\nS2000\nG0 X9"), [rapid]);
+    assert_eq!(found(&free, "S1000 M3 G0 X1\nG1 X2\nX2.1"), [rapid, cut, cut]);
+    assert_eq!(found(&[], "S1000 M3\nG4 F5\nM5\nG0 X9"), [""; 0]);
     // Every pass of a loop meets the ramp; the block is reported once.
     let passes = "R1=0\nAB: S=500+R1*500 M3\nG0 X=R1+1\nR1=R1+1\nIF R1<5 GOTOB AB";
-    assert_eq!(told(&[], passes), [rapid]);
+    assert_eq!(found(&[], passes), [rapid]);
     // Under constant surface speed the speed follows the axes; its start is a ramp like any other.
-    assert_eq!(told(&[], "G0 X20\nG96 S100 F.1 M3\nG0 X50\nG1 X40"), [rapid]);
-    assert_eq!(told(&[], "G0 X20\nG96 S100 F.1 M3\nG4 F5\nG0 X50\nG1 X10\nG0 X50\nG1 Z5"), [""; 0]);
+    assert_eq!(found(&[], "G0 X20\nG96 S100 F.1 M3\nG0 X50\nG1 X40"), [rapid]);
+    assert_eq!(found(&[], "G0 X20\nG96 S100 F.1 M3\nG4 F5\nG0 X50\nG1 X10\nG0 X50\nG1 Z5"), [""; 0]);
 }
 
 /// The spindle override does not act in a thread: with the knob elsewhere the spindle goes back to S as the thread begins.
 #[test]
 fn thread_on_the_ramp_from_the_knob_is_a_finding() {
-    let told = |control: &str, percent: f64, lines: &str| {
+    let found = |control: &str, percent: f64, lines: &str| {
         let mut lathe = Lathe::new(control, &[]);
         lathe.plant.spindle.ramp = 3.5;
         lathe.events = vec![at(0.0, Action::SpindleOverride(percent))];
-        said(&lathe.run(lines))
+        finding_ids(&lathe.run(lines))
     };
     let thread = "G97 S1000 M03\nG04 X5.\nG00 Z5.\nG32 Z-20. F1.\nM00";
     let cut = "motion.cut-while-ramping";
-    assert_eq!(told("fanuc-0i-tf", 120.0, thread), [cut]);
-    assert_eq!(told("fanuc-0i-tf", 50.0, thread), [cut]);
-    assert_eq!(told("fanuc-0i-tf", 100.0, thread), [""; 0]);
-    assert_eq!(told("fanuc-0i-tf", 120.0, "G98 S1000 M03\nG04 X5.\nG01 Z-20. F100.\nM00"), [""; 0]);
+    assert_eq!(found("fanuc-0i-tf", 120.0, thread), [cut]);
+    assert_eq!(found("fanuc-0i-tf", 50.0, thread), [cut]);
+    assert_eq!(found("fanuc-0i-tf", 100.0, thread), [""; 0]);
+    assert_eq!(found("fanuc-0i-tf", 120.0, "G98 S1000 M03\nG04 X5.\nG01 Z-20. F100.\nM00"), [""; 0]);
 }
 
 #[test]
 fn cutting_at_an_angle_without_lock_is_a_finding() {
-    let told = |switches: &[(&str, &str)], lines: &str| {
+    let found = |switches: &[(&str, &str)], lines: &str| {
         let planner = Lathe::new("sinumerik-802d", switches).run(&format!("G94 S300 M3\n{lines}\nM0"));
-        said(&planner)
+        finding_ids(&planner)
     };
     let both = ["motion.not-locked", "motion.no-driven-tool"];
-    assert_eq!(told(&[], "SPOS=0\nG1 X10 F100\nX20"), both);
-    assert_eq!(told(&[], "SPOS=0\nM8\nG1 X10 F100"), both);
-    assert_eq!(told(&[], "SPOS=0\nG0 X10"), [""; 0]);
-    assert_eq!(told(&[], "SPOS=0\nM3\nG1 X10 F100"), [""; 0]);
-    assert_eq!(told(&[], "SPOS=0\nM81\nG1 X10 F100"), ["motion.no-driven-tool"]);
-    assert_eq!(told(&[], "SPOS=0\nM2=3\nG1 X10 F100"), ["motion.not-locked"]);
-    assert_eq!(told(&[], "SPOS=0\nM81\nSETMS(2)\nS900 M4\nG1 X10 F100"), [""; 0]);
-    assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nM2=5\nG1 X10 F100"), ["motion.no-driven-tool"]);
+    assert_eq!(found(&[], "SPOS=0\nG1 X10 F100\nX20"), both);
+    assert_eq!(found(&[], "SPOS=0\nM8\nG1 X10 F100"), both);
+    assert_eq!(found(&[], "SPOS=0\nG0 X10"), [""; 0]);
+    assert_eq!(found(&[], "SPOS=0\nM3\nG1 X10 F100"), [""; 0]);
+    assert_eq!(found(&[], "SPOS=0\nM81\nG1 X10 F100"), ["motion.no-driven-tool"]);
+    assert_eq!(found(&[], "SPOS=0\nM2=3\nG1 X10 F100"), ["motion.not-locked"]);
+    assert_eq!(found(&[], "SPOS=0\nM81\nSETMS(2)\nS900 M4\nG1 X10 F100"), [""; 0]);
+    assert_eq!(found(&[], "M2=3\nSPOS=0\nM81\nM2=5\nG1 X10 F100"), ["motion.no-driven-tool"]);
     // A tap in the work's own centre turns the spindle from its angle.
-    assert_eq!(told(&[], "SPOS=0\nG331 Z-5 K1 S100\nG332 Z5 K1"), [""; 0]);
+    assert_eq!(found(&[], "SPOS=0\nG331 Z-5 K1 S100\nG332 Z5 K1"), [""; 0]);
     // The next angle needs the lock again.
-    assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nG1 X10 F100\nSPOS=90\nG1 X20"), ["motion.not-locked"]);
+    assert_eq!(found(&[], "M2=3\nSPOS=0\nM81\nG1 X10 F100\nSPOS=90\nG1 X20"), ["motion.not-locked"]);
     let known = [("spindle-lock", "M81"), ("driven-tool", "M24")];
-    assert_eq!(told(&known, "SPOS=0\nM80\nM24\nG1 X10 F100"), ["motion.not-locked"]);
-    assert_eq!(told(&known, "SPOS=0\nM81\nM24\nG1 X10 F100"), [""; 0]);
+    assert_eq!(found(&known, "SPOS=0\nM80\nM24\nG1 X10 F100"), ["motion.not-locked"]);
+    assert_eq!(found(&known, "SPOS=0\nM81\nM24\nG1 X10 F100"), [""; 0]);
 }
 
 #[test]
@@ -370,22 +370,22 @@ fn m03_after_m04_raises_the_gsk_ladder_alarm() {
     for (lines, rpm) in [("S500 M03\nG04 X1.\nM04\nG04 X1.\nM00", 500.0), ("S500 M04\nG04 X1.\nM03\nM00", -500.0)] {
         let planner = run(&[], lines);
         let alarms: Vec<_> = planner.diagnostics().iter().map(|found| found.alarm.as_deref()).collect();
-        assert_eq!((said(&planner), alarms), (vec!["motion.spindle-reversal"], vec![Some("A0.3")]));
+        assert_eq!((finding_ids(&planner), alarms), (vec!["motion.spindle-reversal"], vec![Some("A0.3")]));
         // The first speed command stays out.
         assert_eq!(last(&planner).command, rpm);
     }
     for lines in ["S500 M03\nM05\nM04\nG04 X1.\nM00", "S500 M03\nM03\nM05\nM04\nM00", "S500 M04\nS300\nM04\nM00"] {
         let planner = run(&[], lines);
-        assert_eq!(said(&planner), [""; 0], "{lines}");
+        assert_eq!(finding_ids(&planner), [""; 0], "{lines}");
         assert!(last(&planner).command < 0.0);
     }
     let planner = run(&[("m03-m04", "turns-back")], "S500 M03\nM04\nG04 X1.\nM00");
-    assert_eq!((said(&planner), last(&planner).command), (vec![], -500.0));
+    assert_eq!((finding_ids(&planner), last(&planner).command), (vec![], -500.0));
     // Reset takes both away.
     let mut lathe = Lathe::new("gsk-980tdc", &[]);
     lathe.events = vec![at(0.5, Action::Reset), at(1.0, Action::Start)];
     let planner = lathe.run("#101=#101+1\nIF[#101 EQ 2]GOTO9\nS500 M03\nG04 X9.\nN9 S400 M04\nG04 X1.\nM00");
-    assert_eq!((said(&planner), last(&planner).command), (vec![], -400.0));
+    assert_eq!((finding_ids(&planner), last(&planner).command), (vec![], -400.0));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use macroline::drives::slide::Slide;
 use macroline::math::{self, RPM};
 use proptest::prelude::*;
 
-use crate::asked::near_share;
+use crate::queries::near_share;
 
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.80665;

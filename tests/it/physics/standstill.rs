@@ -34,7 +34,7 @@ fn program_end_goes_on_until_the_lag_is_gone() {
 }
 
 #[test]
-fn hold_goes_on_until_the_axes_stand_and_the_spindle_turns() {
+fn hold_lasts_until_the_axes_rest_and_the_spindle_turns() {
     let planner = cutting(vec![at(0.8, Action::Hold)]);
     assert_eq!(ended_at(&planner), 0.8);
     settles_at_the_end(&planner);

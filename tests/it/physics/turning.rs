@@ -304,8 +304,8 @@ fn gear_shift_follows_the_ladder_sequence() {
     // A shift to the present stage is answered at once; a stage that the machine lacks is a finding.
     close(begins(&planner, 5) - begins(&planner, 4), 0.05, 1e-6);
     assert_eq!(spindle(&planner, ended_at(&planner)).stage, 2);
-    let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
-    assert_eq!(said, ["motion.no-stage"]);
+    let ids: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
+    assert_eq!(ids, ["motion.no-stage"]);
 }
 
 #[test]
@@ -336,8 +336,8 @@ fn output_saturates_in_its_gear_and_gear_limits_g96() {
     let planner = run_on(&plant, vec![], vec![m3(1500.0), dwell(1.0)]);
     let now = spindle(&planner, 1.0);
     assert_eq!((now.command, now.actual, now.volts, now.bound), (1000.0, 1000.0, 10.0, Bound::Output));
-    let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
-    assert_eq!(said, ["motion.output-full"]);
+    let ids: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
+    assert_eq!(ids, ["motion.output-full"]);
     let planner = run_on(&plant, vec![], vec![m3(100.0), rapid(10.0, 0.0), surface(100.0, 0.0), dwell(1.0)]);
     let now = spindle(&planner, ended_at(&planner));
     assert_eq!((now.command, now.actual, now.bound), (1000.0, 1000.0, Bound::Gear));
@@ -398,8 +398,8 @@ fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
             per_turn(20.0, 0.0, 0.1),
         ];
         let planner = run(lines);
-        let said: Vec<&str> = planner.diagnostics().iter().map(|said| said.message.id).collect();
-        assert_eq!(said, ["motion.spindle-at-rest"], "{ms} ms");
+        let ids: Vec<&str> = planner.diagnostics().iter().map(|found| found.message.id).collect();
+        assert_eq!(ids, ["motion.spindle-at-rest"], "{ms} ms");
         assert_eq!(planner.timeline().at(ended_at(&planner)).spindle.actual, 0.0);
     }
 }
@@ -415,17 +415,17 @@ fn feed_per_revolution_without_encoder_never_moves() {
 
 #[test]
 fn work_zero_off_centre_is_a_finding() {
-    let said = |centre, zeros: &[f64]| {
+    let ids_with = |centre, zeros: &[f64]| {
         let mut plant = quick(0.0);
         plant.spindle.centre = centre;
         let mut lines = vec![m3(100.0), rapid(50.0, 0.0)];
         lines.extend(zeros.iter().map(|&zero| surface(100.0, zero)));
         run_on(&plant, vec![], lines).diagnostics().iter().map(|found| found.message.id).collect::<Vec<_>>()
     };
-    assert_eq!(said(Some(0.0), &[4.0]), ["motion.off-centre"]);
-    assert!(said(Some(2.0), &[4.0]).is_empty() && said(None, &[4.0, 4.0]).is_empty());
+    assert_eq!(ids_with(Some(0.0), &[4.0]), ["motion.off-centre"]);
+    assert!(ids_with(Some(2.0), &[4.0]).is_empty() && ids_with(None, &[4.0, 4.0]).is_empty());
     // A zero that moves while the speed counts from it: G52, TRANS.
-    assert_eq!(said(None, &[4.0, 5.0]), ["motion.off-centre"]);
+    assert_eq!(ids_with(None, &[4.0, 5.0]), ["motion.off-centre"]);
 }
 
 #[test]

@@ -57,7 +57,7 @@ fn ended(planner: &mut Planner<Interp>) -> RunEnd {
     planner.advance(f64::INFINITY, usize::MAX).ended.unwrap()
 }
 
-fn said(planner: &Planner<Interp>) -> Vec<&'static str> {
+fn finding_ids(planner: &Planner<Interp>) -> Vec<&'static str> {
     planner.diagnostics().iter().map(|found| found.message.id).collect()
 }
 
@@ -82,7 +82,7 @@ fn return_leaves_program_and_spindle_as_they_were() {
     let events = [(LATER, Action::ProgramZeroReturn)];
     let (mut plain, mut planner) = (gsk(&lines, &[]), gsk(&lines, &events));
     assert_eq!((ended(&mut planner), last_place(&planner)), (ended(&mut plain), (60.0, 40.0)));
-    assert_eq!(said(&planner), said(&plain));
+    assert_eq!(finding_ids(&planner), finding_ids(&plain));
     // The key, pressed later in a run that is planned to its end, gives an equal run.
     let [(t, key)] = events;
     plain.event(at(t, key));
@@ -127,7 +127,7 @@ fn emergency_stop_ends_the_return_until_reset() {
     let mut planner = gsk(PART, &[broken.to_vec(), vec![again.clone()]].concat());
     assert!(matches!(ended(&mut planner), RunEnd::Alarm(_)));
     assert!((last_place(&planner).0 - 40.0).abs() < 1e-6);
-    assert_eq!(said(&planner), ["motion.emergency-stop", "motion.zero-return-refused"]);
+    assert_eq!(finding_ids(&planner), ["motion.emergency-stop", "motion.zero-return-refused"]);
     let planner = gsk(PART, &[broken.to_vec(), vec![(LATER + 4.0, Action::Reset), again]].concat());
     assert_eq!(last_place(&planner), (60.0, 40.0));
 }
@@ -138,14 +138,14 @@ fn key_does_nothing_while_the_program_is_not_over() {
         let press = [(t, Action::ProgramZeroReturn)];
         let (mut plain, mut planner) = (gsk(&lines, &[]), gsk(&lines, &press));
         assert_eq!((ended(&mut planner), last_place(&planner)), (ended(&mut plain), last_place(&plain)));
-        assert_eq!(said(&planner).first(), Some(&"motion.zero-return-refused"), "{lines}");
+        assert_eq!(finding_ids(&planner).first(), Some(&"motion.zero-return-refused"), "{lines}");
     }
 }
 
 #[test]
 fn return_needs_the_mode_and_a_reference_point() {
     let press = [(LATER, Action::ProgramZeroReturn)];
-    for (control, lines, told) in [
+    for (control, lines, wanted) in [
         ("fanuc-0i-tf", "G50 X60. Z40.\nG00 X20. Z5.", "motion.no-zero-return"),
         ("mitsubishi-e60", "G92 X60. Y40.\nG00 X20. Y5.", "motion.no-zero-return"),
         ("sinumerik-802d", "G0 X60 Z40\nG0 X20 Z5", "motion.no-zero-return"),
@@ -155,7 +155,7 @@ fn return_needs_the_mode_and_a_reference_point() {
         let (plain, planner) = (lathe(control, lines, &[]), lathe(control, lines, &press));
         let words = |planner: &Planner<Interp>| planner.timeline().words_at(planner.timeline().end());
         assert_eq!(words(&planner), words(&plain), "{control}");
-        assert_eq!(said(&planner).last(), Some(&told), "{control}");
+        assert_eq!(finding_ids(&planner).last(), Some(&wanted), "{control}");
     }
     // A preset of coordinates sets the point where the axes are.
     let planner = lathe("knd-k2000t", "G00 X60. Z40.\nG50 X0 Z0\nG00 U-40. W-35.", &press);

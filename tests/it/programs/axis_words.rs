@@ -1,4 +1,4 @@
-//! Axis words beside each code of each control: they move the axes as its row says, or not at all, with a finding.
+//! Axis words beside each code of each control: they move the axes as in its row, or nothing moves and a finding reports it.
 
 use macroline::controls::{ALL, Code, CodeDef, CodeId, Control, Group};
 use macroline::interp;
@@ -12,7 +12,7 @@ enum Does {
     /// The axis words are the end point of a motion.
     Move,
     /// The axis words move nothing, and a finding reports it.
-    NothingTold,
+    ReportedNothing,
     /// The axis words move nothing, without a finding.
     Nothing,
     /// The block is an alarm.
@@ -27,7 +27,7 @@ fn run(control: &'static Control, block: &str, behind: &str) -> Does {
     let named = control.syntax.names.is_some();
     let (head, feed) = if named { ("", "G94 F100 S100 M3 G0 X1 Z1") } else { ("O1\n", "F100. S100 M3\nG00 X1. Z1.") };
     let mut interp = start_on(control, &format!("{head}{feed}\n{block}\n{behind}\nM30\n"), &[]);
-    let told = interp.parsed().diagnostics().iter().any(|finding| {
+    let is_reported = interp.parsed().diagnostics().iter().any(|finding| {
         matches!(
             finding.message.id,
             "nc.not-simulated" | "nc.takes-axis-words" | "nc.replaces-positions" | "nc.cancel-for-axes"
@@ -45,17 +45,17 @@ fn run(control: &'static Control, block: &str, behind: &str) -> Does {
     match end {
         _ if moved => Does::Move,
         Some(interp::End::Alarm(_)) => Does::Alarm,
-        _ if told => Does::NothingTold,
+        _ if is_reported => Does::ReportedNothing,
         _ => Does::Nothing,
     }
 }
 
 /// Effect of axis words beside a code by its row; `None` if the code gives them a meaning of its own that is simulated.
-fn said(row: &CodeDef) -> Option<Does> {
+fn effect_by_row(row: &CodeDef) -> Option<Does> {
     use Code::*;
     Some(match (row.code, row.group) {
-        (NotSimulated, Group::OneShot | Group::Motion | Group::Cycle) => Does::NothingTold,
-        (DataInput(_) | TakesAxisWords | ReplacesPositions | CancelForAxes | Roughing, _) => Does::NothingTold,
+        (NotSimulated, Group::OneShot | Group::Motion | Group::Cycle) => Does::ReportedNothing,
+        (DataInput(_) | TakesAxisWords | ReplacesPositions | CancelForAxes | Roughing, _) => Does::ReportedNothing,
         (ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread | Tapping | Skip | Dwell | ReferenceReturn, _) => {
             return None;
         }
@@ -72,13 +72,13 @@ fn said(row: &CodeDef) -> Option<Does> {
 }
 
 #[test]
-fn axis_words_beside_a_code_move_as_its_row_says() {
+fn axis_words_beside_a_code_move_as_in_its_row() {
     let mut wrong = Vec::new();
     for control in ALL {
         for row in control.codes {
             let name = control.code_name(row.id);
             let words = if control.syntax.names.is_some() { "X3" } else { "X3." };
-            let (does, expected) = (run(control, &format!("{name} {words}"), ""), said(row));
+            let (does, expected) = (run(control, &format!("{name} {words}"), ""), effect_by_row(row));
             // Blocks that the control refuses move nothing, and the alarm suffices as a finding.
             let refused = does == Does::Alarm && (control.syntax.names.is_some() || expected != Some(Does::Move));
             if !refused && expected.as_ref().is_some_and(|expected| *expected != does) {
@@ -101,7 +101,7 @@ fn polar_coordinates_move_nothing_until_cancelled() {
         for (on, off) in [("G16", "G15"), ("G12.1", "G13.1")] {
             let has = |name: &str| control.codes.iter().any(|row| control.code_name(row.id) == name);
             if has(on) {
-                assert_eq!(run(control, on, "X3."), Does::NothingTold, "{} {on}", control.id);
+                assert_eq!(run(control, on, "X3."), Does::ReportedNothing, "{} {on}", control.id);
                 assert_eq!(run(control, on, &format!("{off}\nX3.")), Does::Move, "{} {off}", control.id);
             }
         }

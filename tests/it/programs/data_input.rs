@@ -16,21 +16,21 @@ fn checked(id: &str, blocks: &str) -> (Vec<String>, String) {
     let mut interp = start_on(control, &text, &[]);
     let parsed = Rc::clone(interp.parsed());
     let found = review(&parsed, None, &[]).into_iter().filter(|finding| finding.message_id() != "nc.no-percent");
-    let said = found.map(|finding| {
+    let described = found.map(|finding| {
         let place = finding.place.map_or("", |place| parsed.text(place));
         let hints: Vec<String> = finding.hints.iter().map(sentence).collect();
         format!("{place}: {} {}", sentence(&finding.message), hints.join(" ")).trim_end().to_owned()
     });
-    (said.collect(), log_of(&text, &mut interp))
+    (described.collect(), log_of(&text, &mut interp))
 }
 
 #[test]
 fn work_coordinates_with_p_are_additional_ones() {
-    let said =
+    let expected =
         "G54: G54.1 (additional work coordinate system) is read, but not simulated: the run here goes on without it.";
     for block in ["G54 P3 X10.", "P3 G54 X10.", "G54 P#1 X10.", "G54(ZERO)P3 X10."] {
         let (found, log) = checked("fanuc-0i-mf", &format!("G90 G00 X0.\n#1=3\n{block}"));
-        assert_eq!(found, [said], "{block}");
+        assert_eq!(found, [expected], "{block}");
         assert!(log.contains("rapid X10\n"), "{block}: {log}");
         assert!(!log.contains("does nothing"), "{block}: {log}");
     }
@@ -73,8 +73,10 @@ fn lines_of_data_input_are_no_commands() {
 
 #[test]
 fn local_call_of_another_maker_has_its_hint() {
-    let lacks = |control: &&&Control| control.syntax.names.is_none() && control.code(CodeId::M(97)).is_none();
-    for control in ALL.iter().filter(lacks) {
+    let lacks = |control: &&Control| control.syntax.names.is_none() && control.code(CodeId::M(97)).is_none();
+    let lacking: Vec<&Control> = ALL.iter().copied().filter(lacks).collect();
+    assert!(lacking.len() > 1, "{} controls", lacking.len());
+    for control in lacking {
         let (found, _) = checked(control.id, "M97 P100");
         let hint = "Here M98 P calls a program of its own.";
         assert!(found.iter().any(|line| line.starts_with("P100: P does nothing") && line.ends_with(hint)), "{found:?}");
@@ -92,14 +94,14 @@ fn compensation_of_a_mill_is_that_of_the_tool_radius() {
 
 /// The simulation stops at these blocks; the control itself goes on.
 #[test]
-fn run_that_only_the_simulation_stops_says_why() {
-    for (id, block, said) in [
+fn stop_of_the_simulation_alone_names_its_cause() {
+    for (id, block, cause) in [
         ("sinumerik-802d", "R10=$AA_IM[X]", "$AA_IM[X]"),
         ("sinumerik-808d", "DEF REAL DIAM\nR1=DIAM", "DIAM"),
         ("fanuc-0i-mf", "M98 <SUB>", "SUB"),
     ] {
         let (_, log) = checked(id, block);
         let end = log.lines().find(|line| line.starts_with("= ")).unwrap_or("");
-        assert!(end.contains(said) && !log.contains("cannot be read"), "{block}: {log}");
+        assert!(end.contains(cause) && !log.contains("cannot be read"), "{block}: {log}");
     }
 }

@@ -16,7 +16,7 @@ use super::{fixtures, log_of, settings, start_on};
 
 /// Switches whose options no program distinguishes: control, maker or nothing for all, switch, and reason. An entry that a program does
 /// distinguish fails the test.
-const UNTOLD: &[(&str, &str, &str)] = &[
+const NEVER_DISTINGUISHED: &[(&str, &str, &str)] = &[
     ("fanuc", "pmc-override", "no machine turns PMC axes on this control"),
     ("gsk", "override-code", "ladder and control change together: machines/ladder/wired.rs"),
     ("", "comment-characters", "comments move nothing: comments.rs"),
@@ -146,7 +146,7 @@ fn runs(control: &'static Control, plant: Option<&Project>, source: &str, switch
 }
 
 /// Pairs of options that give different runs of a program.
-fn told_apart(control: &'static Control, row: &Switch, machine: &str, source: &str) -> Vec<bool> {
+fn distinguished_by(control: &'static Control, row: &Switch, machine: &str, source: &str) -> Vec<bool> {
     let options = options(row, source);
     let others: Vec<(&str, &str)> = settings(source).into_iter().filter(|(id, _)| *id != row.id()).collect();
     let set = |option| [&others[..], &[(row.id(), option)]].concat();
@@ -183,17 +183,17 @@ fn programs(control: &Control, row: &Switch, fixtures: &[String]) -> Vec<(&'stat
 /// The pairs of options of a switch that no program distinguishes.
 fn alike(control: &'static Control, row: &Switch, fixtures: &[String]) -> Vec<String> {
     let pairs: Vec<(usize, usize)> = pairs(options(row, "").len()).collect();
-    let mut told = vec![false; pairs.len()];
+    let mut distinguished = vec![false; pairs.len()];
     for (machine, source) in programs(control, row, fixtures) {
-        for (told, now) in told.iter_mut().zip(told_apart(control, row, machine, &source)) {
-            *told |= now;
+        for (known, now) in distinguished.iter_mut().zip(distinguished_by(control, row, machine, &source)) {
+            *known |= now;
         }
-        if told.iter().all(|told| *told) {
+        if distinguished.iter().all(|known| *known) {
             break;
         }
     }
     let options = options(row, "");
-    let alike = pairs.into_iter().zip(told).filter(|(_, told)| !told);
+    let alike = pairs.into_iter().zip(distinguished).filter(|(_, known)| !known);
     alike.map(|((one, other), _)| format!("{} = {}", options[one], options[other])).collect()
 }
 
@@ -207,15 +207,15 @@ fn each_option_changes_what_a_program_does() {
     for control in ALL {
         let fixtures = sources(control);
         for row in control.switches {
-            let known = UNTOLD.iter().any(|(of, switch, _)| control.id.starts_with(of) && *switch == row.id());
+            let known =
+                NEVER_DISTINGUISHED.iter().any(|(of, switch, _)| control.id.starts_with(of) && *switch == row.id());
             let alike = alike(control, row, &fixtures);
             if alike.is_empty() == known {
                 idle.push(format!("{} {}: {}", control.id, row.id(), alike.join(", ")));
             }
         }
     }
-    let mend =
-        "add a program to PROGRAMS that tells them apart, or to UNTOLD why none can; take out what is told apart";
+    let mend = "add a program to PROGRAMS that distinguishes them, or to NEVER_DISTINGUISHED why none can; remove rows that a program distinguishes";
     assert!(idle.is_empty(), "options that make no difference; {mend}:\n{}", idle.join("\n"));
 }
 

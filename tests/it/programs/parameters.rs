@@ -40,7 +40,7 @@ fn r_parameter_program_gives_fact_sheet_feeds() {
         near(r(105), speed);
         near(r(110), 62.831_853);
         near(r(115), feed);
-        // The feed per motor revolution depends on neither.
+        // The feed per motor revolution depends neither on the speed nor on the override.
         near(r(116), 99.492_828);
         assert_eq!(r(98), status);
     }

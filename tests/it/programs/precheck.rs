@@ -48,7 +48,7 @@ fn skipped_cycle_contour_is_found_by_the_precheck() {
     let gsk = controls::find("gsk-980tdc").unwrap();
     let ids = |p: &str| {
         let source = format!("O1\nG71 U1. R1.\nG71 {p} Q20 U1. F100\nN10 G00 X1.\nN20 X2.\nM30\n%\n");
-        precheck(start_on(gsk, &source, &[]).parsed()).iter().map(|told| told.message.id).collect::<Vec<_>>()
+        precheck(start_on(gsk, &source, &[]).parsed()).iter().map(|found| found.message.id).collect::<Vec<_>>()
     };
     assert_eq!(ids("P10"), ["interp.contour"]);
     // The start of the contour is unknown, or missing.
@@ -65,13 +65,13 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
                 continue;
             }
             let name = path.file_stem().unwrap().display().to_string();
-            let told = alarms(interp.parsed());
+            let found = alarms(interp.parsed());
             let Some(End::Alarm(alarm)) = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) else {
                 panic!("{} {name} raises no alarm: its first line says which alarm it shows", control.id);
             };
-            let said = |finding: &Diagnostic| (alarm_and_place(&source, finding), finding.message.clone());
-            match told.first() {
-                Some(told) => assert_eq!(said(told), said(&alarm), "{} {name}", control.id),
+            let described = |finding: &Diagnostic| (alarm_and_place(&source, finding), finding.message.clone());
+            match found.first() {
+                Some(first) => assert_eq!(described(first), described(&alarm), "{} {name}", control.id),
                 None => writeln!(later, "{} {name}", control.id).unwrap(),
             }
         }
@@ -218,21 +218,21 @@ fn precheck_is_silent_on_programs_that_run() {
     for control in controls::ALL {
         for (path, source) in fixtures(control, "ok") {
             let mut interp = start_fixture(control, &source);
-            let told = alarms(interp.parsed());
+            let found = alarms(interp.parsed());
             let end = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {});
-            let said = told.first().map(|told| alarm_and_place(&source, told));
+            let first = found.first().map(|finding| alarm_and_place(&source, finding));
             match end {
-                Some(End::Alarm(alarm)) if said.is_some() => {
-                    assert_eq!(said, Some(alarm_and_place(&source, &alarm)), "{}", path.display());
+                Some(End::Alarm(alarm)) if first.is_some() => {
+                    assert_eq!(first, Some(alarm_and_place(&source, &alarm)), "{}", path.display());
                 }
-                _ => assert_eq!(said, None, "{}", path.display()),
+                _ => assert_eq!(first, None, "{}", path.display()),
             }
         }
     }
 }
 
 /// Errors of the precheck for one block, after a check that the run stops there with the first of them.
-fn told(control: &'static Control, block: &str) -> String {
+fn alarms_of_block(control: &'static Control, block: &str) -> String {
     let source = match control.syntax.names {
         Some(_) => format!("%_N_MAIN_MPF\n{}\nM2\n", block),
         None => format!("O1\n{block}\nM30\n%\n"),
@@ -240,15 +240,17 @@ fn told(control: &'static Control, block: &str) -> String {
     let mut interp: Interp = start_on(control, &source, &[]);
     let found = review(interp.parsed(), None, &[]);
     let errors: Vec<&Diagnostic> = found.iter().filter(|finding| finding.severity == Severity::Error).collect();
-    let said: Vec<String> = errors.iter().map(|finding| alarm_and_place(&source, finding)).collect();
+    let places: Vec<String> = errors.iter().map(|finding| alarm_and_place(&source, finding)).collect();
     match interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) {
-        Some(End::Alarm(alarm)) if said.is_empty() => return format!("runs into {}", alarm_and_place(&source, &alarm)),
-        Some(End::Alarm(alarm)) => {
-            assert_eq!(said.first(), Some(&alarm_and_place(&source, &alarm)), "{} {block}: {found:#?}", control.id);
+        Some(End::Alarm(alarm)) if places.is_empty() => {
+            return format!("runs into {}", alarm_and_place(&source, &alarm));
         }
-        end => assert_eq!((end, said.len()), (Some(End::Program), 0), "{} {block}", control.id),
+        Some(End::Alarm(alarm)) => {
+            assert_eq!(places.first(), Some(&alarm_and_place(&source, &alarm)), "{} {block}: {found:#?}", control.id);
+        }
+        end => assert_eq!((end, places.len()), (Some(End::Program), 0), "{} {block}", control.id),
     }
-    said.join(", ")
+    places.join(", ")
 }
 
 /// One row for each block: the errors on each control, in their order.
@@ -259,12 +261,12 @@ fn check(blocks: &[&str], expected: Expect) {
         let alarms: Vec<String> = controls::ALL
             .iter()
             .map(|control| {
-                // The other language writes its formulas in another way.
+                // SINUMERIK writes R parameters and round brackets in its formulas.
                 let named = control.syntax.names.is_some();
                 let text =
                     if named { block.replace('#', "R").replace('[', "(").replace(']', ")") } else { block.to_string() };
-                let told = told(control, &text);
-                if told.is_empty() { "-".to_owned() } else { told }
+                let found = alarms_of_block(control, &text);
+                if found.is_empty() { "-".to_owned() } else { found }
             })
             .collect();
         writeln!(out, "{}: {}", block.replace('\n', "; "), alarms.join(" | ")).unwrap();
@@ -427,7 +429,7 @@ fn precheck_findings_do_not_depend_on_blocks_before() {
             Some(_) => format!("%_N_MAIN_MPF\n{}\nM2\n", blocks.join("\n")),
             None => format!("O1\n{}\nM30\n%\n", blocks.join("\n")),
         };
-        let told = |text: &str| -> Vec<(String, String)> {
+        let findings_in = |text: &str| -> Vec<(String, String)> {
             let interp = start_on(control, text, &[]);
             let found = precheck(interp.parsed());
             let piece = |d: &Diagnostic| d.place.unwrap().span.of(text).to_owned();
@@ -445,10 +447,10 @@ fn precheck_findings_do_not_depend_on_blocks_before() {
                 .collect();
             // An M code between any two: no block follows one of its own form.
             let apart: Vec<String> = blocks.iter().flat_map(|block| [block.clone(), "M10".to_owned()]).collect();
-            let alone = told(&program(&apart));
+            let alone = findings_in(&program(&apart));
             findings += alone.len();
             programs += usize::from(alone.is_empty());
-            assert_eq!(told(&program(&blocks)), alone, "{}: {blocks:#?}", control.id);
+            assert_eq!(findings_in(&program(&blocks)), alone, "{}: {blocks:#?}", control.id);
         }
     }
     assert!(findings > 10_000 && programs > 500, "{findings} findings, {programs} programs without");

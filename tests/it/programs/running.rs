@@ -363,7 +363,7 @@ fn operator_sets_variables_within_screen_rules() {
 }
 
 #[test]
-fn run_raises_what_the_reader_says_of_blocks_it_comes_to() {
+fn run_raises_the_reader_errors_of_blocks_it_reaches() {
     check(
         "O1\n#1=0\nWHILE[#1 LT 2]DO1\nWHILE[#1 LT 1]DO1\n#1=#1+1\nEND1\nEND1\nM30",
         expect![[r#"

@@ -209,9 +209,9 @@ fn every_open_point_of_the_spindle_is_a_switch() {
         Dialect::resolve(one_group(), &Switches(settings)).spindle()
     };
     let usual = rules(&[]);
-    let told =
+    let answers =
         (usual.stop_last, usual.surface_limit_stays, usual.surface_at_once, usual.last_speed_back, usual.angle_wraps);
-    assert_eq!(told, (false, false, true, true, false));
+    assert_eq!(answers, (false, false, true, true, false));
     let other = rules(&[
         ("m5-timing", "end"),
         ("lims-in-g97", "yes"),
@@ -219,7 +219,7 @@ fn every_open_point_of_the_spindle_is_a_switch() {
         ("g9x-without-s", "hold"),
         ("spos-out-of-range", "modulo"),
     ]);
-    let told =
+    let answers =
         (other.stop_last, other.surface_limit_stays, other.surface_at_once, other.last_speed_back, other.angle_wraps);
-    assert_eq!(told, (true, true, false, false, true));
+    assert_eq!(answers, (true, true, false, false, true));
 }

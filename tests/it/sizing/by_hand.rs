@@ -17,8 +17,8 @@ fn figure(step: &str) -> (f64, f64) {
 }
 
 fn follow(step: &str, own: f64) {
-    let (asked, within) = figure(step);
-    assert!((own - asked).abs() <= within * 1.000_001, "{step}: {asked} on the page, {own} computed");
+    let (printed, within) = figure(step);
+    assert!((own - printed).abs() <= within * 1.000_001, "{step}: {printed} on the page, {own} computed");
 }
 
 fn paper() -> Project {

@@ -14,7 +14,7 @@ use super::{SAME, oracle, same};
 const LAWS: [&str; 2] = ["polynomial-345", "modified-sine"];
 
 /// The paper's example with the exact π, 40 heads, a law, and a motor whose continuous torque is that of standstill at every speed, as the
-/// oracle has it. All heads weigh 0.9 kg together, whatever their number: 0.9 · 6² / 5² = 1.296 kg cm²
+/// oracle has it. All heads weigh 0.9 kg together at any number of heads: 0.9 · 6² / 5² = 1.296 kg cm²
 /// at the motor, beside the 0.6 of the gear.
 fn line(law: &str, entries: &[(&str, f64)]) -> Project {
     let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), Some("paper")).unwrap();
@@ -43,7 +43,7 @@ fn value(project: &Project, id: &str) -> f64 {
     result(project, id).value
 }
 
-fn said(readout: &Readout) -> Vec<String> {
+fn advice_texts(readout: &Readout) -> Vec<String> {
     readout.advice.iter().map(|advice| sentence(&advice.message)).collect()
 }
 
@@ -89,7 +89,7 @@ fn without_a_law_results_and_program_are_those_of_before() {
         lines.filter(|line| *line != "(CAM-LAW=MODIFIED-SINE)").map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(text(&with), text(&without));
-    let note = said(&result(&with, "cam-peak-speed"));
+    let note = advice_texts(&result(&with, "cam-peak-speed"));
     assert!(note[0].contains("The program that is written keeps one constant ratio"), "{note:?}");
     let plain = Project::named("ribbon-line", None, None).unwrap();
     assert!(readouts(&plain).iter().all(|row| !row.id.starts_with("cam-")));
@@ -116,7 +116,7 @@ fn torque_holds_up_to_the_highest_speed_and_not_beyond() {
             assert_eq!((below.verdict, above.verdict), (Verdict::Ok, Verdict::Fail), "{torque}");
             let Some(Limit::AtMost(limit)) = below.limit else { panic!("{torque}") };
             same(torque, below.value, limit, 1e-5);
-            // The speed is the motor's, whatever the line's.
+            // The speed is that of the motor, at any speed of the line.
             same(speed, value(&at(law, 777.0, &wide), speed), value(&slow, speed), SAME);
         }
     }
@@ -187,7 +187,7 @@ fn matched_roller_has_nothing_to_correct() {
 fn roller_that_lags_too_far_turns_back() {
     // 100 heads: the arc is 4.23 mm shorter than the pitch, 3.2 mm are the most.
     let back = result(&line(LAWS[0], &[("heads", 100.0)]), "cam-longest-lag");
-    assert_eq!((back.verdict, said(&back).len()), (Verdict::Warn, 1));
+    assert_eq!((back.verdict, advice_texts(&back).len()), (Verdict::Warn, 1));
     assert!(value(&line(LAWS[0], &[("heads", 100.0)]), "cam-peak-speed") < 0.0);
     let lag = result(&line(LAWS[0], &[("heads", 55.0)]), "cam-longest-lag");
     let Some(Limit::AtLeast(limit)) = lag.limit else { panic!("{lag:?}") };
@@ -205,7 +205,7 @@ fn short_blocks_are_too_short_for_the_papers_control() {
     // 6 mm at 251.3 mm/s in five blocks; 7.1 + 3 ms are needed.
     assert!((time.value - 4.7746).abs() < 1e-3, "{}", time.value);
     assert_eq!(time.verdict, Verdict::Warn);
-    let text = said(&time);
+    let text = advice_texts(&time);
     assert!(text[0].contains("lasts 3.9 ms") && text[0].contains("needs 10.1 ms"), "{text:?}");
     assert!(text[0].contains("up to 7129 mm/min"), "{text:?}");
 }
@@ -239,14 +239,14 @@ fn contact_as_long_as_the_pitch_leaves_no_time() {
     assert!(design.readouts.iter().all(|row| !row.id.starts_with("cam-")));
     assert!(design.diagnostics.iter().any(|found| found.field == Some("contact-length")), "{:?}", design.diagnostics);
     let ratio = design.readouts.iter().find(|row| row.id == "surface-ratio").unwrap();
-    assert!(said(ratio).iter().any(|text| text.starts_with("No electronic cam helps")));
+    assert!(advice_texts(ratio).iter().any(|text| text.starts_with("No electronic cam helps")));
     let open = line(LAWS[0], &[("contact-length", 7.999)]).design();
     assert!(open.diagnostics.iter().all(|found| found.field != Some("contact-length")));
     assert!(open.readouts.iter().any(|row| row.id == "cam-peak-torque"));
 }
 
 #[test]
-fn cam_at_standstill_asks_the_steady_torque() {
+fn cam_at_standstill_needs_the_steady_torque() {
     let stands = line(LAWS[1], &[("override", 0.0)]);
     for id in ["cam-peak-torque", "cam-start-torque", "cam-effective-torque"] {
         same(id, value(&stands, id), value(&stands, "y-load-torque"), SAME);

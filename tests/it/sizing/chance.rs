@@ -49,7 +49,7 @@ fn seed_decides_which_machines_are_drawn() {
 }
 
 #[test]
-fn work_tells_how_far_it_is() {
+fn draws_and_sizing_report_their_progress() {
     let project = Project::named("ribbon-line", None, None).unwrap();
     let (mut drawn, mut sized) = (Vec::new(), Vec::new());
     let found = chance_with_progress(&project, 1200, 1, &mut |share| drawn.push(share));
@@ -62,10 +62,12 @@ fn work_tells_how_far_it_is() {
 
 #[test]
 fn settings_and_counts_are_not_drawn() {
-    let project = Project::named("ribbon-line", None, None).unwrap();
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
     let fails = chance(&project, 300, 1).failing;
     // Time constants that differ between the axes would fail it always: both are set at the control.
     assert!(fails.iter().all(|row| row.0 != "register-error"), "{fails:?}");
+    // A clamp of X little above the speed of the line flips a verdict.
+    project.values.insert("clamp-x".to_owned(), Value::Number(20_000.0));
     let tried = size(&project, &project.written()).sensitivities;
     let settings: Vec<_> = project
         .machine
@@ -74,5 +76,6 @@ fn settings_and_counts_are_not_drawn() {
         .filter(|field| field.role == FieldRole::ExactFact)
         .map(|field| field.id)
         .collect();
+    assert!(!tried.is_empty() && !settings.is_empty());
     assert!(tried.iter().all(|flip| !settings.contains(&flip.field)), "{tried:?}");
 }

@@ -11,7 +11,7 @@ use macroline::project::{Project, parts};
 use macroline::text::catalog::{number_text, sentence, words};
 use macroline::view::Verdict;
 
-use crate::asked::{sized, sized_without_envelope};
+use crate::queries::{sized, sized_without_envelope};
 
 fn line() -> Project {
     super::line(&[("pitch-count", 100.0)])
@@ -123,8 +123,10 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
     let project = line();
     let sizing = sized(&project);
     assert_eq!(sizing.limits.iter().map(|row| row.field).collect::<Vec<_>>(), ["spindle-speed", "head-mass", "pitch"]);
-    for row in sizing.limits.iter().filter(|row| row.binding.is_some()) {
-        let result = row.binding.unwrap().id;
+    let mut bound = 0;
+    for row in &sizing.limits {
+        let Some(result) = row.binding.map(|binding| binding.id) else { continue };
+        bound += 1;
         let verdict = |value: f64| {
             let set = [(row.field, format!("{value}"))];
             let readouts = project.with_entries(&set).unwrap().design().readouts;
@@ -136,15 +138,16 @@ fn line_at_the_limit_holds_and_beyond_it_fails() {
         assert_eq!(verdict(beyond), Verdict::Fail, "{} beyond {}", row.field, row.value);
         assert!(row.margin > 0.0);
     }
+    assert!(bound > 0, "no limit is bound by a result");
     let fastest = sizing.fastest.unwrap();
     assert_eq!(fastest.result.id, "line-speed");
     let set = project.with_entries(&[fastest.entry]).unwrap().design();
-    let told = set.readouts.iter().find(|row| row.id == "line-speed").unwrap().value;
-    super::same("fastest line", fastest.value, told, 1e-9);
+    let line_speed = set.readouts.iter().find(|row| row.id == "line-speed").unwrap().value;
+    super::same("fastest line", fastest.value, line_speed, 1e-9);
 }
 
 #[test]
-fn line_that_fails_is_told_how_much_less_it_can_do() {
+fn failing_line_has_its_limit_below_the_entry() {
     let mut project = line();
     project.values.insert("spindle-speed".to_owned(), Value::Number(2000.0));
     let sizing = sized(&project);
@@ -253,7 +256,7 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let (row, rows) = (row.expect("a row"), lathe.design().readouts);
     let value = |id: &str| rows.iter().find(|row| row.id == id).unwrap().value;
     // ½ (J_L η + J_M) ω² less the work of friction over the stop, at the motor, which turns as fast as the spindle with 10 V. All brakings
-    // of the run are checked in `machines/turning_demand.rs`.
+    // of the run are checked in `machines/turning/demand.rs`.
     let (speed, ramp) = (value("speed-largest").max(value("speed-smallest")), 3.0);
     let (omega, stop) = (speed * std::f64::consts::TAU / 60.0, ramp * speed / value("stage-speed"));
     let inertia = (value("inertia") - 0.03) * 0.8 + 0.03;
@@ -268,7 +271,7 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
 #[test]
 fn amplifier_without_the_current_refuses_its_motor() {
     let mut project = line();
-    // 2.6 A for 1.3 Nm: the print roller asks 0.2 A and more.
+    // 2.6 A for 1.3 Nm: the print roller needs 0.2 A and more.
     let table = "kind,maker,series,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,rated_current_a,max_current_a,fits,source,grade\n\
          servo,Works,W,Z1,3000,6000,1.3,1.3,9,0.0005,2.6,18,,own sheet,entered\n\
          amplifier,Works,W,A1,,,,,,,0.01,0.02,Z1,own sheet,entered\n";
@@ -287,6 +290,7 @@ fn amplifier_without_the_current_refuses_its_motor() {
 #[test]
 fn control_without_a_current_motor_shows_the_demand() {
     let machine = macroline::machines::find("ribbon-line").unwrap();
+    let mut shortages = 0;
     for control in machine.controls() {
         let sizing = sized(&Project::named("ribbon-line", Some(control), None).unwrap());
         for axis in sizing.axes.iter().filter(|axis| axis.motor_load.is_some()) {
@@ -295,18 +299,20 @@ fn control_without_a_current_motor_shows_the_demand() {
             let (lacks, shortage) = (!passing.any(bought), axis.shortage());
             assert!(!lacks || shortage.is_some(), "{control} {}", axis.id);
             let Some(shortage) = shortage else { continue };
+            shortages += 1;
             // Its demand is at the top of the list, in the offer too.
-            let (told, asked) = (sentence(&shortage), axis.demand);
+            let (text, demand) = (sentence(&shortage), axis.demand);
             assert!(
-                told.contains(&format!("{:.2} Nm", asked.peak).replace(' ', "\u{202f}"))
-                    || told.contains(&format!("{:.2} Nm", asked.peak)),
-                "{told}"
+                text.contains(&format!("{:.2} Nm", demand.peak).replace(' ', "\u{202f}"))
+                    || text.contains(&format!("{:.2} Nm", demand.peak)),
+                "{text}"
             );
             let offer = sizing.offer();
             let lists = offer.iter().filter(|sheet| sheet.id == "motors");
-            assert!(lists.into_iter().any(|sheet| sheet.rows[0].cells.contains(&told)), "{control}: {told}");
+            assert!(lists.into_iter().any(|sheet| sheet.rows[0].cells.contains(&text)), "{control}: {text}");
         }
     }
+    assert!(shortages > 0, "no axis lacks a motor");
     // Rows of the bill with an unknown status have an instruction for the order.
     let sizing = sized(&Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap());
     let cells: Vec<String> = sizing.bill_sheet().rows.into_iter().flat_map(|row| row.cells).collect();
@@ -316,19 +322,19 @@ fn control_without_a_current_motor_shows_the_demand() {
 #[test]
 fn site_of_amplifiers_is_an_open_point() {
     let line = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
-    // A dancer asks its inverter for more.
+    // With a dancer the inverter has open points of its own.
     let line = line.with_entries(&[("dancer", "false")]).unwrap();
     let open = |line: &Project| {
         let bill = sized(line).bill;
-        let told = |row: BillRow| row.open.into_iter().map(move |open| (row.item, sentence(&open)));
-        bill.into_iter().filter(|row| row.item != BillItem::Motor).flat_map(told).collect::<Vec<_>>()
+        let open_points = |row: BillRow| row.open.into_iter().map(move |open| (row.item, sentence(&open)));
+        bill.into_iter().filter(|row| row.item != BillItem::Motor).flat_map(open_points).collect::<Vec<_>>()
     };
     let here = open(&line);
-    assert!(here.iter().all(|(_, told)| told.contains("takes the axis commands")), "{here:?}");
+    assert!(!here.is_empty() && here.iter().all(|(_, text)| text.contains("takes the axis commands")), "{here:?}");
     // 40 °C at 4000 m leave 77 % (sizing facts 2.7).
     let high = line.with_entries(&[("site-height", "4000")]).unwrap();
-    let told = open(&high);
-    assert!(told.iter().any(|(item, told)| *item == BillItem::Amplifier && told.contains("77")), "{told:?}");
+    let points = open(&high);
+    assert!(points.iter().any(|(item, text)| *item == BillItem::Amplifier && text.contains("77")), "{points:?}");
 }
 
 #[test]
@@ -340,15 +346,15 @@ fn part_made_for_repair_alone_is_marked_where_it_is_ordered() {
     project.values.insert("motor-x".to_owned(), Value::Text("Works S1".to_owned()));
     let sizing = sized(&project);
     let cells = sizing.bill_sheet().rows[1].cells.clone();
-    let told = ["Works", "S1", "1", "spare part: made for repair alone", "", "entered", "own sheet"];
-    assert_eq!(cells[1..], told.map(str::to_owned));
+    let wanted = ["Works", "S1", "1", "spare part: made for repair alone", "", "entered", "own sheet"];
+    assert_eq!(cells[1..], wanted.map(str::to_owned));
     let listed = sizing.sheets().into_iter().filter(|sheet| sheet.id == "motors").flat_map(|sheet| sheet.rows);
     let own = listed.map(|row| row.cells).find(|cells| cells[0] == "Works S1").unwrap();
     assert!(own.contains(&"spare part".to_owned()), "{own:?}");
     let json = sizing.json();
     let row = &json["bom"][1];
-    let told = ["part", "maker", "model", "status", "source", "grade"].map(|key| row[key].as_str().unwrap());
-    assert_eq!(told, ["Works S1", "Works", "S1", "spare part", "own sheet", "entered"]);
+    let members = ["part", "maker", "model", "status", "source", "grade"].map(|key| row[key].as_str().unwrap());
+    assert_eq!(members, ["Works S1", "Works", "S1", "spare part", "own sheet", "entered"]);
     assert!(json["axes"][0]["candidates"].as_array().unwrap().iter().any(|motor| motor["status"] == "unknown"));
 }
 
@@ -388,7 +394,7 @@ fn spindle_motor_is_chosen_by_cut_and_run_up() {
         };
         ["L15", "L30", "H30"].map(own)
     };
-    // The cut alone asks 11.6 Nm with the feed override at 150 %; chuck and work of 0.202 kg m² and a rotor of 0.01 take 3.3 Nm over 10 s, a rotor of 0.5 takes 11 Nm.
+    // The cut alone needs 11.6 Nm with the feed override at 150 %; chuck and work of 0.202 kg m² and a rotor of 0.01 take 3.3 Nm over 10 s, a rotor of 0.5 takes 11 Nm.
     assert_eq!(refused(&[("spindle-ramp", "10")]), ["", "", ""]);
     // Over 1.5 s they ask 22.3 and 2 Nm of friction, of 22.5 Nm short-time.
     let [light, strong, heavy] = refused(&[("spindle-ramp", "1.5")]);
@@ -464,7 +470,7 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             assert_eq!(rows("X0:"), 2 * (drives + supplies + fans) + 6, "{name}");
             let enabled = sizing.terminals.iter().filter(|row| row.signal.starts_with("Enable")).count();
             assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
-            // The table of stops lets them brake to rest; work and tool coast only where the form says so.
+            // The table of stops lets them brake to rest; work and tool coast only with that entry of the form.
             let at_once = |project: &Project| {
                 let rows = sized_without_envelope(project).terminals;
                 rows.iter().filter(|row| row.signal == "Enable, at once").count()
@@ -524,11 +530,11 @@ fn refusal(sizing: &Sizing, axis: &str, model: &str) -> String {
 #[test]
 fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
     // Both axes reach 3000 r/min over 20 ms: above its rated speed of 1000 r/min a motor gives a third of its peak torque there.
-    let asked = [("gear-x", "100"), ("gear-y", "100"), ("time-constant-x", "20"), ("time-constant-y", "20")];
+    let entries = [("gear-x", "100"), ("gear-y", "100"), ("time-constant-x", "20"), ("time-constant-y", "20")];
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
          servo,Works,SLOW,1000,6000,2,6,0.0001,entered\n\
          servo,Works,FAST,5000,6000,2,6,0.0001,entered\n";
-    let mut project = line().with_entries(&asked).unwrap();
+    let mut project = line().with_entries(&entries).unwrap();
     project.add_parts(parts::read(table, "own.csv").0);
     let sizing = sized(&project);
     let shares = |model: &str| {
@@ -542,7 +548,7 @@ fn motor_is_judged_by_the_torque_that_it_has_at_its_speed() {
 
 #[test]
 fn motor_is_too_hot_by_its_torque_at_the_mean_speed() {
-    // The web asks 0.08 Nm in the mean at 290 r/min: at rated speed 300 r/min the motor gives 0.05 Nm, at standstill 1 Nm.
+    // The web needs 0.08 Nm in the mean at 290 r/min: at rated speed 300 r/min the motor gives 0.05 Nm, at standstill 1 Nm.
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade\n\
          servo,Works,DROPS,300,3000,0.05,1,6,0.0001,entered\n\
          servo,Works,HOLDS,300,3000,1,1,6,0.0001,entered\n";
@@ -634,10 +640,12 @@ fn unwinder_is_judged_by_its_ramp_too() {
         project.values.insert("unwinder-inertia".to_owned(), Value::Number(inertia));
         project
     };
-    // 1 kg m² to 1480 r/min in 2 s asks 78 Nm.
+    // 1 kg m² to 1480 r/min in 2 s needs 78 Nm.
     let (light, heavy) = (sized(&heavy(40.0)), heavy(10_000.0));
     assert!(candidates(&light, "unwinder").iter().any(|motor| motor.refusal.is_none()));
-    assert!(candidates(&sized(&heavy), "unwinder").iter().all(|motor| reason(motor).starts_with("Too ")));
+    let too_heavy = sized(&heavy);
+    let refused = candidates(&too_heavy, "unwinder");
+    assert!(!refused.is_empty() && refused.iter().all(|motor| reason(motor).starts_with("Too ")));
     let result = |project: &Project| {
         let rows = project.design().readouts;
         rows.into_iter().find(|row| row.id == "unwinder-ramp-torque").unwrap()
@@ -649,7 +657,7 @@ fn unwinder_is_judged_by_its_ramp_too() {
 }
 
 #[test]
-fn amplifier_gives_the_currents_that_are_asked() {
+fn amplifier_gives_the_demanded_currents() {
     let table = "kind,maker,model,rated_speed_rpm,max_speed_rpm,rated_torque_nm,stall_torque_nm,peak_torque_nm,inertia_kgm2,rated_current_a,max_current_a,fits,grade\n\
          servo,Works,M1,3000,3000,2,2,6,0.0001,20,,,entered\n\
          amplifier,Works,SMALL,,,,,,,0.1,0.2,M1,entered\n\
@@ -664,7 +672,7 @@ fn amplifier_gives_the_currents_that_are_asked() {
 }
 
 #[test]
-fn fastest_operation_names_what_fails_at_any_speed() {
+fn fastest_operation_names_results_failing_at_any_speed() {
     // A nip without friction holds no web, however slowly the line runs.
     let slipping = line().with_entries(&[("pinch-friction", "0.01")]).unwrap();
     let failing = |project: &Project| -> Vec<&'static str> {
@@ -696,7 +704,7 @@ fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
     lathe.add_parts(parts);
     let proposed = row(&lathe).unwrap();
     assert_eq!((proposed.proposed, proposed.model.as_str()), (true, "E8"));
-    // The unwinder has a brake if the form says so.
+    // The unwinder has a brake if the form has one.
     let mut line = line();
     line.values.insert("spindle-encoder".to_owned(), Value::Flag(false));
     assert_eq!(row(&line), None);
@@ -742,9 +750,9 @@ fn named_motor_that_the_list_refuses_is_marked_in_the_bill() {
     assert!(why.starts_with("Too hot: "), "{why}");
     let cells = refused.bill_sheet().rows.into_iter().map(|row| row.cells);
     assert!(cells.flatten().any(|cell| cell.starts_with(&format!("✕ {why}"))));
-    let told =
+    let count =
         refused.findings().iter().map(|found| sentence(&found.message)).filter(|found| found.contains(&why)).count();
-    assert_eq!(told, 1);
+    assert_eq!(count, 1);
     let json = refused.json();
     let rows = json["bom"].as_array().unwrap();
     assert_eq!(rows.iter().filter(|row| row["refused"] == why.as_str()).count(), 1);

@@ -11,7 +11,7 @@ use macroline::view::{Limit, Verdict};
 use proptest::prelude::*;
 
 use super::line;
-use crate::asked::{near, readout};
+use crate::queries::{near, readout};
 
 fn share(height: f64, temperature: f64) -> f64 {
     Site { height, temperature }.share()
@@ -38,7 +38,7 @@ fn entries_of_the_table_are_met_and_joined_by_lines() {
         (1500.0, 40.0, 0.965),
         (1000.0, 42.5, 0.98),
         (2500.0, 42.5, (0.93 + 0.89 + 0.86 + 0.81) / 4.0),
-        // Cold air makes up for thin air, as far as the data sheet goes.
+        // Cold air compensates thin air within the range of the data sheet.
         (2000.0, 30.0, 1.0),
         (2000.0, 10.0, 1.0),
         // Beyond the table the values of its ends apply.
@@ -78,10 +78,10 @@ fn derated_limit_of_the_effective_torque_is_exact() {
         let entries = [("motor-stall-x", stall), ("site-height", height)];
         readout(&line(&[fixed.as_slice(), &entries].concat()), "x-effective-torque")
     };
-    let asked = with(1.3, 500.0).value;
+    let torque = with(1.3, 500.0).value;
     // 3000 m leave 86 %. Entries have three decimals: the last that fails, and the first that holds.
     for (height, share) in [(1000.0, 1.0), (3000.0, 0.86)] {
-        let stall = 1e3 * asked / 0.8 / share;
+        let stall = 1e3 * torque / 0.8 / share;
         let of = |thousandths: f64| with(thousandths / 1e3, height).verdict;
         assert_eq!((of(stall.floor()), of(stall.ceil())), (Verdict::Fail, Verdict::Ok), "{height} m");
     }
@@ -117,9 +117,9 @@ fn sized(stall: f64, height: f64) -> (SizedAxis, Candidate) {
 
 #[test]
 fn choice_of_motors_counts_with_the_site() {
-    let asked = 2.0 * sized(2.0, 500.0).1.shares.unwrap().effective;
+    let torque = 2.0 * sized(2.0, 500.0).1.shares.unwrap().effective;
     // 4000 m leave 77 %, 5000 m 68 %: a motor that needs three quarters of its 80 % passes at the one alone.
-    let stall = asked / 0.8 / 0.75;
+    let stall = torque / 0.8 / 0.75;
     let (low, own) = sized(stall, 4000.0);
     assert_eq!(own.refusal, None);
     let (high, own) = sized(stall, 5000.0);

@@ -5,7 +5,7 @@ use macroline::view::Verdict;
 use proptest::prelude::*;
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 #[test]
 fn parts_of_the_dot_error_follow_the_formulas() {

@@ -8,7 +8,7 @@ use macroline::project::Project;
 use macroline::project::size::OperatingEvent;
 use proptest::prelude::*;
 
-use crate::asked::sized;
+use crate::queries::sized;
 
 fn motion(segments: &[(f64, f64, f64)], torque: f64) -> Motion {
     let mut t = 0.0;
@@ -21,7 +21,7 @@ fn motion(segments: &[(f64, f64, f64)], torque: f64) -> Motion {
 }
 
 #[test]
-fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
+fn one_motor_on_a_bus_returns_the_energy_of_it_alone() {
     let own = motion(&[(0.1, 0.0, 100.0), (1.0, 100.0, 100.0), (0.1, 100.0, 0.0)], 0.05);
     let alone = own.motor_load(2e-4);
     let (given, returned) = on_one_bus(&[(&own, 2e-4)]);
@@ -30,7 +30,7 @@ fn one_motor_on_a_bus_gives_back_what_it_gives_back_alone() {
 }
 
 #[test]
-fn motor_that_starts_takes_what_another_gives_back() {
+fn starting_motor_takes_the_energy_of_a_braking_one() {
     // Without friction and losses: one stops while its like starts.
     let segments = |from: f64, to: f64| {
         Motion::new(

@@ -9,7 +9,7 @@ use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
-use crate::asked::{sized, value};
+use crate::queries::{sized, value};
 
 /// Highest position of the knob of the line's control, %: the speed clamp of the form comes first.
 const KNOB: f64 = 200.0;
@@ -112,7 +112,7 @@ fn lathe_is_stopped_from_its_highest_speed() {
 }
 
 #[test]
-fn torque_is_limited_by_what_the_motor_has_at_its_speed() {
+fn torque_is_limited_by_the_motor_at_its_speed() {
     // A small square in brass at a high speed of the tool, whose motor has its power up to 1500 r/min.
     let entries = [
         ("material", "brass"),
@@ -168,10 +168,10 @@ fn start_and_stops_are_looked_at_with_the_knob_at_its_ends() {
             assert_eq!(row(&sizing, event, "x-torque").knob, Some(KNOB), "{}", event.id());
         }
     }
-    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    let lines = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
     assert!(
-        told.iter().any(|line| line.starts_with("Power failure with the knob at 200 %: Loop comes to ")),
-        "{told:?}"
+        lines.iter().any(|line| line.starts_with("Power failure with the knob at 200 %: Loop comes to ")),
+        "{lines:?}"
     );
 }
 
@@ -193,9 +193,9 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     assert_eq!(row(&sizing, OperatingEvent::PowerFailure, "loop").verdict, Verdict::Fail);
     let sheet = sizing.sheets().into_iter().find(|sheet| sheet.id == "envelope").unwrap();
     let sets: Vec<_> = sheet.rows.into_iter().flat_map(|row| row.entries).collect();
-    let told =
+    let findings_of =
         |sizing: &Sizing| -> Vec<String> { sizing.findings().iter().map(|found| sentence(&found.message)).collect() };
-    let lines = told(&sizing);
+    let lines = findings_of(&sizing);
     assert_eq!(lines.len(), 2, "{lines:?}");
     for (line, event) in lines.iter().zip(["Inverter fault", "Power failure"]) {
         assert!(line.starts_with(&format!("{event} with the knob at 200 %: Loop comes to ")), "{line}");
@@ -203,15 +203,10 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     let [set] = sets.as_slice() else { panic!("{sets:?}") };
     assert_eq!(set.field, "loop-capacity");
     let after = sized(&project.with_entries(&sets).unwrap());
-    assert_eq!(told(&after), [""; 0]);
+    assert_eq!(findings_of(&after), [""; 0]);
     assert!(after.envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
-    assert!(
-        after
-            .sheets()
-            .iter()
-            .filter(|sheet| sheet.id == "envelope")
-            .all(|sheet| sheet.rows.iter().all(|row| row.entries.is_empty()))
-    );
+    let sheet = after.sheets().into_iter().find(|sheet| sheet.id == "envelope").expect("an envelope");
+    assert!(!sheet.rows.is_empty() && sheet.rows.iter().all(|row| row.entries.is_empty()));
 }
 
 #[test]
@@ -229,7 +224,7 @@ fn loop_that_is_offered_holds_by_every_rule_too() {
 }
 
 #[test]
-fn knob_turned_up_overfills_the_loop_as_the_formula_says() {
+fn knob_turned_up_overfills_the_loop_by_the_formula() {
     // Blocks of four pitches: one runs, five are read ahead, and these 240 mm keep the feed of 10 % while the unwinder goes to 100 %.
     let mut project = line();
     // A ribbon that may miss as much does not ask for smaller turns down.
@@ -287,9 +282,9 @@ fn torque_at_start_is_the_peak_torque_of_the_results() {
     let project = line();
     let sizing = sized(&project);
     for axis in ["x", "y"] {
-        let asked = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
-        let there = at_knob(&project, asked);
-        super::same(axis, asked.value, value(&there, &format!("{axis}-peak-torque")), 1e-3);
+        let start_torque = row(&sizing, OperatingEvent::Start, &format!("{axis}-torque"));
+        let there = at_knob(&project, start_torque);
+        super::same(axis, start_torque.value, value(&there, &format!("{axis}-peak-torque")), 1e-3);
     }
 }
 
@@ -312,7 +307,7 @@ fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
 fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
     let mut project = line();
     assert!(sized(&project).envelope.iter().all(|row| row.id != "alarm"));
-    // A tenth less pitch at the same speed asks for more than this F.
+    // A tenth less pitch at the same speed needs a higher F than this limit.
     let limit = (1.03 * value(&project, "vector-feed")).round();
     project.values.insert("feed-limit".to_owned(), Value::Number(limit));
     let sizing = sized(&project);
@@ -356,7 +351,7 @@ fn lathe() -> Project {
 }
 
 #[test]
-fn lathe_coasts_at_fault_and_power_failure_as_long_as_it_says() {
+fn lathe_coasts_at_fault_and_power_failure_as_calculated() {
     let project = lathe();
     let sizing = sized(&project);
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
@@ -383,7 +378,7 @@ fn motor_without_current_has_no_torque() {
     for event in [Run, EmergencyStop] {
         assert!(torques(&sizing, event).contains(&"spindle-torque"), "{}", event.id());
     }
-    // Z feeds and brakes; X stands, and its amplifier goes off with that of Z.
+    // Z feeds and brakes; X is at rest, and its amplifier goes off with that of Z.
     for event in [EmergencyStop, PowerFailure] {
         let all = torques(&sizing, event);
         assert!(all.contains(&"z-torque") && !all.contains(&"x-torque"), "{}: {all:?}", event.id());
@@ -447,14 +442,14 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
         assert!(slack.is_cut && slack.verdict == Verdict::Fail, "{slack:?}");
     }
     assert!(!row(&sizing, OperatingEvent::EmergencyStop, "time").is_cut);
-    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
-    assert!(told.iter().any(|line| line.contains(": Loop comes to > ")), "{told:?}");
+    let sentences = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(sentences.iter().any(|line| line.contains(": Loop comes to > ")), "{sentences:?}");
     // No loop would hold.
     assert!(sizing.holding_limits.iter().all(|limit| limit.id != "loop" || limit.is_cut && limit.entry.is_none()));
 }
 
 #[test]
-fn long_product_is_sized_whole_and_a_cut_run_says_so() {
+fn long_product_is_sized_whole_and_a_cut_run_has_a_reason() {
     let mut project = line();
     project.values.insert("pitch-count".to_owned(), Value::Number(7000.0));
     let sizing = sized(&project);
@@ -475,7 +470,7 @@ fn long_product_is_sized_whole_and_a_cut_run_says_so() {
 }
 
 #[test]
-fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
+fn lines_of_the_run_at_the_highest_knob_are_marked() {
     let project = line();
     let sizing = sized(&project);
     let x = &sizing.axes[0];
@@ -490,10 +485,10 @@ fn lines_of_the_run_with_the_knob_at_its_end_are_told_apart() {
         super::same("speed", speed, value(&there, "x-motor-speed"), 1e-3);
         assert_eq!(most < x.motor_load.unwrap().peak.torque, !at_highest_knob);
     }
-    let asked = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
-    assert!(asked.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", asked.rows[0].cells);
+    let demand = sizing.sheets().into_iter().find(|sheet| sheet.id == "asked").unwrap();
+    assert!(demand.rows[0].cells[1].ends_with(" s, knob at 200 %)"), "{:?}", demand.rows[0].cells);
     // A click leads to a moment of the run that is shown; its torque is there.
-    let lines: Vec<&str> = asked.drawing.split("<g").skip(1).collect();
+    let lines: Vec<&str> = demand.drawing.split("<g").skip(1).collect();
     assert!(
         lines.iter().any(|line| line.contains("data-at=")) && lines.iter().any(|line| line.contains("knob at 200 %"))
     );
@@ -520,7 +515,7 @@ fn program_that_does_not_run_is_sized_as_far_as_it_comes() {
     let mut project = line();
     project.edited = Some(macroline::nc::Files::one("O1.NC", "%\nO1\nG01 X1000. F1000.\nGOTO 77\nM30\n%\n"));
     let sizing = sized(&project);
-    assert!(sizing.envelope.iter().all(|row| row.value.is_finite()));
+    assert!(!sizing.envelope.is_empty() && sizing.envelope.iter().all(|row| row.value.is_finite()));
     assert!(!sizing.axes.is_empty());
 }
 
@@ -536,11 +531,14 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     // The measured span ends with the hold and the stop of the unwinder: 251 mm/s over a ramp of 1.62 s, knob at its highest position 310 mm/s over 2 s.
     let filled = row(&sizing, OperatingEvent::Run, "loop").value;
     assert!((300.0 + 200.0..300.0 + 320.0).contains(&filled), "{filled}");
-    let told = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
-    assert!(told[0].starts_with("A contact of the machine holds the program from 2."), "{told:?}");
+    let sentences = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
+    assert!(sentences[0].starts_with("A contact of the machine holds the program from 2."), "{sentences:?}");
     assert_eq!((sizing.cut.as_ref().unwrap().is_held, sizing.cycle), (true, None));
-    assert!(told.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")), "{told:?}");
-    // The loop that is offered is the one of runs that nothing holds.
+    assert!(
+        sentences.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")),
+        "{sentences:?}"
+    );
+    // The offered loop capacity is that of runs without a hold by contacts.
     let sets: Vec<_> = sizing.holding_limits.iter().filter_map(|limit| limit.entry.clone()).collect();
     let after = sized(&project.with_entries(&sets).unwrap());
     assert!(after.envelope.iter().all(|row| row.id != "hold" && (row.id != "loop" || row.verdict == Verdict::Ok)));

@@ -14,7 +14,7 @@ use macroline::view::FieldEntry;
 use proptest::prelude::*;
 
 use super::{SAME, same};
-use crate::asked::sized;
+use crate::queries::sized;
 
 fn line(ratio: f64) -> Project {
     super::line(&[("pitch-count", 100.0), ("gear-x", ratio), ("gear-y", 5.0)])
@@ -72,11 +72,11 @@ fn play_counts_where_the_torque_changes_its_sign() {
         backlash: Some(8.0),
         ..GearRatings::default()
     };
-    let asked = GearDuty { peak: 1.0, mean: 1.0, speed: 100.0, mean_speed: 100.0 };
-    assert_eq!(ratings.refuses(&asked, None), None);
-    assert_eq!(ratings.refuses(&asked, Some(8.0)), None);
-    assert_eq!(ratings.refuses(&asked, Some(3.0)), Some(GearRefusal::Backlash(8.0, 3.0)));
-    assert_eq!(GearRatings { rated_torque: None, ..ratings }.refuses(&asked, None), Some(GearRefusal::Unknown));
+    let duty = GearDuty { peak: 1.0, mean: 1.0, speed: 100.0, mean_speed: 100.0 };
+    assert_eq!(ratings.refuses(&duty, None), None);
+    assert_eq!(ratings.refuses(&duty, Some(8.0)), None);
+    assert_eq!(ratings.refuses(&duty, Some(3.0)), Some(GearRefusal::Backlash(8.0, 3.0)));
+    assert_eq!(GearRatings { rated_torque: None, ..ratings }.refuses(&duty, None), Some(GearRefusal::Unknown));
 }
 
 #[test]
@@ -85,6 +85,7 @@ fn gear_units_that_pass_come_first_the_smallest_of_them_first() {
     for axis in ["x", "y"] {
         let all = &gear(&sizing, axis).unwrap().candidates;
         let passing = all.iter().take_while(|candidate| candidate.reason.is_none()).count();
+        assert!(passing > 0, "{axis}");
         assert!(all[passing..].iter().all(|candidate| candidate.reason.is_some()), "{axis}");
         assert!(all[..passing].is_sorted_by_key(|candidate| candidate.ratings.rated_torque), "{axis}");
         assert!(all.iter().all(|candidate| candidate.ratings.ratio == Some(gear(&sizing, axis).unwrap().ratio)));
@@ -100,7 +101,7 @@ fn smallest_gear_unit_that_passes_is_proposed_in_the_bill() {
 }
 
 #[test]
-fn ratio_without_a_gear_unit_is_an_open_row_with_what_is_asked() {
+fn ratio_without_a_gear_unit_is_an_open_row_with_its_demand() {
     let sizing = sized(&line(11.3));
     let row = row(&sizing, "ribbon.drive.pull").unwrap();
     assert!(!row.proposed && row.maker.is_empty() && row.asked.contains("11.3 : 1"), "{row:?}");
@@ -173,7 +174,7 @@ proptest! {
         }
     }
 
-    /// Two ramps of one acceleration: the cubic mean over the way in closed form.
+    /// Two ramps of one acceleration: the cubic mean over the angle in closed form.
     #[test]
     fn lasting_torque_of_ramps_agrees_with_the_closed_form(inertia in 1e-4_f64..1.0, speed in 1.0_f64..100.0, ramp in 0.05_f64..2.0) {
         let load = Load { inertia, torque: 0.0, efficiency: 1.0 };

@@ -20,7 +20,7 @@ fn sized(project: &Project) -> Sizing {
 }
 
 #[test]
-fn no_fastest_speed_is_told_where_none_holds() {
+fn no_fastest_speed_is_given_where_none_holds() {
     // At a high S the vector feed is beyond the range of the control, at a low one the motor's slip draws the ribbon taut.
     let project = Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
     let sizing = sized(&project);
@@ -37,7 +37,7 @@ fn no_fastest_speed_is_told_where_none_holds() {
 }
 
 #[test]
-fn fastest_entry_fails_only_in_what_is_named() {
+fn fastest_entry_fails_only_in_the_named_results() {
     let controls = ["gsk-980tdc", "sinumerik-802d"];
     let mut found = Vec::new();
     for control in controls {
@@ -55,25 +55,25 @@ fn fastest_entry_fails_only_in_what_is_named() {
 }
 
 #[test]
-fn json_says_why_there_is_no_fastest_speed() {
-    let told = |project: &Project| {
+fn json_has_the_reason_for_no_fastest_speed() {
+    let reason_of = |project: &Project| {
         let json = sized(project).json();
         let reason = json["inverse_reason"].as_str().map(str::to_owned);
         assert_eq!(json["inverse"].is_null(), reason.is_some(), "{json}");
         reason.unwrap_or_default()
     };
     let lathe = Project::named("turning-spindle", None, None).unwrap();
-    let reason = told(&lathe);
+    let reason = reason_of(&lathe);
     assert!(reason.starts_with("No limit binds: nothing fails up to Cutting speed 2"), "{reason}");
     let line = Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
-    let reason = told(&line);
+    let reason = reason_of(&line);
     assert!(reason.starts_with("No tried value keeps every verdict: with Spindle speed S down to "), "{reason}");
     assert!(reason.ends_with(" fails."), "{reason}");
     for machine in ALL {
         for control in machine.controls() {
             for example in machine.examples() {
                 let project = Project::named(machine.id(), Some(control), Some(example.id)).unwrap();
-                told(&project);
+                reason_of(&project);
             }
         }
     }

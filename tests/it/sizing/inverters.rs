@@ -6,7 +6,7 @@ use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;
 
-use crate::asked::sized_without_envelope;
+use crate::queries::sized_without_envelope;
 
 /// A lathe that turns a shaft at 1500 r/min, with a motor of 15 Nm of the user, its rated current in A, and inverters: model, rated power in W,
 /// rated current in A, overload in %. The cut takes 13 Nm, a run-up within 1.5 s 24 Nm, 1.6 times the rated torque.
@@ -57,8 +57,8 @@ fn overload_of_the_inverter_carries_the_run_up() {
     // 1.6 times 6 A are more than 8.8 A.
     let hasty = lathe("1.5", 6.0, &both);
     assert_eq!((inverter(&hasty), &motor(&hasty).refusal), ("I9", &None));
-    let asked = motor(&hasty).short_time_current.unwrap();
-    assert!((9.4..10.4).contains(&asked), "{asked}");
+    let current = motor(&hasty).short_time_current.unwrap();
+    assert!((9.4..10.4).contains(&current), "{current}");
 }
 
 #[test]
@@ -82,8 +82,8 @@ fn unknown_overload_of_the_inverter_is_an_open_point() {
         row.open.iter().map(sentence).collect::<Vec<_>>()
     };
     assert!(open("200").is_empty());
-    let asked = open("");
-    assert!(asked.len() == 1 && asked[0].contains(" A for 3 s"), "{asked:?}");
+    let open_points = open("");
+    assert!(open_points.len() == 1 && open_points[0].contains(" A for 3 s"), "{open_points:?}");
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn overload_is_a_number_of_the_table_of_parts() {
         overload(&format!("{head},overload_percent\ninverter,Works,I,8,150\n"), "own.csv"),
         (Some(Some(12.0)), 0)
     );
-    // A table of before has no such column.
+    // A table of an earlier version has no such column.
     assert_eq!(overload(&format!("{head},overload\ninverter,Works,I,8,150 % for 3 s\n"), "own.csv"), (Some(None), 0));
     let json =
         r#"[{"kind": "inverter", "maker": "Works", "model": "I", "rated_current_a": 8, "overload_percent": 150}]"#;

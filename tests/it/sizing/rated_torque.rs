@@ -5,7 +5,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 #[test]
 fn effective_torque_is_limited_by_the_curve_at_speed() {
@@ -24,8 +24,8 @@ fn effective_torque_is_limited_by_the_curve_at_speed() {
     let sizing = size_without_envelope(&warm, &SizingRuns::new(&warm, &warm.written()));
     let print = sizing.axes.iter().find(|axis| axis.id == "y").unwrap();
     let motor = print.candidates.iter().find(|motor| motor.part.model == "HC53").unwrap();
-    let said = sentence(&motor.refusal.as_ref().unwrap().message);
-    assert!(said.starts_with("Too hot"), "{said}");
+    let refusal = sentence(&motor.refusal.as_ref().unwrap().message);
+    assert!(refusal.starts_with("Too hot"), "{refusal}");
     assert!(motor.entries.contains(&FieldEntry::new("motor-rated-torque-y", "1.59")), "{:?}", motor.entries);
 }
 

@@ -9,7 +9,7 @@ use macroline::view::{FieldEntry, Verdict};
 use proptest::prelude::*;
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 fn reels() -> impl Strategy<Value = Reel> {
     let sizes = (0.02..2.0_f64, 0.01..0.99_f64, 0.005..1.0_f64, 1e-5..2e-3_f64);
@@ -140,7 +140,7 @@ fn a_reel_of_the_line_passes() {
 
 #[test]
 fn start_without_a_ramp_is_no_gentle_start() {
-    // No drive starts a reel in no time: the form asks a ramp, and the shortest one is the hardest.
+    // No drive starts a reel at once: the form requires a ramp, and the shortest one needs the greatest torque.
     assert!(line(&[]).with_entries(&[("inverter-ramp", "0")]).is_none());
     let hardest = line(&[("inverter-ramp", 0.01)]);
     for id in ["unwinder-ramp-torque", "unwinder-braking-torque"] {

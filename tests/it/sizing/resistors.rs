@@ -9,7 +9,7 @@ use macroline::project::size::{Candidate, Sizing};
 use macroline::project::{Project, parts};
 use proptest::prelude::*;
 
-use crate::asked::sized;
+use crate::queries::sized;
 
 /// Starts, runs for a second and stops within 0.2 s, `times` times.
 fn starts(times: u32, speed: f64) -> Vec<SpeedSegment> {
@@ -52,10 +52,10 @@ fn regenerated_mean_stop_and_peak_follow_the_formulas() {
 }
 
 #[test]
-fn resistor_takes_what_all_of_its_known_ratings_allow() {
-    let asked = ResistorLoad { mean: 20.0, stop: 300.0, peak: 2000.0 };
+fn resistor_takes_loads_within_all_its_known_ratings() {
+    let load = ResistorLoad { mean: 20.0, stop: 300.0, peak: 2000.0 };
     let of = |brake_power, brake_peak_power, brake_energy| {
-        ResistorRatings { brake_power, brake_peak_power, brake_energy }.takes(&asked)
+        ResistorRatings { brake_power, brake_peak_power, brake_energy }.takes(&load)
     };
     assert!(of(Some(20.0), None, None) && of(Some(20.0), Some(2000.0), Some(300.0)));
     assert!(!of(Some(19.9), None, None) && !of(None, Some(9e9), Some(9e9)));
@@ -83,7 +83,7 @@ proptest! {
         let part = whole.clone().with_loaded_spans(works.clone());
         let seconds: f64 = part.segments().iter().map(|segment| segment.seconds).sum();
         super::same("seconds", seconds, t, 1e-9);
-        // Work of the steady torque: its way within the works.
+        // Work of the steady torque: torque times the angle turned within the loaded spans.
         let way = |motion: &Motion, within: &dyn Fn(f64) -> bool| -> f64 {
             motion.segments().iter().filter(|segment| within(segment.t + 0.5 * segment.seconds)).map(|segment| 0.5 * (segment.from + segment.to).abs() * segment.seconds).sum()
         };
@@ -132,22 +132,23 @@ fn resistor_rows(sizing: &Sizing) -> Vec<(String, PartGrade, f64)> {
 #[test]
 fn demand_beyond_every_resistor_is_an_open_row() {
     let (often, project) = (sized(&stopping()), line());
-    let asked = |of: &Candidate| of.resistor.as_ref().unwrap().demand;
-    assert!(braked(&often).into_iter().all(|motor| asked(motor).mean > 0.05 && asked(motor).peak > 0.0));
+    let load = |of: &Candidate| of.resistor.as_ref().unwrap().demand;
+    assert!(!braked(&often).is_empty());
+    assert!(braked(&often).into_iter().all(|motor| load(motor).mean > 0.05 && load(motor).peak > 0.0));
     let sizing = sized(&project);
     let strong = passing(&sizing);
     let named = project.with_entries(&strong.entries).unwrap();
     let rows = resistor_rows(&sized(&named));
-    let (told, grade, _) = rows.iter().find(|row| row.1 == PartGrade::Open).expect("an open row");
+    let (text, grade, _) = rows.iter().find(|row| row.1 == PartGrade::Open).expect("an open row");
     assert_eq!(*grade, PartGrade::Open);
-    assert!(told.starts_with("open: ") && told.contains(&strong.amplifier.as_ref().unwrap().model), "{told}");
+    assert!(text.starts_with("open: ") && text.contains(&strong.amplifier.as_ref().unwrap().model), "{text}");
 }
 
 #[test]
 fn resistor_that_is_paired_and_takes_it_is_billed() {
     let mut project = line();
     let strong = passing(&sized(&project)).clone();
-    let (amplifier, asked) = (strong.amplifier.as_ref().unwrap(), strong.resistor.as_ref().unwrap().demand);
+    let (amplifier, load) = (strong.amplifier.as_ref().unwrap(), strong.resistor.as_ref().unwrap().demand);
     let table = format!(
         "kind,maker,series,model,regen_w,fits,source,grade\n\
          resistor,Mitsubishi Electric,{series},R-SMALL,{small},{model},own,entered\n\
@@ -156,9 +157,9 @@ fn resistor_that_is_paired_and_takes_it_is_billed() {
          resistor,Mitsubishi Electric,{series},R-OTHER,{right},MR-J4-9999,own,entered\n",
         series = amplifier.series,
         model = amplifier.model,
-        small = 0.9 * asked.mean,
-        right = 1.1 * asked.mean,
-        large = 9.0 * asked.mean,
+        small = 0.9 * load.mean,
+        right = 1.1 * load.mean,
+        large = 9.0 * load.mean,
     );
     let (own, found) = parts::read(&table, "own.csv");
     assert!(found.is_empty(), "{found:?}");
@@ -186,8 +187,10 @@ fn amplifier_without_anything_to_take_has_no_resistor() {
     let sizing = sized(&Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap());
     assert!(resistor_rows(&sizing).is_empty(), "{:?}", resistor_rows(&sizing));
     // The rotor of a 2 kW motor returns more than its capacitors take; this is in the list of motors, not in the bill of another motor.
-    let all = || sizing.axes.iter().flat_map(|axis| &axis.candidates).filter(|motor| motor.resistor.is_some());
-    assert!(all().all(|motor| motor.part.servo().is_some_and(|servo| servo.rotor > 1e-3)));
+    let with_resistor =
+        || sizing.axes.iter().flat_map(|axis| &axis.candidates).filter(|motor| motor.resistor.is_some());
+    assert!(with_resistor().count() > 0);
+    assert!(with_resistor().all(|motor| motor.part.servo().is_some_and(|servo| servo.rotor > 1e-3)));
 }
 
 #[test]
@@ -253,8 +256,8 @@ fn cut_does_not_help_the_stop_of_the_tool() {
     // At the amplifier MR-J4-350A, with 85 % and 40 J in its capacitors, and the rotor of HG-SR352.
     let motor = tool.candidates.iter().find(|motor| motor.part.model == "HG-SR352").unwrap();
     let rotor = motor.part.servo().unwrap().rotor;
-    let asked = motor.resistor.as_ref().expect("a resistor").demand;
-    super::same("stop", asked.stop, 0.85 * 0.5 * (0.02 + rotor) * omega * omega - 40.0, 1e-2);
+    let load = motor.resistor.as_ref().expect("a resistor").demand;
+    super::same("stop", load.stop, 0.85 * 0.5 * (0.02 + rotor) * omega * omega - 40.0, 1e-2);
 }
 
 /// The line that stops at each pitch, its print roller with a motor of the user behind an amplifier with these further cells.
@@ -280,12 +283,12 @@ fn open_resistor(sizing: &Sizing) -> Option<String> {
 #[test]
 fn unknown_regeneration_is_an_open_row_with_its_energy() {
     let sizing = behind("", "");
-    let told = open_resistor(&sizing).expect("an open row");
+    let text = open_resistor(&sizing).expect("an open row");
     let motor = sizing.axes[1].candidates.iter().find(|motor| motor.part.model == "S1").unwrap();
-    let asked = motor.resistor.as_ref().expect("a demand").demand;
-    assert!(asked.stop > 0.0 && asked.mean > 0.05, "{asked:?}");
-    for figure in [format!("{:.1} J", asked.stop), format!("{:.1} W", asked.mean), "ask its maker".to_owned()] {
-        assert!(told.contains(&figure), "{told} lacks {figure}");
+    let load = motor.resistor.as_ref().expect("a demand").demand;
+    assert!(load.stop > 0.0 && load.mean > 0.05, "{load:?}");
+    for figure in [format!("{:.1} J", load.stop), format!("{:.1} W", load.mean), "ask its maker".to_owned()] {
+        assert!(text.contains(&figure), "{text} lacks {figure}");
     }
     assert_eq!(
         sizing.bill.iter().filter(|row| row.item == BillItem::Resistor && row.grade == PartGrade::Open).count(),
@@ -294,19 +297,19 @@ fn unknown_regeneration_is_an_open_row_with_its_energy() {
     let answers = sizing.sheets().into_iter().filter(|sheet| sheet.id == "motors").flat_map(|sheet| sheet.rows);
     let own = answers.map(|row| row.cells).find(|cells| cells[0] == "Works S1").unwrap();
     assert!(own.iter().any(|cell| cell.contains("ask its maker for the brake resistor")), "{own:?}");
-    // Capacitors that take each stop leave nothing to ask.
-    assert_eq!(open_resistor(&behind(",capacitor_j", &format!(",{}", 2.0 * asked.stop))), None);
+    // Capacitors that take the energy of each stop leave no open point.
+    assert_eq!(open_resistor(&behind(",capacitor_j", &format!(",{}", 2.0 * load.stop))), None);
     assert!(
-        open_resistor(&behind(",capacitor_j", &format!(",{}", 0.5 * asked.stop)))
-            .is_some_and(|told| told.contains("A1"))
+        open_resistor(&behind(",capacitor_j", &format!(",{}", 0.5 * load.stop)))
+            .is_some_and(|text| text.contains("A1"))
     );
 }
 
 #[test]
 fn motor_of_no_catalogue_has_its_energy_in_an_open_row() {
     let named = stopping().with_entries(&[("motor-y", "Works of no list")]).unwrap();
-    let told = open_resistor(&sized(&named)).expect("an open row");
-    assert!(told.contains("ask its maker"), "{told}");
+    let text = open_resistor(&sized(&named)).expect("an open row");
+    assert!(text.contains("ask its maker"), "{text}");
     let lathe = Project::named("polygon-lathe", None, None).unwrap();
     let sizing = sized(&lathe.with_entries(&[("tool-inertia", "10")]).unwrap());
     let tool = sizing.axes.iter().find(|axis| axis.id == "tool").unwrap();

@@ -23,9 +23,9 @@ fn every_machine_has_an_answer_in_every_section() {
         let sections = sizing.sections();
         let ids: Vec<&str> = sections.iter().map(|section| section.id).collect();
         let axes = sizing.axes.iter().map(|axis| axis.id);
-        let asked: Vec<&str> =
+        let wanted: Vec<&str> =
             ["envelope", "limits"].into_iter().chain(axes).chain(["cycle", "tornado", "bill", "terminals"]).collect();
-        assert_eq!(ids, asked);
+        assert_eq!(ids, wanted);
         for section in &sections {
             assert!(!section.answer.is_empty() && !section.sheets.is_empty(), "{}: {}", machine.id(), section.id);
         }

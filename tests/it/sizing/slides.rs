@@ -7,7 +7,7 @@ use macroline::project::Project;
 use macroline::project::size::{SizedAxis, Sizing, TerminalRow};
 use macroline::view::Verdict;
 
-use crate::asked::{readout, sized};
+use crate::queries::{readout, sized};
 
 /// Machines with slides.
 const LATHES: [&str; 2] = ["turning-spindle", "polygon-lathe"];
@@ -26,7 +26,7 @@ fn axis<'s>(sizing: &'s Sizing, id: &str) -> &'s SizedAxis {
 }
 
 #[test]
-fn run_asks_of_a_slide_what_the_formulas_say() {
+fn demand_on_a_slide_in_the_run_matches_the_formulas() {
     for name in LATHES {
         for control in machines::find(name).unwrap().controls() {
             for angle in ["0", "45"] {
@@ -36,7 +36,7 @@ fn run_asks_of_a_slide_what_the_formulas_say() {
                     let (work, formula) =
                         (axis(&sizing, id).motor_load.unwrap(), readout(&project, &format!("{id}-peak-torque")));
                     let about = format!("{name} on {control}, {angle}°, {id}: {work:?}, {}", formula.value);
-                    // A short way ends before the rapid is reached.
+                    // A short move ends before the rapid is reached.
                     assert!(
                         work.peak.torque <= 1.001 * formula.value && work.peak.torque > 0.25 * formula.value,
                         "{about}"
@@ -118,10 +118,10 @@ fn stops_of_a_slant_bed_tell_the_brake() {
         for (angle, has_brake) in [("0", false), ("60", true)] {
             let project = lathe(name, first_control(name), &[("bed-angle", angle)]);
             let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").unwrap();
-            let told = |at: &str| sheet.rows.iter().find(|row| row.cells[0] == at).map(|row| row.cells[2].clone());
-            let stop = told("Emergency stop").unwrap();
+            let cell = |at: &str| sheet.rows.iter().find(|row| row.cells[0] == at).map(|row| row.cells[2].clone());
+            let stop = cell("Emergency stop").unwrap();
             assert_eq!(stop.contains("the brake of X closes within 0.1 s"), has_brake, "{name} {angle}: {stop}");
-            let dark = told("Power failure").unwrap_or_default();
+            let dark = cell("Power failure").unwrap_or_default();
             assert_eq!(dark.contains("X sinks by at most"), has_brake, "{name} {angle}: {dark}");
         }
         // From rest under T / (J_L + J_M) for 0.1 s.
@@ -189,7 +189,7 @@ fn weight_helps_a_cut_downhill() {
     let [flat, slant] = ["0", "45"].map(|angle| readout(&bed(angle), "x-cut-torque").value);
     let weight = 100.0 * 9.806_65 * math::sin(45_f64.to_radians()) * 0.005 / (2.0 * std::f64::consts::PI);
     assert!((flat - slant - weight / 0.9).abs() < 1e-9, "{flat} {slant}");
-    // Along the work X stands: its motor holds the weight against the cut.
+    // In a cut along the work X is at rest: its motor holds the weight against the cut.
     let along =
         lathe("turning-spindle", "gsk-980tdc", &[("bed-angle", "45"), ("path", "turning"), ("feed-force", "200")]);
     assert!(readout(&along, "x-cut-torque").value > flat);

@@ -8,7 +8,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 /// A dwell too short for the unwinder's ramp: with the knob at its highest position X is 119.9 mm ahead.
 const SHORT_DWELL: (&str, f64) = ("dwell", 0.1);
@@ -121,7 +121,7 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
         let found = pull.candidates.iter().find(|candidate| candidate.part.model == model).unwrap();
         found.refusal.as_ref().map(|refusal| sentence(&refusal.message))
     };
-    assert!(refusal("WEAK").is_some_and(|said| said.starts_with("Too weak")), "{:?}", refusal("WEAK"));
+    assert!(refusal("WEAK").is_some_and(|text| text.starts_with("Too weak")), "{:?}", refusal("WEAK"));
     assert_eq!(refusal("STRONG"), None);
 }
 

@@ -85,7 +85,7 @@ fn stretches_of_a_run_add_up_to_its_travel() {
                     pair[1].t
                 );
             }
-            // Each of the sixty blocks bends the speed twice; where the least increment changes nothing it stays one stretch.
+            // Each of the sixty blocks bends the speed twice; where that changes the speed by less than the least increment, both are one stretch.
             assert!(stretches.len() < 120, "{machine} {}: {} stretches", axis.id, stretches.len());
             let (sum, travel) = (travelled(&stretches), place(axis.mover));
             let about = format!("{machine} on {control}, {}", axis.id);
@@ -109,7 +109,7 @@ fn stretches_of_a_run_add_up_to_its_travel() {
 
 #[test]
 fn energy_of_a_run_goes_into_friction_alone() {
-    // Without losses in the gear all that is given and does not come back is friction over the way.
+    // Without losses in the gear all energy that is given and not returned is friction times distance.
     let project = Project::named("ribbon-line", None, None).unwrap();
     let project = with(project, &[("efficiency-x", 100.0), ("efficiency-y", 100.0), ("pitch-count", 100.0)]);
     let run = run_of(&project);

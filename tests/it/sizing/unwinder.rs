@@ -10,7 +10,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Limit, Verdict};
 
 use super::{line, same};
-use crate::asked::readout;
+use crate::queries::readout;
 
 /// The sizing without the envelope, of a short product.
 fn sized(project: &Project) -> Sizing {
@@ -22,7 +22,7 @@ fn unwinder(sizing: &Sizing) -> &[Candidate] {
     &sizing.axes.iter().find(|axis| axis.id == "unwinder").unwrap().candidates
 }
 
-/// Row of a brake resistor in the bill, in words.
+/// Requirement of the brake resistor, as its row of the bill has it.
 fn resistor(project: &Project) -> Option<String> {
     let rows = sized(project).bill.into_iter();
     rows.filter(|row| row.item == BillItem::Resistor).map(|row| row.asked).next()
@@ -32,7 +32,7 @@ fn resistor(project: &Project) -> Option<String> {
 const STEADY: f64 = (20.0 * 0.1005 / 2.0 + 1.0) / (50.0 * 0.7);
 
 #[test]
-fn stop_beyond_what_the_inverter_takes_back_fails() {
+fn stop_beyond_the_braking_power_of_the_inverter_fails() {
     let heavy = line(&[("unwinder-inertia", 400.0), ("unwinder-motor-brake", 5.0), ("unwinder-load", 1.146)]);
     let braking = readout(&heavy, "unwinder-braking-torque");
     // 0.04 kg m² from 1480 r/min in 2 s: 3.10 Nm, less 0.06 of web and friction; the reel adds a little.
@@ -51,8 +51,8 @@ fn stop_beyond_what_the_inverter_takes_back_fails() {
     assert_eq!(*sets[1], [FieldEntry::new("unwinder-motor-braking", "61")]);
     // The energy of the stop, half of torque, speed and time.
     let joules = 0.5 * braking.value * 1480.0 * PI / 30.0 * 2.0;
-    let told = resistor(&heavy).unwrap();
-    assert!((joules - 472.0).abs() < 2.0 && told.contains(&format!("{joules:.0} J")), "{joules}: {told}");
+    let text = resistor(&heavy).unwrap();
+    assert!((joules - 472.0).abs() < 2.0 && text.contains(&format!("{joules:.0} J")), "{joules}: {text}");
     let light = line(&[]);
     assert_eq!(readout(&light, "unwinder-braking-torque").verdict, Verdict::Ok);
     assert_eq!(resistor(&light), None);
@@ -134,7 +134,7 @@ fn motor_with_other_poles_takes_its_frequency_into_the_form() {
     assert_eq!(again(&taken), None);
     // The name alone, at the frequency of four poles: the line would run twice as fast.
     let named = heavy.with_entries(&[motor.entries[0].clone()]).unwrap();
-    assert!(again(&named).is_some_and(|said| said.contains("3000 r/min")), "{:?}", again(&named));
+    assert!(again(&named).is_some_and(|text| text.contains("3000 r/min")), "{:?}", again(&named));
     let four = unwinder(&sizing).iter().find(|motor| motor.part.model.ends_with("/4")).unwrap();
     let frequency = four.entries.iter().find(|entry| entry.field == "frequency-at-10v").unwrap();
     assert_eq!(frequency.text, "50");

@@ -128,11 +128,11 @@ fn dancer_asks_the_inverter_for_a_trim_input() {
         assert_eq!(row.map(|row| row.grade), dancer.then_some(PartGrade::Open));
         // The sensor is where the loop is as long as its capacity. What a hold lays with the knob at its end is below it:
         // v (ramp / 2 - τ / 2 - 1 / K), at the clamp of 1480 r/min.
-        let asked = |item: BillItem| sizing.bill.iter().find(|row| row.item == item).unwrap().asked.clone();
+        let requirement = |item: BillItem| sizing.bill.iter().find(|row| row.item == item).unwrap().asked.clone();
         let speed = 1480.0 / 60.0 * std::f64::consts::PI * 100.5 / 50.0;
         let takes = format!("takes up {:.0} mm", 432.0 + speed * (2.0 / 2.0 - 0.1 / 2.0 - 1.0 / 33.0));
         assert!(row.is_none_or(|row| row.asked.starts_with(&takes)), "{takes}: {row:?}");
-        assert!(asked(BillItem::LoopSensor).contains("432 mm"), "{}", asked(BillItem::LoopSensor));
+        assert!(requirement(BillItem::LoopSensor).contains("432 mm"), "{}", requirement(BillItem::LoopSensor));
     }
 }
 

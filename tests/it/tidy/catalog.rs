@@ -103,11 +103,11 @@ fn every_place_of_a_sentence_has_its_value() {
     let english = Sentences::of(Language::English);
     let mut broken = Vec::new();
     let rows = english.checked(&mut broken);
-    let mut said = BTreeSet::new();
+    let mut called = BTreeSet::new();
     for source in Source::all() {
         for call in calls(source) {
             let Some((id, sentence)) = rows.get_key_value(call.id) else { continue };
-            said.insert(*id);
+            called.insert(*id);
             if places(sentence) != call.names {
                 let names: Vec<&str> = call.names.into_iter().collect();
                 let place = source.place(call.line);
@@ -115,7 +115,7 @@ fn every_place_of_a_sentence_has_its_value() {
             }
         }
     }
-    let has_call = |id: &str| said.contains(id) || WITHOUT_A_CALL.iter().any(|of| id.starts_with(of));
+    let has_call = |id: &str| called.contains(id) || WITHOUT_A_CALL.iter().any(|of| id.starts_with(of));
     let silent = rows.iter().filter(|(id, sentence)| !places(sentence).is_empty() && !has_call(id));
     broken.extend(silent.map(|(id, _)| format!("{id}: it has places, and no `msg!` gives their values")));
     for language in Language::ALL {
@@ -281,8 +281,8 @@ fn other_languages_say_everything() {
         broken.extend(missing.map(|text| format!("{file}: a text of the command line's help is missing: {text}")));
         for (key, sentence) in &rows {
             match sentences.get(key) {
-                Some(said) if places(said) != places(sentence) => {
-                    broken.push(format!("{file}: {key} has not the places of “{said}”: {sentence}"));
+                Some(original) if places(original) != places(sentence) => {
+                    broken.push(format!("{file}: {key} has not the places of “{original}”: {sentence}"));
                 }
                 None if !phrases.contains_key(*key) && !literals.contains(key) && !help.contains(*key) => {
                     broken.push(format!("{file}: nothing says “{key}”"));

@@ -43,7 +43,7 @@ fn methods_are_in_the_folder_of_their_type_or_below() {
 /// Types whose methods call one another across files of one folder.
 #[rustfmt::skip]
 const KNOTS: [&str; 3] = [
-    // A formula stands in a block and a block is read again as a formula: one recursive descent.
+    // A block contains formulas, and a formula may contain a block: one recursive descent.
     "Reader",
     // Feed waits for spindle, spindle for feed: one state of the machine under one clock.
     "Sim",

@@ -434,7 +434,7 @@ mod tests { fn unshipped() {} }"##;
 }
 
 #[test]
-fn disabled_lints_are_seen_wherever_they_stand() {
+fn disabled_lints_are_found_at_every_place() {
     let text = "//! A file.\n#![allow(clippy::unwrap_used, missing_docs)]\n#[expect(dead_code)]\nfn a() {}\n\
                 #[cfg_attr(test, allow(unused, reason = \"[b]\"))]\nfn b() { c.expect(\"d\"); }";
     let source = Source::new("benches/a.rs".to_owned(), text.to_owned());

@@ -7,7 +7,7 @@ use super::source::Source;
 const LONGEST: usize = 59;
 
 /// Endings of test names that do not state a result.
-const VAGUE: [&str; 3] = ["_works", "_is_ok", "_test"];
+const VAGUE: [&str; 8] = ["_works", "_is_ok", "_test", "_told", "_said", "_says_so", "_says_it", "_stands"];
 
 fn tests() -> impl Iterator<Item = &'static Source> {
     Source::all().iter().filter(|source| source.path.starts_with("tests/") || source.path.starts_with("src/ui/"))

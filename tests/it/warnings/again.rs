@@ -15,7 +15,7 @@ fn two_words_for_one_axis_are_a_warning() {
             W1. counts for nothing in this block: Z5. is for the axis Z too.
     "#]],
     );
-    // Here the absolute word counts, wherever it stands.
+    // Here the absolute word counts at any place in the block.
     GSK.check(
         "O1\nG00 X20 U2\nM30",
         expect![[r#"
@@ -63,7 +63,7 @@ fn motion_behind_a_cycle_in_its_block_is_a_warning() {
             G00 behind G81 ends the cycle in its own block: it does not run, and the axes go to all positions of the block at once. Leave G00 out, or give it a block of its own.
             Drop “G00”: G00→
     "#]]);
-    // The other way round the cycle runs.
+    // In the opposite order the cycle runs.
     E60.check(
         "O1\nG90 G00 G81 X1. Y1. Z-5. R2. F100.\nM30",
         expect![[r#"

@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn refused_list_says_so_and_shows_what_was_set_aside() {
+    async fn refused_list_gives_a_notice_and_shows_projects_set_aside() {
         shelf::test_shelf::empty();
         shelf::test_shelf::refuse("SecurityError");
         drop(mount(|| ()).await);

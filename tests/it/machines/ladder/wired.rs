@@ -6,8 +6,8 @@ use macroline::machines::ladder::{Bit, ContactKind, Ladder, MachineContact, Mach
 use macroline::motion::Action;
 use macroline::project::Project;
 
-use super::{RUNS, at_rest, is_held, ladder, projects, put_out, reset, settle, sheet};
-use crate::machines::restart::within;
+use super::{RUNS, at_rest, forms_and_examples, is_held, ladder, put_out, reset, settle, sheet};
+use crate::machines::every_machine::restart::within;
 
 /// Codes of 50 to 120 % in steps of 10, by the setting of the switch. Source: reference/gsk-980tdc.md, section 6.
 const CODES: [(&str, [f64; 8]); 2] =
@@ -79,7 +79,7 @@ fn gears_mesh_from_standstill_with_a_run_command() {
     let (shift, emergency) = (Bit::Signal(SignalRole::ShiftSpeed), Bit::Input(MachineContact::Emergency));
     let in_gear = |stage| Bit::Input(MachineContact::InGear(stage));
     let mut found = 0;
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         if !ladder.drives(shift) {
             continue;
@@ -139,11 +139,13 @@ fn gears_mesh_from_standstill_with_a_run_command() {
 #[test]
 fn shift_never_turns_against_m4() {
     let shift = Bit::Signal(SignalRole::ShiftSpeed);
-    for (name, project) in projects() {
+    let mut with_gears = 0;
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         if !ladder.drives(shift) || !ladder.drives(RUNS[0]) {
             continue;
         }
+        with_gears += 1;
         let mut image = at_rest(&ladder);
         image.set(Bit::Input(MachineContact::SpindleClamped), false);
         image.set(Bit::Signal(SignalRole::Running), true);
@@ -151,7 +153,7 @@ fn shift_never_turns_against_m4() {
             put_out(&ladder, &mut image, 4, on);
             settle(&ladder, &mut image, 0.0);
         }
-        // Fast and on its way down: no other run command, and none while it coasts either.
+        // Above the shift speed and slowing down: no other run command, and none while it coasts.
         image.set(Bit::Input(MachineContact::AtShiftSpeed), false);
         ask_for_stage_2(&ladder, &mut image);
         for t in [0.1, 4.0] {
@@ -162,11 +164,13 @@ fn shift_never_turns_against_m4() {
         settle(&ladder, &mut image, 4.1);
         assert_eq!(RUNS.map(|run| image.is_on(run)), [false, true], "{name}: slow");
     }
+    assert!(with_gears > 3, "{with_gears} ladders");
 }
 
 #[test]
 fn broken_wire_of_stop_or_hold_key_stops() {
-    for (name, project) in projects() {
+    let mut with_keys = 0;
+    for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         let mut image = at_rest(&ladder);
         image.set(Bit::Input(MachineContact::SpindleClamped), false);
@@ -180,6 +184,7 @@ fn broken_wire_of_stop_or_hold_key_stops() {
         if !ladder.drives(RUNS[0]) || !ladder.bits.iter().any(|row| row.0 == key) {
             continue;
         }
+        with_keys += 1;
         for pressed in [true, false] {
             image.set(key, pressed);
             settle(&ladder, &mut image, 0.0);
@@ -189,12 +194,13 @@ fn broken_wire_of_stop_or_hold_key_stops() {
         settle(&ladder, &mut image, 0.0);
         assert!(!image.is_on(RUNS[0]), "{name}: stop");
     }
+    assert!(with_keys > 10, "{with_keys} ladders");
 }
 
 #[test]
 fn each_contact_has_its_kind_in_the_ladder() {
     use MachineContact::{ForwardKey, HoldKey, ResetKey, StopKey};
-    for (name, project) in projects() {
+    for (name, project) in forms_and_examples() {
         for (bit, device) in ladder(&project).bits.iter() {
             let kind = match bit {
                 Bit::Input(ForwardKey | ResetKey) => Some(ContactKind::Make),
@@ -210,20 +216,23 @@ fn each_contact_has_its_kind_in_the_ladder() {
 #[test]
 fn contacts_of_the_ribbon_stop_the_key_that_leads_to_them() {
     use MachineContact::{ForwardKey, LoopNotFull, ReelNotEmpty, ReverseKey, WebNotTight};
-    let ways = [(LoopNotFull, 0), (ReelNotEmpty, 0), (WebNotTight, 1)];
-    for (name, project) in projects().filter(|(name, _)| name.starts_with("ribbon")) {
+    // The key that leads to each contact: forward unwinds, reverse winds.
+    let keys = [(LoopNotFull, 0), (ReelNotEmpty, 0), (WebNotTight, 1)];
+    let mut fitted = 0;
+    for (name, project) in forms_and_examples().filter(|(_, project)| project.machine.id() == "ribbon-line") {
         let ladder = ladder(&project);
-        for (contact, to) in ways.map(|(contact, to)| (Bit::Input(contact), to)) {
+        for (contact, to) in keys.map(|(contact, to)| (Bit::Input(contact), to)) {
             if !ladder.bits.iter().any(|row| row.0 == contact) {
                 continue;
             }
+            fitted += 1;
             let mut image = at_rest(&ladder);
-            let press = |image: &mut Image, way: usize| {
+            let press = |image: &mut Image, key: usize| {
                 for on in [true, false] {
-                    image.set(Bit::Input([ForwardKey, ReverseKey][way]), on);
+                    image.set(Bit::Input([ForwardKey, ReverseKey][key]), on);
                     settle(&ladder, image, 0.0);
                 }
-                image.is_on(RUNS[way])
+                image.is_on(RUNS[key])
             };
             assert!(press(&mut image, to), "{name}");
             image.set(contact, false);
@@ -236,6 +245,7 @@ fn contacts_of_the_ribbon_stop_the_key_that_leads_to_them() {
             assert!(!image.is_on(RUNS[to]), "{name}: nothing restarts by itself");
         }
     }
+    assert!(fitted > 3, "{fitted} contacts");
 }
 
 #[test]
@@ -282,7 +292,7 @@ fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
     let ladder = ladder(&project);
     let [first, second] = [1, 2].map(|stage| Bit::Output(MachineOutput::Gear(stage)));
     let mut image = at_rest(&ladder);
-    // An inverter that has just come on reports a slow spindle, whatever the work does.
+    // An inverter that has just come on reports a slow spindle even if the work turns.
     for slow in [false, true] {
         image.set(Bit::Input(MachineContact::AtShiftSpeed), slow);
         settle(&ladder, &mut image, 0.0);
@@ -305,7 +315,7 @@ fn gear_change_that_never_ends_is_an_alarm() {
     let (shift, alarm) = (Bit::Signal(SignalRole::ShiftSpeed), Bit::Output(MachineOutput::GearAlarm));
     let (slow, gear) = (Bit::Input(MachineContact::AtShiftSpeed), Bit::Input(MachineContact::InGear(2)));
     let mut found = 0;
-    for (name, project) in projects().filter(|(_, project)| ladder(project).drives(shift)) {
+    for (name, project) in forms_and_examples().filter(|(_, project)| ladder(project).drives(shift)) {
         found += 1;
         let ladder = ladder(&project);
         // The contact of a slow spindle is broken, or that of the new stage.

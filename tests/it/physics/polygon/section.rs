@@ -121,7 +121,7 @@ fn side_count_of_500_ratios_matches_the_section() {
         let (ratio, inserts) = (random.ratio(), random.integer(1, 6) as u32);
         let mut cutter = setup(55.0, 45.0, ratio, inserts);
         let sides = cutter.sides();
-        // An insert a hair off: now every pass is cut for itself, and nothing is repeated for the sake of symmetry.
+        // One insert slightly off its angle: every pass is computed by itself, and none is repeated by symmetry.
         cutter.tips[0].radius -= 1e-7;
         let section = Section::new(&cutter, 13.0).unwrap();
         let radii = section.radii(sides as usize * 32);
@@ -162,7 +162,7 @@ fn tips_pass_outside_the_section_and_never_inside() {
             let (insert, turned) =
                 (random.integer(0, inserts as i32 - 1) as usize, random.between(0.0, 2.0 * PI * turns));
             let (x, y) = tip(&cutter, insert, turned);
-            // A hair beside counts as well: where a path turns back, it runs straight out.
+            // Radii just beside the angle count as well: where a path turns back, it runs radially.
             let left =
                 [-1e-12, 1e-12].map(|by| section.radius(math::atan2(y, x) + by)).into_iter().fold(stock, f64::min);
             assert!(math::hypot(x, y) >= left - 1e-9, "case {case}: {} in {left}, {cutter:?}", math::hypot(x, y));
@@ -302,6 +302,7 @@ fn one_and_two_flats_end_at_the_stock() {
     let section = Section::new(&setup(55.0, 45.0, ratio(2, 1), 1), 12.0).unwrap();
     assert_eq!(section.sides().len(), 2);
     near(section.sides()[1].flatness(), 0.02225, 5e-6);
+    assert_eq!(section.corners().len(), 2);
     assert!(section.corners().iter().all(|corner| !corner.meets && corner.radius == 12.0));
     near(section.across_corners().0, 24.0, 0.0);
     let one = Section::new(&setup(55.0, 45.0, ratio(1, 1), 1), 12.0).unwrap();

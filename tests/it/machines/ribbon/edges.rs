@@ -1,0 +1,146 @@
+//! The ribbon line at the edges of its operation: a motor above its rated frequency or slower than its slip, feed in step, loops too long to build.
+
+use macroline::project::repairs::repairs;
+use macroline::text::catalog::sentence;
+use macroline::view::{Limit, Verdict};
+
+use super::controls;
+use super::each_control::project;
+use crate::queries::{near, readout};
+
+/// 100 Hz at 10 V for 2960 r/min: at most 94.6 Hz with S at most 2800.
+const FAST: [(&str, &str); 7] = [
+    ("frequency-at-10v", "100"),
+    ("no-load-speed", "3000"),
+    ("rated-load-speed", "2930"),
+    ("speed-at-10v", "2960"),
+    ("speed-clamp", "2800"),
+    ("spindle-speed", "2800"),
+    ("unwinder-forced-cooling", "true"),
+];
+
+#[test]
+fn motor_above_its_rated_frequency_has_less_torque() {
+    let line = project("mitsubishi-e60", &FAST);
+    let (frequency, torque) = (100.0 * 2800.0 / 2960.0, readout(&line, "unwinder-torque"));
+    near(torque.limit.unwrap().value(), 5.0 * 50.0 / frequency, 1e-9);
+    near(readout(&line, "unwinder-ramp-torque").limit.unwrap().value(), 7.5 * 50.0 / frequency, 1e-9);
+    let braking = readout(&line, "unwinder-braking-torque").limit.unwrap().value();
+    near(
+        braking,
+        readout(&project("mitsubishi-e60", &[]), "unwinder-braking-torque").limit.unwrap().value() * 50.0 / frequency,
+        1e-9,
+    );
+    let heavy = project("mitsubishi-e60", &[&FAST[..], &[("reduction-ratio", "5"), ("reel-brake", "250")]].concat());
+    let torque = readout(&heavy, "unwinder-torque");
+    assert!(torque.value < 5.0 && torque.verdict == Verdict::Fail, "{torque:?}");
+    assert!(sentence(&torque.advice[0].message).contains("94.6 Hz"), "{:?}", torque.advice);
+}
+
+/// A motor with 1500 r/min at no load and 1430 at rated torque loses 70 r/min at rated torque, at every speed.
+#[test]
+fn motor_slower_than_its_slip_stalls() {
+    for (speed, verdict) in [("60", Verdict::Warn), ("80", Verdict::None)] {
+        let entries = [
+            ("no-load-speed", "1500"),
+            ("rated-load-speed", "1430"),
+            ("speed-at-10v", "1500"),
+            ("spindle-speed", speed),
+            ("unwinder-load", "10"),
+            ("dancer", "false"),
+        ];
+        let line = project("sinumerik-802d", &entries);
+        assert_eq!(readout(&line, "speed-error-rated").verdict, verdict, "{speed} r/min");
+        assert_eq!(readout(&line, "speed-error").verdict, Verdict::None, "{speed} r/min");
+        let loaded = line.with_entries(&[("unwinder-load", "100")]).unwrap();
+        let at_load = if verdict == Verdict::Warn { Verdict::Fail } else { Verdict::None };
+        assert_eq!(readout(&loaded, "speed-error").verdict, at_load, "{speed} r/min");
+    }
+}
+
+#[test]
+fn feed_in_step_with_the_unwinder_draws_no_ribbon() {
+    let stiff = [("youngs-modulus", "3000"), ("dancer", "false"), ("wait", "dwell"), ("dwell", "0")];
+    let in_step = [("feed-form", "per-revolution"), ("spindle-encoder", "true")];
+    let tension = |entries: &[(&str, &str)]| readout(&project("sinumerik-802d", entries), "tension");
+    assert!(tension(&stiff).value > 100.0);
+    // What is left is that of a start, before the measured speed is there.
+    let left = tension(&[&stiff[..], &in_step].concat()).value;
+    assert!(left < 50.0, "{left}");
+}
+
+/// Loops of more than 5 m are no remedy; a steeper ramp with its dwell is one.
+#[test]
+fn long_ramp_is_repaired_by_a_shorter_one() {
+    let entries = [("inverter-ramp", "20"), ("dancer", "true"), ("unwinder-motor-braking", "150")];
+    for control in controls() {
+        let line = project(control.id, &entries);
+        let needed = readout(&line, "loop-needed");
+        assert!(needed.value > 5000.0 && needed.verdict == Verdict::Fail, "{}", control.id);
+        assert!(needed.advice[0].entries.is_empty(), "{}: {:?}", control.id, needed.advice);
+        let steep = needed
+            .advice
+            .iter()
+            .find(|advice| advice.entries.iter().any(|entry| entry.field == "inverter-ramp"))
+            .unwrap();
+        let after = line.with_entries(&steep.entries).unwrap();
+        assert!(readout(&after, "loop-needed").verdict < Verdict::Fail, "{}", control.id);
+        // A button that changes several entries names each change.
+        let button = sentence(steep.button.as_ref().unwrap());
+        assert!(button.contains("Set a ramp of") && button.contains("Set a dwell of"), "{button}");
+        let loops = repairs(&line).changes.into_iter().flat_map(|change| change.entries);
+        let loops =
+            loops.filter(|entry| entry.field == "loop-capacity").map(|entry| entry.text.parse::<f64>().unwrap());
+        assert!(loops.fold(0.0, f64::max) <= 5000.0, "{}", control.id);
+    }
+}
+
+#[test]
+fn exact_stop_that_the_control_lacks_is_reported() {
+    for control in controls() {
+        let line = project(control.id, &[("path-mode", "exact-stop")]);
+        let reported = line.design().diagnostics.iter().any(|found| found.message.id == "ribbon.no-exact-stop");
+        let stops = line
+            .written()
+            .files
+            .0
+            .iter()
+            .any(|file| ["G09", "G61", "G9 ", "G60"].iter().any(|code| file.text.contains(code)));
+        assert_eq!(reported, !stops, "{}", control.id);
+    }
+}
+
+#[test]
+fn knob_holds_within_its_positions() {
+    for control in controls() {
+        let slow = project(control.id, &[("spindle-speed", "60")]);
+        let holds = readout(&slow, "knob-holds").value;
+        let highest = control.spindle.knob.high.min(200.0);
+        assert!(holds <= highest, "{}: {holds}", control.id);
+        assert!(
+            slow.design().readouts.iter().all(|row| row.id != "override-limit" || row.value < highest),
+            "{}",
+            control.id
+        );
+    }
+    let full = readout(&project("mitsubishi-e60", &[]), "override-limit");
+    near(full.value, 100.0 * 1480.0 / 1200.0, 1e-9);
+    assert_eq!(full.limit.map(Limit::value), None);
+}
+
+#[test]
+fn advice_against_a_taut_start_names_no_fitted_dancer() {
+    let stiff = [
+        ("dancer", "true"),
+        ("ribbon-width", "100"),
+        ("ribbon-thickness", "0.1"),
+        ("youngs-modulus", "3500"),
+        ("tensile-strength", "100"),
+        ("dwell", "0.7"),
+    ];
+    let line = project("mitsubishi-e60", &stiff);
+    let all: Vec<_> = line.design().readouts.into_iter().flat_map(|readout| readout.advice).collect();
+    let slack = all.iter().find(|advice| advice.message.id == "ribbon.nip-slack");
+    assert_eq!(slack.map(|advice| advice.entries[0].field), Some("dwell"), "{all:?}");
+    assert!(all.iter().all(|advice| !sentence(&advice.message).contains("dancer")), "{all:?}");
+}

@@ -1,0 +1,282 @@
+//! Where the turning spindle would hurt chuck, turret or operator: the form refuses it, and the program stops at variables that ask for it.
+
+use macroline::controls;
+use macroline::machines::devices::BillItem;
+use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
+use macroline::motion::{Budget, Retention, RunEnd};
+use macroline::project::Project;
+use macroline::project::run::{self, RunOptions};
+use macroline::project::setting::Setting;
+use macroline::text::Severity;
+use macroline::text::catalog::sentence;
+
+use super::{machine, project};
+use crate::machines::ladder::{at_rest, ladder, put_out, reset, settle};
+use crate::queries::{near, sized_without_envelope, value};
+
+/// Fields that errors of the design are about, with the errors' ids.
+fn errors(project: &Project) -> Vec<(&'static str, &'static str)> {
+    let found = project.design().diagnostics.into_iter().filter(|found| found.severity == Severity::Error);
+    found.filter_map(|found| Some((found.field?, found.message.id))).collect()
+}
+
+/// The end of a run with some variables set by the operator, and its log.
+fn with_variables(project: &Project, settings: &[(u32, f64)]) -> (Option<RunEnd>, Vec<String>) {
+    let limits = Budget { blocks: 100_000, seconds: 7200.0 };
+    let set = |(number, value): &(u32, f64)| Setting::new(&number.to_string(), *value).unwrap();
+    let settings: Vec<Setting> = settings.iter().map(set).collect();
+    let begin = RunOptions { start: None, settings: &settings, limits, keep: Retention::Both };
+    let mut planner = run::of_project(project, &project.written(), &begin);
+    let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+    let log = planner.take_log();
+    let names = planner.program().names();
+    (ended, log.into_iter().map(|(_, canon, _)| canon.line(names).to_string()).collect())
+}
+
+fn keyway(entries: &[(&'static str, &str)]) -> Project {
+    let plain = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+    let entries: Vec<_> = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+    plain.with_entries(&entries).unwrap()
+}
+
+#[test]
+fn no_cut_goes_into_the_chuck() {
+    // 100 mm of stock, 15 of them in the chuck, and 2 mm of clearance.
+    let turned = |length| project("gsk-980tdc", &[("path", "turning"), ("length", length)]);
+    assert_eq!(errors(&turned("83")), []);
+    assert_eq!(errors(&turned("83.1")), [("length", "turning.cut-in-chuck")]);
+    assert_eq!(errors(&project("gsk-980tdc", &[("allowance", "84")]))[0], ("allowance", "turning.cut-in-chuck"));
+    let facing = [("path", "facing"), ("stock-diameter", "80"), ("keyway-start", "60"), ("keyway-length", "23")];
+    assert_eq!(errors(&keyway(&facing)), []);
+    assert_eq!(
+        errors(&keyway(&[facing[0], facing[1], facing[2], ("keyway-length", "24")]))[0].1,
+        "turning.keyway-in-chuck"
+    );
+}
+
+/// What the form refuses of a keyway, the program refuses of the operator's variables: beyond the shoulder, shorter than its tool, to the centre.
+#[test]
+fn program_refuses_a_keyway_that_the_form_refuses() {
+    let example = keyway(&[]);
+    for (number, value, text) in [
+        (105, 20.0, "R119+R118 IS MORE THAN R105"),
+        (118, 5.0, "R118 IS LESS THAN R120"),
+        (117, 30.0, "R117*2 IS NOT BELOW R103"),
+        (120, 0.0, "R120"),
+        (123, 0.0, "R123"),
+    ] {
+        let (ended, log) = with_variables(&example, &[(number, value)]);
+        assert!(log.iter().any(|line| line.contains(text)), "R{number}={value}: {ended:?} {log:?}");
+        assert!(!log.iter().any(|line| line.contains("rapid")), "R{number}={value}: nothing moves");
+    }
+}
+
+/// T of a driven tool is not that of the turning tool.
+#[test]
+fn driven_tool_has_a_number_of_its_own() {
+    assert_eq!(errors(&keyway(&[("driven-number", "1")])), [("driven-number", "turning.driven-tool-is-tool")]);
+    assert_eq!(errors(&keyway(&[("driven-number", "2")])), []);
+}
+
+/// The stock of a face extends beyond its zero by the allowance: the turret turns in front of that.
+#[test]
+fn turret_turns_in_front_of_the_stock_of_a_face() {
+    let start = |z| project("gsk-980tdc", &[("allowance", "25"), ("start-z", z), ("start-x", "90")]);
+    assert_eq!(errors(&start("54")), [("start-z", "lathe.turret-hits-work")]);
+    assert_eq!(errors(&start("55")), []);
+    // The operator's allowance counts too.
+    let (ended, _) = with_variables(&project("gsk-980tdc", &[("start-z", "40"), ("start-x", "90")]), &[(114, 25.0)]);
+    let Some(RunEnd::Alarm(alarm)) = ended else { panic!("{ended:?}") };
+    assert!(sentence(&alarm.message).contains("RETRACT THE TOOL BY HAND"), "{}", sentence(&alarm.message));
+}
+
+/// The tool goes down to the bottom of the keyway: 55.5 mm from X 150.
+#[test]
+fn travel_reaches_to_the_bottom_of_the_keyway() {
+    assert_eq!(errors(&keyway(&[("travel-x", "55.4")])), [("travel-x", "turning.beyond-travel")]);
+    assert_eq!(errors(&keyway(&[("travel-x", "55.5")])), []);
+}
+
+#[test]
+fn gear_stage_behind_a_gap_is_refused() {
+    let gap = project("gsk-980tdc", &[("stage-2", "0"), ("stage-3", "3000")]);
+    assert_eq!(errors(&gap), [("stage-3", "turning.stage-behind-gap")]);
+}
+
+/// Ids of the warnings of the design.
+fn warnings(project: &Project) -> Vec<&'static str> {
+    let found = project.design().diagnostics.into_iter().filter(|found| found.severity == Severity::Warning);
+    found.map(|found| found.message.id).collect()
+}
+
+/// 180 m/min at Ø 56, the first pass, is 1023 r/min.
+#[test]
+fn lower_limit_that_lifts_the_cutting_speed_is_named() {
+    let shaft = |lowest| {
+        let shaft = Project::named("turning-spindle", Some("gsk-980tdc"), Some("shaft")).unwrap();
+        warnings(&shaft.with_entries(&[("lower-limit", lowest)]).unwrap())
+    };
+    assert!(shaft("1024").contains(&"turning.lower-limit-lifts"));
+    assert!(!shaft("1023").contains(&"turning.lower-limit-lifts"));
+}
+
+/// A feed above the clamp of its slide is cut at the clamp: 7.5 mm at 50 mm/min and 36 mm at 500.
+#[test]
+fn keyway_takes_the_time_of_its_clamps() {
+    let fast = keyway(&[("keyway-feed", "20000"), ("clamp-z", "500")]);
+    assert!(warnings(&fast).contains(&"turning.keyway-above-clamp"));
+    near(value(&fast, "keyway-time"), 60.0 * (7.5 / 50.0 + 36.0 / 500.0), 0.01);
+}
+
+/// Mains, earth, command and the enable that an emergency stop takes away.
+#[test]
+fn driven_tool_is_fed_and_stops_with_the_emergency_stop() {
+    let wires = sized_without_envelope(&keyway(&[])).terminals;
+    let ends = wires.iter().filter(|row| row.to.item == BillItem::DrivenTool).map(|row| row.from.item);
+    let ends: Vec<BillItem> = ends.collect();
+    for item in [BillItem::MainSwitch, BillItem::Control, BillItem::SafetyRelay] {
+        assert!(ends.contains(&item), "{item:?}: {ends:?}");
+    }
+}
+
+#[test]
+fn program_refuses_a_longer_cut_by_variables() {
+    let turned = project("knd-k2000t", &[("path", "turning"), ("length", "60")]);
+    let (ended, log) = with_variables(&turned, &[(105, 90.0)]);
+    let Some(RunEnd::Alarm(alarm)) = ended else { panic!("{ended:?}") };
+    assert!(sentence(&alarm.message).contains("#105 IS MORE THAN #125"), "{}", sentence(&alarm.message));
+    assert!(!log.iter().any(|line| line.starts_with("linear")));
+    let (ended, log) = with_variables(&keyway(&[]), &[(118, 300.0)]);
+    assert_eq!(ended, Some(RunEnd::Stop));
+    assert!(log.iter().any(|line| line.contains("R119+R118 IS MORE THAN R105")), "{log:?}");
+}
+
+#[test]
+fn taper_by_variables_takes_one_depth_in_a_pass() {
+    for control in ["fanuc-0i-tf", "gsk-980tdc", "sinumerik-802d"] {
+        let taper = Project::named("turning-spindle", Some(control), Some("taper")).unwrap();
+        for (face, end) in [(40.0, 50.0), (50.0, 30.0), (55.0, 55.0)] {
+            let (ended, log) = with_variables(&taper, &[(103, face), (104, end)]);
+            assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
+            let cuts = log.iter().filter(|line| line.starts_with("linear X") && line.contains(" Z"));
+            let diameters: Vec<f64> = cuts.map(|line| line[8..].split(' ').next().unwrap().parse().unwrap()).collect();
+            // The diameters at the end of the passes: each at most two depths of 2 mm below the one before, and the last one is the part's.
+            let mut before = 60.0 + (end - face).max(0.0);
+            for diameter in &diameters {
+                assert!(before - diameter < 4.0 + 1e-6, "{control}, {face} to {end}: {diameters:?}");
+                before = *diameter;
+            }
+            assert_eq!(diameters.last(), Some(&end), "{control}: {diameters:?}");
+        }
+    }
+}
+
+#[test]
+fn turret_turns_beside_the_work_or_in_front_of_it() {
+    let at = |x, z| errors(&project("gsk-980tdc", &[("start-x", x), ("start-z", z)]));
+    assert_eq!(at("140", "0.1"), []);
+    // In front of the allowance of 2 mm.
+    assert_eq!(at("85", "32"), []);
+    assert_eq!(at("139.9", "31.9"), [("start-z", "lathe.turret-hits-work")]);
+}
+
+#[test]
+fn driven_tool_needs_a_code_that_stops_it() {
+    assert_eq!(errors(&keyway(&[("driven-code", "60"), ("driven-stop", "61")])), []);
+    assert_eq!(errors(&keyway(&[("driven-code", "60")])), [("driven-stop", "turning.driven-tool-turns-on")]);
+}
+
+#[test]
+fn driven_tool_stops_with_the_program() {
+    use macroline::controls::interface::SignalRole;
+    let ladder = ladder(&keyway(&[("driven-code", "60"), ("driven-stop", "61")]));
+    let (tool, running) = (Bit::Output(MachineOutput::DrivenTool), Bit::Signal(SignalRole::Running));
+    let mut image = at_rest(&ladder);
+    image.set(running, true);
+    settle(&ladder, &mut image, 0.0);
+    for on in [true, false] {
+        put_out(&ladder, &mut image, 60, on);
+        settle(&ladder, &mut image, 0.1);
+        assert!(image.is_on(tool));
+    }
+    for over in [SignalRole::ProgramEnd, SignalRole::Idle] {
+        image.set(Bit::Signal(over), true);
+    }
+    settle(&ladder, &mut image, 0.2);
+    assert!(!image.is_on(tool), "M30 without its stop code");
+    image.set(Bit::Input(MachineContact::Emergency), true);
+    reset(&ladder, &mut image);
+    assert!(!image.is_on(tool));
+}
+
+#[test]
+fn parameters_of_the_sheet_are_in_the_control_s_range() {
+    let gsk = |id, typed| errors(&project("gsk-980tdc", &[(id, typed)]));
+    for (id, inside, outside) in [("time-constant", "4000", ["4001", "9"]), ("encoder-lines", "10000", ["10001", "99"])]
+    {
+        assert_eq!(gsk(id, inside), [], "{id}");
+        for typed in outside {
+            assert_eq!(gsk(id, typed), [(id, "form.parameter-range")], "{id} at {typed}");
+        }
+    }
+}
+
+#[test]
+fn other_encoder_lines_are_on_the_sheet_or_warned_of() {
+    for id in macroline::machines::find("turning-spindle").unwrap().controls() {
+        let design = project(id, &[("encoder-lines", "2048")]).design();
+        let warned = design.diagnostics.iter().any(|found| found.message.id == "encoder.other-lines");
+        let sheet = project(id, &[("encoder-lines", "2048")]).export();
+        let on_sheet = sheet
+            .files
+            .iter()
+            .map(|exported| &exported.file)
+            .any(|file| file.name == "parameters.csv" && file.text.contains("2048"));
+        assert!(warned != on_sheet, "{}: warned {warned}, on the sheet {on_sheet}", controls::find(id).unwrap().name);
+    }
+}
+
+/// The flank of an insert clears 180° - κ - ε: at κ 95° one of 80° falls 5°, one of 35° falls 50°.
+#[test]
+fn falling_cone_asks_for_an_insert_that_clears_it() {
+    let cone = |entries: &[(&'static str, &'static str)]| {
+        let falls = [
+            ("path", "taper"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "58"),
+            ("large-diameter", "20"),
+            ("edge-angle", "95"),
+        ];
+        let design = project("gsk-980tdc", &[&falls[..], entries].concat()).design();
+        let mut found = design.diagnostics.into_iter().filter(|found| found.message.id.starts_with("turning.cone-"));
+        found.next().map(|found| (found.severity, found.entry, sentence(&found.message)))
+    };
+    // atan(19 / 5) = 75.3°; 19 / tan 50° = 15.943.
+    let (severity, entry, message) = cone(&[("length", "5")]).unwrap();
+    assert_eq!((severity, entry), (Severity::Error, Some(15.943)));
+    assert!(message.contains("75.3°") && message.contains("50°"), "{message}");
+    assert_eq!(cone(&[("length", "15.943")]).unwrap().0, Severity::Warning);
+    // atan(19 / 50) = 20.8°: 64.2° are left for the insert.
+    let (severity, _, message) = cone(&[("length", "50")]).unwrap();
+    assert_eq!(severity, Severity::Warning);
+    assert!(message.contains("20.8°") && message.contains("64° at most"), "{message}");
+    assert_eq!(cone(&[("length", "50"), ("large-diameter", "50")]), None);
+    assert_eq!(cone(&[("length", "50"), ("large-diameter", "60")]), None);
+    assert_eq!(cone(&[("length", "50"), ("edge-angle", "170")]).unwrap().1, None);
+}
+
+#[test]
+fn tool_leaves_the_shoulder_of_a_cone_at_feed() {
+    for control in machine().controls() {
+        let cone = [("path", "taper"), ("finished-diameter", "58"), ("large-diameter", "40"), ("stock-diameter", "60")];
+        let (ended, log) = with_variables(&project(control, &cone), &[]);
+        assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
+        let ends: Vec<_> =
+            (0..log.len()).filter(|&at| log[at].starts_with("linear") && log[at].contains("Z-")).collect();
+        assert!(ends.len() > 2, "{control} {log:#?}");
+        for at in ends {
+            let next = &log[at + 1..=at + 2];
+            assert!(next[0].starts_with("linear X") && next[1].starts_with("rapid X"), "{control} {next:?}");
+        }
+    }
+}

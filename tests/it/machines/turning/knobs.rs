@@ -1,0 +1,169 @@
+//! The cut of the turning spindle with both override knobs at their ends: torque, power, slides and bending.
+
+use macroline::math;
+use macroline::project::Project;
+use macroline::project::size::{OperatingEvent, Sizing};
+use macroline::text::catalog::sentence;
+use macroline::view::{Limit, Readout, Verdict};
+
+use super::project;
+use super::torque::CUT_OF_THE_FACTS;
+use crate::queries::{near_share, readout, sized, value};
+
+/// The shaft of the facts on a motor without overload.
+fn shaft(control: &str, changes: &[(&'static str, &'static str)]) -> Project {
+    let motor = [("motor-overload", "100"), ("motor-forced-cooling", "true"), ("override", "100")];
+    project(control, &[&CUT_OF_THE_FACTS[..], &motor, changes].concat())
+}
+
+/// Sentence of the warning of a result that holds at the form's positions of the knobs.
+fn warning(project: &Project, id: &str) -> String {
+    let row = readout(project, id);
+    assert_eq!(row.verdict, Verdict::Warn, "{row:?}");
+    assert!(row.limit.unwrap().holds(row.value), "{row:?}");
+    sentence(&row.advice[0].message)
+}
+
+/// The result after its advice.
+fn mended(project: &Project, id: &str) -> Readout {
+    let row = readout(project, id);
+    readout(&project.with_entries(&row.advice[0].entries).unwrap(), id)
+}
+
+/// Force grows with f^0.78: 55.47 Nm · 1.5^0.78 + 2 Nm = 78.1 Nm at 150 % of feed.
+#[test]
+fn torque_is_judged_at_the_end_of_the_feed_knob() {
+    let at = |power: &'static str| shaft("gsk-980tdc", &[("motor-power", power), ("upper-limit", "1000")]);
+    let needed = 55.47 * math::pow(1.5, 0.78) + 2.0;
+    assert!((77.9..78.3).contains(&needed), "{needed}");
+    let weak = at("9");
+    let advice = warning(&weak, "torque");
+    assert!(advice.contains("feed override at 150 %") && advice.contains(&format!("{needed:.1} Nm")), "{advice}");
+    let after = mended(&weak, "torque");
+    assert_eq!(after.verdict, Verdict::Ok, "{after:?}");
+    assert_eq!(readout(&at("18"), "torque").verdict, Verdict::Ok);
+}
+
+#[test]
+fn feed_knob_of_a_panel_with_120_percent_ends_there() {
+    let advice = warning(&shaft("sinumerik-802d", &[("motor-power", "8"), ("upper-limit", "1000")]), "torque");
+    assert!(advice.contains("feed override at 120 %"), "{advice}");
+}
+
+/// Power that suffices with either knob at its end, and not with both.
+#[test]
+fn power_is_judged_with_both_knobs_at_their_ends() {
+    let cut = |feed: &'static str, percent: &'static str| {
+        value(&shaft("gsk-980tdc", &[("feed", feed), ("override", percent), ("motor-power", "15")]), "power")
+    };
+    // 0.45 mm/rev are 150 % of the feed, and the knob of the spindle ends at 120 %.
+    let (feed, spindle, both) = (cut("0.45", "100"), cut("0.3", "120"), cut("0.45", "120"));
+    assert!(spindle < feed && feed < 9.0 && both > 9.2, "{feed} {spindle} {both}");
+    // 80 % of 11.3 kW.
+    let lathe = shaft("gsk-980tdc", &[("motor-power", "11.3"), ("motor-base", "300")]);
+    let advice = warning(&lathe, "power");
+    let named = format!("feed override at 150 % and the spindle override at 120 %, cut and friction take {both:.2} kW");
+    assert!(advice.contains(&named), "{advice}");
+    assert_eq!(mended(&lathe, "power").verdict, Verdict::Ok);
+}
+
+#[test]
+fn force_on_the_slides_is_judged_at_the_feed_knob() {
+    let lathe = |stall: &'static str| shaft("gsk-980tdc", &[("motor-stall-z", stall)]);
+    let torque = value(&lathe("4.8"), "z-cut-torque");
+    let limit = |stall: f64| stall * 0.8;
+    assert!(torque < limit(1.3), "{torque}");
+    let weak = lathe("1.3");
+    let advice = warning(&weak, "z-cut-torque");
+    assert!(advice.contains("feed override at 150 %"), "{advice}");
+    assert_eq!(mended(&weak, "z-cut-torque").verdict, Verdict::Ok);
+}
+
+/// Bending in proportion to the force.
+#[test]
+fn bending_is_judged_at_the_end_of_the_feed_knob() {
+    let lathe = |length: &'static str| {
+        shaft("gsk-980tdc", &[("work-length", length), ("motor-power", "30"), ("finished-diameter", "64")])
+    };
+    let bends = readout(&lathe("310"), "bending");
+    assert!((0.075..0.1).contains(&bends.value), "{}", bends.value);
+    let advice = warning(&lathe("310"), "bending");
+    let shown = format!("{:.2} mm", bends.value * math::pow(1.5, 0.78));
+    assert!(advice.contains(&shown) && advice.contains("150 %"), "{advice}: {shown}");
+    assert_eq!(mended(&lathe("310"), "bending").verdict, Verdict::Ok);
+}
+
+fn row(sizing: &Sizing, event: OperatingEvent, id: &str) -> (f64, Option<f64>) {
+    let found = sizing.envelope.iter().find(|row| row.event == event && row.id == id);
+    found.map(|row| (row.value, row.feed)).unwrap_or_else(|| panic!("no {id}"))
+}
+
+/// The run with the knob at 150 % is that of a program with 1.5 times the feed.
+#[test]
+fn envelope_at_the_feed_knob_is_that_of_more_feed() {
+    let sizing = |feed: &'static str| sized(&shaft("gsk-980tdc", &[("feed", feed), ("motor-power", "30")]));
+    let (knob, more) = (sizing("0.2"), sizing("0.3"));
+    for id in ["spindle-torque", "z-effective-torque"] {
+        let (value, feed) = row(&knob, OperatingEvent::FeedKnob, id);
+        assert_eq!(feed, Some(150.0), "{id}");
+        near_share(value, row(&more, OperatingEvent::Run, id).0, 1e-3);
+    }
+    // The motors of the list are judged with it: the spindle with the smaller feed needs as much as that with the larger one at 100 %.
+    let effective_torque = |sizing: &Sizing| sizing.axes.iter().find(|axis| axis.id == "z").unwrap().demand.effective;
+    assert!(effective_torque(&knob) >= row(&more, OperatingEvent::Run, "z-effective-torque").0 * 0.999);
+}
+
+#[test]
+fn envelope_of_the_polygon_has_the_feed_knob() {
+    let lathe = |feeds: [&str; 3]| {
+        let polygon = Project::named("polygon-lathe", None, None).unwrap();
+        let entries = ["feed", "finish-feed", "infeed"].into_iter().zip(feeds.map(str::to_owned)).collect::<Vec<_>>();
+        polygon.with_entries(&entries).unwrap()
+    };
+    let (knob, more) = (lathe(["0.2", "0.1", "0.1"]), lathe(["0.3", "0.15", "0.15"]));
+    let (knob, more) = (sized(&knob), sized(&more));
+    for id in ["tool-torque", "tool-effective-torque", "x-effective-torque"] {
+        let (value, feed) = row(&knob, OperatingEvent::FeedKnob, id);
+        assert_eq!(feed, Some(150.0), "{id}");
+        near_share(value, row(&more, OperatingEvent::Run, id).0, 0.02);
+    }
+}
+
+/// 300 m/min at Ø 60 are S1591, 1909 r/min at 120 % of the knob. 1600 r/min / 1.2 are 251.3 m/min.
+#[test]
+fn knob_that_lifts_a_fixed_speed_over_its_limit_warns() {
+    let lathe = |entries: &[(&'static str, &'static str)]| {
+        let fixed = [
+            ("path", "turning"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "56"),
+            ("speed-mode", "fixed"),
+            ("cutting-speed", "300"),
+            ("upper-limit", "1600"),
+        ];
+        project("gsk-980tdc", &[&fixed[..], entries].concat())
+    };
+    let found = |project: &Project| {
+        let all = project.design().diagnostics;
+        all.into_iter().find(|found| found.message.id == "turning.override-passes-limit")
+    };
+    for percent in ["100", "120"] {
+        let passed = found(&lathe(&[("override", percent)])).unwrap();
+        let message = sentence(&passed.message);
+        assert!(message.contains("override at 120 %") && message.contains("1909 r/min"), "{message}");
+        assert_eq!((passed.field, passed.entry), (Some("cutting-speed"), Some(251.0)));
+    }
+    assert_eq!(found(&lathe(&[("cutting-speed", "251")])), None);
+    assert_eq!(found(&lathe(&[("speed-mode", "surface")])), None);
+}
+
+/// S796 stays below its limit at 120 % of the knob; S1600, held by the limit, does not.
+#[test]
+fn envelope_of_a_fixed_speed_has_the_operators_limit() {
+    for (speed, verdict) in [("200", Verdict::Ok), ("500", Verdict::Fail)] {
+        let entries = [("path", "turning"), ("speed-mode", "fixed"), ("cutting-speed", speed), ("upper-limit", "1600")];
+        let sizing = sized(&project("gsk-980tdc", &entries));
+        let run = sizing.envelope.iter().find(|row| row.event == OperatingEvent::Run && row.id == "speed").unwrap();
+        assert_eq!((run.limit, run.verdict), (Some(Limit::AtMost(1600.0)), verdict), "{run:?}");
+    }
+}
