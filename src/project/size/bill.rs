@@ -97,6 +97,11 @@ pub(super) fn bill(
         let sensitive = |row: &&mut BillRow| matches!(row.item, BillItem::Amplifier | BillItem::Inverter);
         rows.iter_mut().filter(sensitive).for_each(|row| row.open.push(site.order()));
     }
+    if let Some(cut) = runs.cut() {
+        // A run that broke off may not have asked the drives for anything yet.
+        let drives = [BillItem::Motor, BillItem::Amplifier, BillItem::Inverter, BillItem::Gear];
+        rows.iter_mut().filter(|row| drives.contains(&row.item)).for_each(|row| row.open.push(cut.message()));
+    }
     rows.extend(devices(prepared, &rows));
     rows
 }

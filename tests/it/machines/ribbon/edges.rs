@@ -1,12 +1,15 @@
 //! The ribbon line at the edges of its operation: a motor above its rated frequency or slower than its slip, feed in step, loops too long to build.
 
+use macroline::motion::{Budget, RunEnd};
+use macroline::project::Project;
 use macroline::project::repairs::repairs;
+use macroline::project::run::{self, RunOptions};
 use macroline::text::catalog::sentence;
 use macroline::view::{Limit, Verdict};
 
 use super::controls;
 use super::each_control::project;
-use crate::queries::{near, readout};
+use crate::queries::{near, readout, sized_without_envelope};
 
 /// 100 Hz at 10 V for 2960 r/min: at most 94.6 Hz with S at most 2800.
 const FAST: [(&str, &str); 7] = [
@@ -143,4 +146,103 @@ fn advice_against_a_taut_start_names_no_fitted_dancer() {
     let slack = all.iter().find(|advice| advice.message.id == "ribbon.nip-slack");
     assert_eq!(slack.map(|advice| advice.entries[0].field), Some("dwell"), "{all:?}");
     assert!(all.iter().all(|advice| !sentence(&advice.message).contains("dancer")), "{all:?}");
+}
+
+/// 36 heads on a roller of 114.6 mm have 10 mm each, and dots of 8.1 mm every 8 mm run into each other.
+#[test]
+fn heads_and_dots_need_room() {
+    let gap = |id, entries: &[(&'static str, &str)]| {
+        let row = readout(&project("mitsubishi-e60", entries), id);
+        (row.verdict, row.advice.first().map(|advice| advice.entries[0].text.clone()))
+    };
+    let roller = [("heads", "36"), ("print-roller-diameter", "114.6")];
+    let heads = |length| gap("head-gap", &[roller[0], roller[1], ("head-length", length)]);
+    assert_eq!(heads("10"), (Verdict::Ok, None));
+    assert_eq!(heads("10.1"), (Verdict::Fail, Some("10".to_owned())));
+    let matched = [("heads", "36"), ("pitch", "10"), ("print-roller-diameter", "114.592")];
+    let dots = |length| gap("dot-gap", &[matched[0], matched[1], matched[2], ("head-length", length)]);
+    assert_eq!(dots("9.9").0, Verdict::Ok);
+    assert_eq!(dots("10.2").0, Verdict::Fail);
+}
+
+/// 150 m/min on a roller of 127.324 mm with a gear of 50 : 1 are 18 750 r/min of its motor.
+#[test]
+fn rapid_traverse_of_the_rollers_is_judged() {
+    let entries = [("print-roller-diameter", "127.324"), ("gear-y", "50"), ("rapid-y", "150000")];
+    let line = project("mitsubishi-e60", &entries);
+    let row = readout(&line, "y-rapid-speed");
+    near(row.value, 18750.0, 0.1);
+    assert_eq!(row.verdict, Verdict::Fail);
+    let slower = line.with_entries(&row.advice[0].entries).unwrap();
+    assert_eq!(readout(&slower, "y-rapid-speed").verdict, Verdict::Ok);
+}
+
+/// An unwinder that turns half of what the control counts on: no dancer makes up for that, but the frequency of the inverter does.
+#[test]
+fn dancer_trims_away_a_tenth_at_most() {
+    let line = project("mitsubishi-e60", &[("dancer", "true"), ("no-load-speed", "750"), ("rated-load-speed", "715")]);
+    let row = readout(&line, "dancer-trim");
+    assert!(row.verdict == Verdict::Fail && (-55.0..-45.0).contains(&row.value), "{row:?}");
+    let set = line.with_entries(&row.advice[0].entries).unwrap();
+    near(readout(&set, "dancer-trim").value, 0.0, 0.01);
+    assert_eq!(readout(&project("mitsubishi-e60", &[("dancer", "true")]), "dancer-trim").verdict, Verdict::Ok);
+}
+
+/// A feed per revolution follows the measured speed, and the motors turn with it.
+#[test]
+fn motors_follow_the_measured_speed() {
+    let line = |no_load, rated| {
+        let encoder = Project::named("ribbon-line", Some("fanuc-0i-mf"), Some("encoder")).unwrap();
+        encoder.with_entries(&[("no-load-speed", no_load), ("rated-load-speed", rated)]).unwrap()
+    };
+    let fast = line("2200", "2100");
+    let share = 1.0 + readout(&fast, "speed-error").value / 100.0;
+    assert!(share > 1.4, "{share}");
+    for id in ["x-motor-speed", "y-motor-speed", "print-roller-speed"] {
+        let slow = line("1500", "1430");
+        let exact = readout(&slow, id).value / (1.0 + readout(&slow, "speed-error").value / 100.0);
+        near(readout(&fast, id).value / exact, share, 1e-6);
+    }
+}
+
+/// The program shortens a block that is longer than the product.
+#[test]
+fn block_longer_than_its_product_takes_the_time_of_the_product() {
+    let time = |pitches| {
+        let entries = [("pitches-per-block", pitches), ("pitch-count", "7")];
+        readout(&project("mitsubishi-e60", &entries), "product-time").value
+    };
+    near(time("50"), time("7"), 1e-9);
+}
+
+#[test]
+fn time_constants_are_in_the_control_s_range() {
+    let refused = |control, constant| {
+        let found = project(control, &[("time-constant-x", constant)]).design().diagnostics;
+        found.iter().any(|found| found.message.id == "form.parameter-range" && found.field == Some("time-constant-x"))
+    };
+    assert!(refused("gsk-980tdc", "5") && !refused("gsk-980tdc", "10") && !refused("mitsubishi-e60", "5"));
+}
+
+/// The register of the final speed is 0 until an S is out: the program puts one out before it waits for a speed.
+#[test]
+fn line_with_a_final_speed_starts() {
+    for variant in ["ready-made", "published", "precomputed"] {
+        let entries = [("override-form", "final-speed"), ("variant", variant), ("pitch-count", "20")];
+        let line = project("mitsubishi-e60", &entries);
+        let begin = RunOptions { limits: Budget { blocks: 10_000, seconds: 60.0 }, ..RunOptions::default() };
+        let mut planner = run::of_project(&line, &line.written(), &begin);
+        assert_eq!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(RunEnd::ProgramEnd), "{variant}");
+    }
+}
+
+/// A ramp shorter than the servo loop takes to follow asks no more torque than no ramp: 1 / K is 30 ms.
+#[test]
+fn ramp_below_the_servo_loop_asks_its_torque() {
+    let peak = |constant| {
+        let line = project("mitsubishi-e60", &[("time-constant-x", constant), ("time-constant-y", constant)]);
+        sized_without_envelope(&line).axes.iter().find(|axis| axis.id == "y").unwrap().demand.peak
+    };
+    let [none, short, equal] = ["0", "1", "30"].map(peak);
+    assert!((short / none - 1.0).abs() < 0.05 && (equal / none - 1.0).abs() < 0.05, "{none} {short} {equal}");
 }

@@ -9,10 +9,11 @@ use macroline::project::run::{self, RunOptions};
 use macroline::project::setting::Setting;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
+use macroline::view::Verdict;
 
 use super::{machine, project};
 use crate::machines::ladder::{at_rest, ladder, put_out, reset, settle};
-use crate::queries::{near, sized_without_envelope, value};
+use crate::queries::{near, readout, sized_without_envelope, value};
 
 /// Fields that errors of the design are about, with the errors' ids.
 fn errors(project: &Project) -> Vec<(&'static str, &'static str)> {
@@ -279,4 +280,124 @@ fn tool_leaves_the_shoulder_of_a_cone_at_feed() {
             assert!(next[0].starts_with("linear X") && next[1].starts_with("rapid X"), "{control} {next:?}");
         }
     }
+}
+
+/// A cone bends by its slices: from Ø 2 at the face to Ø 60 it is nearly as stiff as a bar of Ø 60.
+#[test]
+fn cone_bends_by_its_slices() {
+    let bending = |face| {
+        let entries = [
+            ("path", "taper"),
+            ("finished-diameter", face),
+            ("large-diameter", "60"),
+            ("length", "60"),
+            ("stock-diameter", "65"),
+            ("work-length", "110"),
+            ("grip", "30"),
+        ];
+        value(&project("fanuc-0i-tf", &entries), "bending")
+    };
+    // ∫ F x² / (E π d⁴ / 64) dx over the cone and the 20 mm of stock behind it: 0.0078 mm and 0.0022 mm with 428 N over 50 mm of stock.
+    let [slim, stout] = ["2", "10"].map(bending);
+    assert!((0.002..0.010).contains(&slim), "{slim}");
+    assert!((0.001..0.003).contains(&stout) && stout < slim, "{stout}");
+}
+
+/// What the jaws hold does not bend: with 45 of 60 mm in them, 10 mm of Ø 6 and 5 mm of Ø 8 are free.
+#[test]
+fn work_bends_in_front_of_the_jaws() {
+    let bending = |grip| {
+        let entries = [
+            ("path", "turning"),
+            ("stock-diameter", "8"),
+            ("finished-diameter", "6"),
+            ("length", "10"),
+            ("work-length", "60"),
+            ("material", "titanium"),
+            ("feed", "0.1"),
+            ("depth", "0.5"),
+            ("start-x", "80"),
+            ("grip", grip),
+        ];
+        value(&project("gsk-980tdc", &entries), "bending")
+    };
+    let [long, short] = ["15", "45"].map(bending);
+    assert!(long > 15.0 * short && (0.01..0.02).contains(&short), "{long} {short}");
+}
+
+#[test]
+fn code_has_one_function() {
+    let codes = |entries: &[(&'static str, &str)]| -> Vec<&str> {
+        errors(&keyway(entries))
+            .into_iter()
+            .filter(|(_, id)| *id == "turning.code-twice")
+            .map(|(field, _)| field)
+            .collect()
+    };
+    assert_eq!(codes(&[("lock-code", "25"), ("release-code", "25")]), ["release-code"]);
+    assert_eq!(
+        codes(&[("lock-code", "25"), ("release-code", "26"), ("driven-code", "27"), ("driven-stop", "27")]),
+        ["driven-stop"]
+    );
+    assert_eq!(
+        codes(&[("lock-code", "25"), ("release-code", "26"), ("driven-code", "27"), ("driven-stop", "28")]),
+        [""; 0]
+    );
+}
+
+/// Who locks the spindle by hand is told to release it, before the next start drives it against the pin.
+#[test]
+fn spindle_locked_by_hand_is_released() {
+    let text = &keyway(&[("lock-code", "0")]).written().files.0[0].text;
+    let [lock, release] =
+        ["LOCK THE SPINDLE BY HAND", "RELEASE THE SPINDLE BY HAND"].map(|words| text.find(words).expect(words));
+    assert!(lock < release && text[release..].contains("M30"), "{text}");
+}
+
+/// A tailstock stands in front of the work: the turret turns beside it alone.
+#[test]
+fn turret_turns_beside_work_that_a_tailstock_holds() {
+    let entries = |start, tailstock| {
+        [
+            ("path", "turning"),
+            ("finished-diameter", "60"),
+            ("length", "60"),
+            ("start-x", start),
+            ("start-z", "60"),
+            ("tailstock", tailstock),
+        ]
+    };
+    let found = |start, tailstock| errors(&project("fanuc-0i-tf", &entries(start, tailstock)));
+    assert_eq!(found("139", "false"), []);
+    assert_eq!(found("139", "true"), [("start-x", "lathe.turret-hits-tailstock")]);
+    assert_eq!(found("140", "true"), []);
+    let text = &project("fanuc-0i-tf", &entries("145", "true")).written().files.0[0].text;
+    assert!(!text.contains("GE #102+#126*2]GOTO18") && text.contains("LT #102+#126*2]GOTO"), "{text}");
+}
+
+/// The speed limit holds the work below the cutting speed of the form: the advice names one that is below it.
+#[test]
+fn cutting_speed_of_an_advice_suffices() {
+    let entries = [
+        ("path", "turning"),
+        ("stock-diameter", "40"),
+        ("finished-diameter", "30"),
+        ("length", "30"),
+        ("work-length", "60"),
+        ("grip", "25"),
+        ("material", "aluminium"),
+        ("cutting-speed", "800"),
+        ("feed", "0.3"),
+        ("depth", "2.5"),
+        ("upper-limit", "5000"),
+        ("chuck-limit", "6000"),
+        ("stage-1", "2000"),
+        ("stage-2", "6000"),
+        ("motor-top", "6000"),
+    ];
+    let lathe = project("fanuc-0i-tf", &entries);
+    let row = readout(&lathe, "power");
+    assert_eq!(row.verdict, Verdict::Fail);
+    let slower = lathe.with_entries(&row.advice[0].entries).unwrap();
+    assert_eq!(readout(&slower, "power").verdict, Verdict::Ok, "{:?}", row.advice);
 }
