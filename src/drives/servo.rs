@@ -57,6 +57,12 @@ impl Acceptance {
         Acceptance { inertia_ratio, peak: 0.8, effective: 0.8 }
     }
 
+    /// Limits of a form: the ratio of inertias, and the share (%) of the stall torque. A motor taken from the list sets those of its series,
+    /// so that form and list judge it alike.
+    pub fn of_form(inertia_ratio: f64, effective_percent: f64) -> Acceptance {
+        Acceptance { effective: effective_percent / 100.0, ..Acceptance::mitsubishi(inertia_ratio) }
+    }
+
     /// Limits for a number of starts per minute. A stiff coupling of motor speed and load needs a ratio of inertias of at most 3 above 100
     /// starts, and of 5 above 60. Source: sizing facts 2.3, MELSERVO J2S.
     pub fn at_starts(self, per_minute: f64) -> Acceptance {
@@ -71,6 +77,32 @@ impl Acceptance {
     /// Limits at a site that reduces the continuous torque to a share. The peak torque stays, because it heats the motor too briefly.
     pub fn derated(self, share: f64) -> Acceptance {
         Acceptance { effective: self.effective * share, ..self }
+    }
+}
+
+/// A servo motor with its limits, as a form has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedMotor {
+    /// Its ratings; the rotor is 0 where the load includes it.
+    pub motor: Servo,
+    /// Its limits, reduced by starts and site.
+    pub limits: Acceptance,
+}
+
+impl FittedMotor {
+    /// Greatest torque (Nm) that its limits allow for a short time at a speed in r/min.
+    pub fn short_time_limit(&self, speed: f64) -> f64 {
+        self.limits.peak * self.motor.short_time_torque(speed)
+    }
+
+    /// Greatest effective torque (Nm) that its limits allow at standstill and at low speeds.
+    pub fn stall_limit(&self) -> f64 {
+        self.limits.effective * self.motor.stall
+    }
+
+    /// Greatest effective torque (Nm) that its limits allow at a mean speed in r/min.
+    pub fn continuous_limit(&self, mean_speed: f64) -> f64 {
+        self.limits.effective * self.motor.stall.min(self.motor.continuous(mean_speed))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::drives::ShortTime;
 use crate::drives::holding_brake;
 use crate::drives::load::{Load, Move, Phase};
-use crate::drives::servo::{Acceptance, Servo};
+use crate::drives::servo::FittedMotor;
 use crate::drives::shaft_motion::{CutSpan, Motion, OperatingPoint, SpeedSegment, Strikes};
 use crate::drives::spindle_motor::MotorCurve;
 use crate::math::RPM;
@@ -41,27 +41,11 @@ pub struct DrivenAxis {
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
     /// The motor that the form has.
-    pub fitted: Fitted,
+    pub fitted: FittedMotor,
     /// Share of its continuous torque that the site leaves a motor, 0 to 1.
     pub site_share: f64,
     /// Fields of the form that take another motor; none where the form has the power of the drive alone.
     pub fields: Option<&'static MotorFields>,
-}
-
-/// The motor that a form has.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fitted {
-    /// Its ratings; the rotor is 0 where the load includes it.
-    pub motor: Servo,
-    /// Its limits.
-    pub limits: Acceptance,
-}
-
-impl Fitted {
-    /// Greatest torque (Nm) that its limits allow at a speed in r/min.
-    pub fn torque_limit(&self, speed: f64) -> f64 {
-        self.limits.peak * self.motor.short_time_torque(speed)
-    }
 }
 
 /// Ids of the fields of a servo motor in a form. Torques in Nm, rotor in kg cm², speeds in r/min.

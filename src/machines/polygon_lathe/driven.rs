@@ -6,9 +6,9 @@ use super::params::Params;
 use super::path::{self, PassStep, time};
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::load::{Load, through_gear};
-use crate::drives::servo::{Acceptance, Servo};
+use crate::drives::servo::{Acceptance, FittedMotor, Servo};
 use crate::drives::shaft_motion::Strikes;
-use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, GaugeRow};
+use crate::machines::driven::{CoastedAxes, DrivenAxis, GaugeRow};
 use crate::machines::knobs;
 use crate::machines::slides::{self, HasSlides, ServoSlide, SlideDuty};
 use crate::math::PI;
@@ -54,7 +54,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             starts_per_minute: 0.0,
             // Wheels of the lathe itself.
             gear: None,
-            fitted: Fitted { motor, limits: WHOLE.derated(p.site_share / 100.0) },
+            fitted: FittedMotor { motor, limits: WHOLE.derated(p.site_share / 100.0) },
             site_share: p.site_share / 100.0,
             fields: None,
         }

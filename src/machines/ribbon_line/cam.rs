@@ -84,7 +84,7 @@ impl Cam {
 
     /// Torque at the motor's shaft per acceleration of the roller's surface, Nm per m/s²: `(J_L / η + J_M) i / R`.
     fn inertia(&self) -> f64 {
-        self.axis.load.accelerating(self.axis.motor.rotor, self.turn, 1.0)
+        self.axis.load.accelerating(self.axis.fitted.motor.rotor, self.turn, 1.0)
     }
 
     /// Fastest surface speed, m/s: in the contact or in the correction, whichever is greater.
@@ -115,13 +115,13 @@ impl Cam {
 
     /// Greatest torque that the limits allow at the highest speed of the motor, Nm.
     pub(super) fn torque_limit(&self) -> f64 {
-        self.axis.limits.peak * self.axis.motor.short_time_torque(self.motor_speed())
+        self.axis.fitted.short_time_limit(self.motor_speed())
     }
 
     /// Greatest effective torque that the limits allow on this site at the mean speed of the motor, Nm.
     pub(super) fn effective_torque_limit(&self) -> f64 {
         let mean = self.correction.speed * self.correction.arc / self.correction.pitch * self.turn / RPM;
-        self.axis.effective_torque_limit(mean)
+        self.axis.fitted.continuous_limit(mean)
     }
 
     /// The cam at another speed of the ribbon, m/s.
@@ -140,7 +140,7 @@ impl Cam {
 
     /// Acceleration of the roller's surface, m/s², by the peak torque that the steady torque leaves up to rated speed, over inertia.
     fn left(&self) -> f64 {
-        let most = self.axis.limits.peak * self.axis.motor.peak;
+        let most = self.axis.fitted.limits.peak * self.axis.fitted.motor.peak;
         (most - self.axis.load.torque).max(0.0) / self.inertia()
     }
 
@@ -148,7 +148,7 @@ impl Cam {
     pub(super) fn speed_by_peak(&self) -> f64 {
         let most = self.correction.speed_at(self.law, self.left());
         self.speed_within(most, |cam| {
-            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.peak_torque() <= cam.torque_limit()
+            cam.motor_speed() <= cam.axis.fitted.motor.rated_speed || cam.peak_torque() <= cam.torque_limit()
         })
     }
 
@@ -161,18 +161,18 @@ impl Cam {
         let linear = per_speed.peak_speed(self.law).abs().max(1.0) / self.axis.ramp;
         let most = 2.0 * left / (linear + (linear * linear + 4.0 * square * left).sqrt());
         self.speed_within(most, |cam| {
-            cam.motor_speed() <= cam.axis.motor.rated_speed || cam.start_torque() <= cam.torque_limit()
+            cam.motor_speed() <= cam.axis.fitted.motor.rated_speed || cam.start_torque() <= cam.torque_limit()
         })
     }
 
     /// Highest ribbon speed by the effective torque, mm/min. Source: checked as E8.
     pub(super) fn speed_by_heat(&self) -> f64 {
-        let (most, steady) = (self.axis.limits.effective * self.axis.motor.stall, self.axis.load.torque);
+        let (most, steady) = (self.axis.fitted.stall_limit(), self.axis.load.torque);
         let left = (most * most - steady * steady).max(0.0).sqrt();
         let most = self.correction.speed_at_effective(self.law, left / self.inertia());
-        let flat = self.axis.motor.rated >= self.axis.motor.stall;
+        let flat = self.axis.fitted.motor.rated >= self.axis.fitted.motor.stall;
         self.speed_within(most, |cam| {
-            let below = flat && cam.motor_speed() <= cam.axis.motor.rated_speed;
+            let below = flat && cam.motor_speed() <= cam.axis.fitted.motor.rated_speed;
             below || cam.effective_torque() <= cam.effective_torque_limit()
         })
     }

@@ -10,8 +10,8 @@ use crate::drives::ShortTime;
 use crate::drives::load::{Load, Move};
 use crate::drives::shaft_motion::Strikes;
 use crate::machines::driven::{
-    DrivenAxis, Fitted, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive,
-    MotorFields, ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
+    DrivenAxis, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive, MotorFields,
+    ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
 };
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
@@ -70,7 +70,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         lasting: None,
         starts_per_minute: 0.0,
         gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
-        fitted: Fitted { motor: of.motor, limits: of.limits },
+        fitted: of.fitted,
         site_share: p.site().share(),
         fields: Some(fields),
     };

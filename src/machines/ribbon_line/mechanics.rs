@@ -7,7 +7,7 @@ use crate::drives::block;
 use crate::drives::duty::{counted_pause, with_pause};
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
-use crate::drives::servo::{Acceptance, MotorDemand, Servo, Shares};
+use crate::drives::servo::{Acceptance, FittedMotor, MotorDemand, Servo, Shares};
 use crate::drives::web;
 use crate::math::RPM;
 
@@ -19,8 +19,7 @@ pub(super) const GRIP: f64 = 50.0;
 pub(super) struct ServoAxis {
     /// Load at the motor's shaft, without the rotor.
     pub load: Load,
-    pub motor: Servo,
-    pub limits: Acceptance,
+    pub fitted: FittedMotor,
     /// Load at the output of the gear.
     pub output: Load,
     /// Seconds of a ramp.
@@ -99,24 +98,35 @@ impl ServoAxis {
         let peak = others.fold((load.torque + rise).abs().max(taut.abs()), f64::max);
         let demand = MotorDemand { peak, effective, speed: side.rpm };
         let limits = limits.at_starts(starts(p, d)).derated(p.site().share());
-        ServoAxis { load, output, motor, limits, ramp, hold, rise, taut, output_taut: side.taut, mean_speed, demand }
+        ServoAxis {
+            load,
+            output,
+            fitted: FittedMotor { motor, limits },
+            ramp,
+            hold,
+            rise,
+            taut,
+            output_taut: side.taut,
+            mean_speed,
+            demand,
+        }
     }
 
     /// Demand of the run as shares of the motor's ratings.
     pub(super) fn shares(&self) -> Shares {
-        self.motor.shares(&self.load, &self.demand)
+        self.fitted.motor.shares(&self.load, &self.demand)
     }
 
     /// Seconds of the shortest ramp, up and down, with the torque that the limits leave; infinite where standstill takes more.
     pub(super) fn shortest_ramp(&self) -> f64 {
-        let torque = self.limits.peak * self.motor.short_time_torque(self.demand.speed);
+        let torque = self.fitted.short_time_limit(self.demand.speed);
         let speed = self.demand.speed * RPM;
         let left = torque + self.load.torque;
         if left <= 0.0 || self.hold.abs() > torque {
             return f64::INFINITY;
         }
-        let fall = self.load.braking(self.motor.rotor, speed, 1.0) / left;
-        self.load.shortest_ramp(self.motor.rotor, speed, torque).max(fall)
+        let fall = self.load.braking(self.fitted.motor.rotor, speed, 1.0) / left;
+        self.load.shortest_ramp(self.fitted.motor.rotor, speed, torque).max(fall)
     }
 
     /// Whether the torque at the teeth of its gear changes its sign while dots are printed: without a steady torque, and at exact stop
@@ -131,22 +141,11 @@ impl ServoAxis {
         }
     }
 
-    /// Greatest effective torque (Nm) that the limits allow at a mean speed in r/min.
-    pub(super) fn effective_torque_limit(&self, mean_speed: f64) -> f64 {
-        self.limits.effective * self.motor.stall.min(self.motor.continuous(mean_speed))
-    }
-
     /// Energy in J that a stop gives back, from its speed or from the highest one of its motor.
     pub(super) fn stop_energy(&self) -> f64 {
-        let speed = self.demand.speed.min(self.motor.top_speed) * RPM;
-        self.load.stop_energy(self.motor.rotor, speed, self.ramp).max(0.0)
+        let speed = self.demand.speed.min(self.fitted.motor.top_speed) * RPM;
+        self.load.stop_energy(self.fitted.motor.rotor, speed, self.ramp).max(0.0)
     }
-}
-
-/// Limits of the form: the ratio of inertias, and the share (%) of the stall torque. A motor taken from the list sets those of its series,
-/// so that form and list judge it alike.
-fn limits(inertia_ratio: f64, effective: f64) -> Acceptance {
-    Acceptance { effective: effective / 100.0, ..Acceptance::mitsubishi(inertia_ratio) }
 }
 
 /// Starts of the axes in a minute: each block with exact stop is one.
@@ -255,7 +254,8 @@ impl Mechanics {
         let torques = ((pull.rated, pull.stall, pull.peak), (print.rated, print.stall, print.peak));
         let pull_motor = servo(torques.0, pull.rotor, p.motor_rated_x, p.motor_max_x);
         let print_motor = servo(torques.1, print.rotor, p.motor_rated_y, p.motor_max_y);
-        let pull_axis = ServoAxis::new(&pull_side, pull_motor, limits(pull.inertia_limit, pull.effective_limit), p, d);
+        let pull_axis =
+            ServoAxis::new(&pull_side, pull_motor, Acceptance::of_form(pull.inertia_limit, pull.effective_limit), p, d);
         let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
         let unwinder = unwinder_torque(p, unwinding.brake);
@@ -267,7 +267,13 @@ impl Mechanics {
         Mechanics {
             pull: pull_axis,
             tautest,
-            print: ServoAxis::new(&print_side, print_motor, limits(print.inertia_limit, print.effective_limit), p, d),
+            print: ServoAxis::new(
+                &print_side,
+                print_motor,
+                Acceptance::of_form(print.inertia_limit, print.effective_limit),
+                p,
+                d,
+            ),
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
             allowed_tension: d.tension_limit.min(web.tension_behind + GRIP / 100.0 * grip.0 * grip.1),

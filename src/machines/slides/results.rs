@@ -125,7 +125,7 @@ const SCREW: Citation = Citation::new("sizing facts 2.13", Grade::Open);
 const LIMITS: Citation = Citation::new("sizing facts 2.3", Grade::Inferred);
 
 fn speed<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgement> {
-    let (speed, most) = (slide.rapid_speed(), slide.motor.top_speed);
+    let (speed, most) = (slide.rapid_speed(), slide.fitted.motor.top_speed);
     if speed <= most {
         return ok(AtMost(most));
     }
@@ -146,7 +146,7 @@ fn whirl<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
 }
 
 fn inertia(slide: &ServoSlide) -> Option<Judgement> {
-    let (ratio, most) = (slide.inertia_ratio(), slide.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO));
+    let (ratio, most) = (slide.inertia_ratio(), slide.fitted.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO));
     if ratio <= most {
         return ok(AtMost(most));
     }

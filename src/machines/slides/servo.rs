@@ -3,10 +3,10 @@
 use super::form::SlideParams;
 use super::lathe::LatheSlides;
 use crate::drives::inertia::{CM2, Cylinder, STEEL};
-use crate::drives::servo::{Acceptance, Servo, WEIGHT_SHARE};
+use crate::drives::servo::{Acceptance, FittedMotor, Servo, WEIGHT_SHARE};
 use crate::drives::shaft_motion::Strikes;
 use crate::drives::slide::Slide;
-use crate::machines::driven::{DrivenAxis, Fitted, MotorFields};
+use crate::machines::driven::{DrivenAxis, MotorFields};
 use crate::machines::machine::Machine;
 use crate::math::{self, PI, RPM};
 use crate::motion::Mover;
@@ -31,8 +31,7 @@ pub(in crate::machines) struct ServoSlide {
     /// Index of its axis on the control.
     pub at: usize,
     pub slide: Slide,
-    pub motor: Servo,
-    pub limits: Acceptance,
+    pub fitted: FittedMotor,
     /// Greatest ratio of inertias by the form, before that of many starts.
     pub form_inertia_limit: f64,
     /// Share of its continuous torque that the site leaves the motor, 0 to 1.
@@ -99,8 +98,7 @@ impl LatheSlides {
             density: STEEL,
         };
         let site_share = duty.site_share / 100.0;
-        let limits =
-            Acceptance { effective: form.effective_limit / 100.0, ..Acceptance::mitsubishi(form.inertia_limit) };
+        let limits = Acceptance::of_form(form.inertia_limit, form.effective_limit);
         ServoSlide {
             at: place.at,
             slide: Slide {
@@ -112,16 +110,18 @@ impl LatheSlides {
                 gear: form.screw_teeth / form.motor_teeth,
                 efficiency: self.efficiency / 100.0,
             },
-            motor: Servo {
-                rated: form.rated,
-                stall: form.stall,
-                peak: form.peak,
-                rated_speed: form.rated_speed,
-                top_speed: form.top_speed,
-                rotor: form.rotor * CM2,
+            fitted: FittedMotor {
+                motor: Servo {
+                    rated: form.rated,
+                    stall: form.stall,
+                    peak: form.peak,
+                    rated_speed: form.rated_speed,
+                    top_speed: form.top_speed,
+                    rotor: form.rotor * CM2,
+                },
+                limits: limits.at_starts(duty.starts_per_minute).derated(site_share),
             },
             form_inertia_limit: form.inertia_limit,
-            limits: limits.at_starts(duty.starts_per_minute).derated(site_share),
             site_share,
             rapid: form.rapid,
             ramp: self.ramp(),
@@ -140,7 +140,7 @@ impl ServoSlide {
 
     /// Load inertia over rotor inertia.
     pub(super) fn inertia_ratio(&self) -> f64 {
-        self.slide.load().inertia / self.motor.rotor
+        self.slide.load().inertia / self.fitted.motor.rotor
     }
 
     /// Speed of the motor at rapid traverse, r/min.
@@ -156,7 +156,7 @@ impl ServoSlide {
 
     /// Greatest torque of a rapid traverse, Nm: its start upwards.
     pub(super) fn rapid_torque(&self) -> f64 {
-        let acceleration = self.slide.load().accelerating(self.motor.rotor, self.rapid_speed() * RPM, self.ramp);
+        let acceleration = self.slide.load().accelerating(self.fitted.motor.rotor, self.rapid_speed() * RPM, self.ramp);
         self.steady() + acceleration
     }
 
@@ -178,24 +178,24 @@ impl ServoSlide {
 
     /// Torque (Nm) that the limits leave the motor for a short time at rapid traverse.
     pub(super) fn rapid_torque_limit(&self) -> f64 {
-        self.limits.peak * self.motor.short_time_torque(self.rapid_speed())
+        self.fitted.short_time_limit(self.rapid_speed())
     }
 
     /// Torque (Nm) that the limits leave the motor continuously at the low speed of a feed.
     pub(super) fn cut_torque_limit(&self) -> f64 {
-        self.limits.effective * self.motor.stall
+        self.fitted.stall_limit()
     }
 
     /// Torque (Nm) that the limits leave the motor for holding a weight.
     pub(super) fn hold_torque_limit(&self) -> f64 {
-        WEIGHT_SHARE * self.site_share * self.motor.stall
+        WEIGHT_SHARE * self.site_share * self.fitted.motor.stall
     }
 
     /// Seconds of the shortest ramp to rapid traverse; infinite where friction and weight take all torque.
     pub(super) fn shortest_ramp(&self) -> f64 {
         let left = self.rapid_torque_limit() - self.steady();
         if left > 0.0 {
-            self.slide.load().accelerating(self.motor.rotor, self.rapid_speed() * RPM, 1.0) / left
+            self.slide.load().accelerating(self.fitted.motor.rotor, self.rapid_speed() * RPM, 1.0) / left
         } else {
             f64::INFINITY
         }
@@ -218,7 +218,7 @@ impl ServoSlide {
             starts_per_minute: self.starts_per_minute,
             // Wheels or a belt of the lathe itself.
             gear: None,
-            fitted: Fitted { motor: self.motor, limits: self.limits },
+            fitted: self.fitted,
             site_share: self.site_share,
             fields: Some(fields),
         }

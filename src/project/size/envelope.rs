@@ -6,7 +6,7 @@
 use super::choice::ampere_per_torque;
 use super::runs::{SizingRuns, WholeRun, finish, plan};
 use crate::drives::shaft_motion::OperatingPoint;
-use crate::machines::driven::{CoastedAxes, DrivenAxis, Fitted, Gauge, ProductSize};
+use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
 use crate::machines::sheets::say;
 use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::math;
@@ -442,9 +442,9 @@ impl Envelope<'_> {
 
     /// Effective torque of the form's motor over a whole run and the pause after it: it heats the motor.
     fn heat(&self, event: OperatingEvent, axis: &DrivenAxis, whole: &WholeRun) -> EnvelopeRow {
-        let Fitted { motor, limits } = axis.fitted;
-        let effective = whole.motion(axis).with_pause(self.prepared.pause()).motor_load(motor.rotor).effective;
-        let limit = Some(Limit::AtMost(limits.effective * motor.stall));
+        let rotor = axis.fitted.motor.rotor;
+        let effective = whole.motion(axis).with_pause(self.prepared.pause()).motor_load(rotor).effective;
+        let limit = Some(Limit::AtMost(axis.fitted.stall_limit()));
         EnvelopeRow {
             id: format!("{}-effective-torque", axis.id),
             label: HEAT,
@@ -469,7 +469,7 @@ impl Envelope<'_> {
             }
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
             let OperatingPoint { torque, speed, .. } = worst_point(axis, &stretches, works.as_deref());
-            let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.torque_limit(speed));
+            let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.short_time_limit(speed));
             let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
                 id: format!("{}-current", axis.id),
                 label: "size.current",

@@ -94,7 +94,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts 2.1", Grade::Inferred),
         value: |line| {
             let axis = &line.mechanics.print;
-            inertia::best_ratio(axis.output.inertia, axis.motor.rotor + line.p.print.gear_inertia * CM2)
+            inertia::best_ratio(axis.output.inertia, axis.fitted.motor.rotor + line.p.print.gear_inertia * CM2)
         }, ..ReadoutRow::BASE
     },
     ReadoutRow {

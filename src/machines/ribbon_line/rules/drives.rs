@@ -42,7 +42,7 @@ pub(in crate::machines::ribbon_line) fn here(limit: f64, now: f64, fast: f64) ->
 }
 
 fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
-    let most = fast.limits.peak * fast.motor.short_time_torque(fast.demand.speed);
+    let most = fast.fitted.short_time_limit(fast.demand.speed);
     let limit = AtMost(here(most, now.demand.peak, fast.demand.peak));
     if limit.holds(now.demand.peak) {
         return ok(limit);
@@ -51,7 +51,7 @@ fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     if ramp > field_max(FIELDS, "time-constant-x") {
         return fail(
             limit,
-            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.demand.peak / fast.limits.peak, 2)))],
+            [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.demand.peak / fast.fitted.limits.peak, 2)))],
         );
     }
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
@@ -65,7 +65,7 @@ fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
 
 fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = (&line.mechanics.pull, &line.fast_mechanics.pull);
-    let most = fast.limits.peak * fast.motor.short_time_torque(fast.demand.speed);
+    let most = fast.fitted.short_time_limit(fast.demand.speed);
     if fast.taut.abs() <= most {
         return peak(now, fast);
     }
@@ -80,17 +80,17 @@ fn peak_y(line: &RibbonLine) -> Option<Judgement> {
 }
 
 fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
-    let most = fast.effective_torque_limit(fast.mean_speed);
+    let most = fast.fitted.continuous_limit(fast.mean_speed);
     let limit = AtMost(here(most, now.demand.effective, fast.demand.effective));
     if limit.holds(now.demand.effective) {
         return ok(limit);
     }
-    if most < fast.effective_torque_limit(0.0) {
+    if most < fast.fitted.continuous_limit(0.0) {
         let (torque, speed, limit_there) = ((fast.demand.effective, 2), (fast.mean_speed, 0), (most, 2));
         return fail(limit, [Advice::from(msg!("ribbon.warm-at-speed", torque, speed, limit = limit_there))]);
     }
-    let stall = fast.demand.effective / fast.limits.effective;
-    let share = (100.0 * fast.limits.effective, 1);
+    let stall = fast.demand.effective / fast.fitted.limits.effective;
+    let share = (100.0 * fast.fitted.limits.effective, 1);
     fail(
         limit,
         [Advice::from(msg!(
@@ -112,7 +112,7 @@ fn effective_y(line: &RibbonLine) -> Option<Judgement> {
 }
 
 fn inertia(axis: &ServoAxis) -> Option<Judgement> {
-    let (most, ratio) = (axis.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO), axis.shares().inertia_ratio);
+    let (most, ratio) = (axis.fitted.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO), axis.shares().inertia_ratio);
     let limit = AtMost(most);
     if limit.holds(ratio) {
         return ok(limit);

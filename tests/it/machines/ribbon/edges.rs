@@ -1,6 +1,6 @@
 //! The ribbon line at the edges of its operation: a motor above its rated frequency or slower than its slip, feed in step, loops too long to build.
 
-use macroline::motion::{Budget, RunEnd};
+use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
 use macroline::project::repairs::repairs;
 use macroline::project::run::{self, RunOptions};
@@ -230,7 +230,8 @@ fn line_with_a_final_speed_starts() {
     for variant in ["ready-made", "published", "precomputed"] {
         let entries = [("override-form", "final-speed"), ("variant", variant), ("pitch-count", "20")];
         let line = project("mitsubishi-e60", &entries);
-        let begin = RunOptions { limits: Budget { blocks: 10_000, seconds: 60.0 }, ..RunOptions::default() };
+        let limits = Budget { blocks: 10_000, seconds: 60.0 };
+        let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
         let mut planner = run::of_project(&line, &line.written(), &begin);
         assert_eq!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(RunEnd::ProgramEnd), "{variant}");
     }
