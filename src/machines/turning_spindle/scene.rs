@@ -188,7 +188,7 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
         };
         let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
         d.path([arrows, ends].concat(), Look::LEAD);
-        let text = format!("{} {}", say(id), units::short(to - from, 3));
+        let text = format!("{} {}", say(id), units::text(to - from, 3, "mm"));
         let width = LETTER_BOX.width * LETTER * UNIT * columns(&text) as f64;
         let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
         let (at, anchor) = if right - left > width + 20.0 {

@@ -62,7 +62,7 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
     let times = format!("{} ×", show(magnification(p, layout), 0));
     // The depth of cut below its dimension line, the scale in the middle below.
-    let value = units::short(p.depth, 3);
+    let value = units::text(p.depth, 3, "mm");
     let room = 60.0 - 0.3 * LETTER * UNIT * columns(&value) as f64;
     let below = ((0.5 * depth).min(room).max(0.0), 40.0);
     let (at, anchor) = if p.path == Path::Facing { (below, Anchor::Middle) } else { ((-58.0, 24.0), Anchor::Start) };
