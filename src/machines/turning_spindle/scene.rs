@@ -146,8 +146,8 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         callout(
             d,
             "keyway-angle",
-            (RIGHT, ROW + 3.0 * BLOCK),
-            Anchor::End,
+            (SLIDES.0, SLIDES.1 + 74.0),
+            Anchor::Start,
             "turning.scene.angle",
             &[(Some(node::ANGLE), "")],
             None,
@@ -159,7 +159,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 /// Left ends of the labels in the row above the machine.
 const STOCK: f64 = 292.0;
 const FINISHED: f64 = 402.0;
-const TOOL: f64 = 508.0;
+const TOOL: f64 = 506.0;
 const LEFT: f64 = 680.0;
 /// Right end of the column at the right, and height of a label in it.
 const RIGHT: f64 = 1036.0;

@@ -19,7 +19,7 @@ const FARTHEST: f64 = 826.0;
 /// Left end of the tailstock's body.
 pub(super) const TAIL: f64 = 944.0;
 /// Centre and radius of the lens, and of one above the tailstock.
-const LENS: (f64, f64, f64) = (956.0, 400.0, 78.0);
+const LENS: (f64, f64, f64) = (956.0, 388.0, 78.0);
 const HIGH_LENS: (f64, f64, f64) = (962.0, 286.0, 66.0);
 
 /// Layout of the part in the drawing.
