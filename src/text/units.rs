@@ -142,17 +142,11 @@ pub fn figure(number: f64, places: u8, metric: &str) -> String {
     with_unit(&number::figure(value(number, metric), decimals(places, metric)), metric)
 }
 
-/// A length in a drawing, with millimetres without their unit: `100`, `3.94″`.
+/// A length in a drawing, with millimetres without their unit: `100`, `3.94 in`.
 pub fn dimension(number: f64, places: u8) -> String {
-    let mark = if shown() == Lengths::Inches { "″" } else { "" };
-    [plain(number, places, "mm").as_str(), mark].concat()
-}
-
-/// A length with the shortest sign of its unit, for little space: `1 mm`, `0.0394″`.
-pub fn short(number: f64, places: u8) -> String {
     match shown() {
-        Lengths::Millimetres => text(number, places, "mm"),
-        Lengths::Inches => dimension(number, places),
+        Lengths::Millimetres => plain(number, places, "mm"),
+        Lengths::Inches => text(number, places, "mm"),
     }
 }
 

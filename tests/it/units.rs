@@ -83,7 +83,7 @@ fn figures_have_the_units_that_are_shown() {
         1640 ft
         12.5 Nm
         6
-        3.94″"#]]
+        3.94 in"#]]
     .assert_eq(&in_inches(shown));
 }
 

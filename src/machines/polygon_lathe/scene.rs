@@ -19,12 +19,12 @@ use super::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::text::catalog::number_text as show;
 use crate::text::number::filled;
-use crate::text::units;
+use crate::text::{columns as columns_of, units};
 use crate::view::Scene;
 use crate::view::drawing::{Callout, Drawing};
-use crate::view::letters::Anchor;
+use crate::view::letters::{Anchor, LETTER_BOX};
 use crate::view::look::{Look, Paint};
-use crate::view::scene::{Font, SceneGroup};
+use crate::view::scene::{Font, LETTER, SceneGroup};
 pub(super) use cutter::{distance, figure_at};
 pub(super) use front::traces;
 pub(super) use ids::{TIPS, group, node};
@@ -58,15 +58,18 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
 /// Base line of the names over the machine, and of those below the lens.
 const ROW: f64 = 80.0;
 const LOW_ROW: f64 = 239.0;
-/// Base lines of the state, of the heading of the view from above, and of the first figure of the slides below it.
-const STATE: f64 = 298.0;
+/// Base lines of the heading of the view from above, and of the first figure of the slides below it.
 const ABOVE: f64 = 331.0;
 const SLIDES: f64 = 593.0;
-/// Least left ends of the labels of work and cutter, width of the former, right end of those at the right.
+/// Left ends of the two columns of details, under lens and section, and of the pass between them.
+const DETAILS: [f64; 2] = [632.0, 820.0];
+const PASS: f64 = 736.0;
+/// Right end of the details.
+const RIGHT: f64 = 1008.0;
+/// Least left ends of the labels of work and cutter, and width of the former.
 const WORK: f64 = 180.0;
 const CUTTER: f64 = 350.0;
 const WIDE: f64 = 165.0;
-const RIGHT: f64 = 1008.0;
 /// Distance of the cutter's leader to the left of its texts, beside which it begins.
 const BESIDE: f64 = 8.0;
 
@@ -75,6 +78,14 @@ fn columns(lathe: &PolygonLathe, layout: &Layout) -> (f64, f64) {
     let contact = lathe.polygons().map(|polygon| layout.contact(polygon).0).fold(0.0, f64::max);
     let work = WORK.max(contact + 14.0);
     (work, CUTTER.max(work + WIDE))
+}
+
+/// Place and anchor of the label of the section: in its column, or at the right end where a long number of the pass reaches into the column.
+fn beside_passes(lathe: &PolygonLathe) -> (f64, Anchor) {
+    let passes: usize = lathe.polygons().map(|polygon| polygon.sizes.len()).sum();
+    let longest = columns_of(&format!("{passes} / {passes}"));
+    let end = PASS + LETTER_BOX.width * LETTER * UNIT * longest as f64;
+    if end < DETAILS[1] { (DETAILS[1], Anchor::Start) } else { (RIGHT, Anchor::End) }
 }
 
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
@@ -100,23 +111,24 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
     let values = [(Some(node::TOOL_SPEED), ""), (Some(node::RADIUS), radius.as_str())];
     callout(d, "tip-radius", (cutter, ROW), Anchor::Start, &name, &values, None);
-    callout(d, "", (632.0, LOW_ROW), Anchor::Start, &say("polygon.scene.phase"), &[(Some(node::PHASE), "")], None);
-    callout(d, "depth", (748.0, LOW_ROW), Anchor::Start, &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
+    let ahead = [(Some(node::PHASE), ""), (Some(node::STATE), "")];
+    callout(d, "", (DETAILS[0], LOW_ROW), Anchor::Start, &say("polygon.scene.phase"), &ahead, None);
+    callout(d, "depth", (PASS, LOW_ROW), Anchor::Start, &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
     let stock = format!("Ø {}", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
-    callout(d, "across-flats", (RIGHT, LOW_ROW), Anchor::End, &say("polygon.scene.close"), &values, None);
-    d.text((632.0, STATE), Anchor::Start, "", Font::Label, Paint::Ink).id = Some(node::STATE);
-    d.text((632.0, ABOVE), Anchor::Start, &say("polygon.scene.above"), Font::Label, Paint::Dim);
+    let (at, anchor) = beside_passes(lathe);
+    callout(d, "across-flats", (at, LOW_ROW), anchor, &say("polygon.scene.close"), &values, None);
+    d.text((DETAILS[0], ABOVE), Anchor::Start, &say("polygon.scene.above"), Font::Label, Paint::Dim);
+    // Below the slide at any of its positions.
+    side::draw_arrows(d, (DETAILS[0] + 14.0, SLIDES));
+    d.text((DETAILS[0] + 38.0, SLIDES), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::SIZE);
+    d.text((DETAILS[0] + 38.0, SLIDES + 24.0), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::ALONG);
     let start = format!("X{} Z{}", show(lathe.x_of(p.start_x), 3), show(p.start_z, 3));
     callout(d, "start-x", (RIGHT, 450.0), Anchor::End, &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
-        d.text((RIGHT, ABOVE), Anchor::End, &text, Font::Label, Paint::Dim);
+        d.text((DETAILS[1], ABOVE), Anchor::Start, &text, Font::Label, Paint::Dim);
     });
-    // Below the slide at any of its positions.
-    side::draw_arrows(d, (646.0, SLIDES));
-    d.text((670.0, SLIDES), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::SIZE);
-    d.text((670.0, SLIDES + 24.0), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::ALONG);
     // The distance of the axes, in the middle between them.
     d.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);
     let middle = (0.5 * (layout.work.0 + layout.cutter.0), cutter::DISTANCE);

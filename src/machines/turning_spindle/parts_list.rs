@@ -56,7 +56,7 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         ),
         part("turning.part.bed", 0, (700.0, 518.0), &[("", "lead-z"), ("", "rapid-z"), ("", "motor-z")]),
     ];
-    if layout.has_tailstock() {
+    if layout.holds_work {
         all.push(part("turning.part.tailstock", 0, (980.0, 420.0), &[]));
     }
     all

@@ -88,13 +88,13 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         |d: &mut Drawing, field: &'static str, at, anchor, id: &'static str, values: &[(Option<u16>, &str)], part| {
             d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
         };
-    d.text((252.0, 18.0), Anchor::Start, "", Font::Label, Paint::Dim).id = Some(node::BOUND);
+    d.text((instruments::PANEL[0], 22.0), Anchor::Start, "", Font::Label, Paint::Dim).id = Some(node::BOUND);
     let (left, radius) = layout.side(-layout.part_length, p.stock_diameter);
     let middle = 0.45 * (left.max(layout.chuck.front()) + layout.face) + 0.1 * layout.face;
     callout(
         d,
         "stock-diameter",
-        (252.0, ROW),
+        (STOCK, ROW),
         Anchor::Start,
         "turning.scene.stock",
         &[(None, &mm(p.stock_diameter))],
@@ -108,7 +108,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     callout(
         d,
         "finished-diameter",
-        (376.0, ROW),
+        (FINISHED, ROW),
         Anchor::Start,
         "turning.scene.finished",
         &finished[..count],
@@ -125,17 +125,19 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         None,
     );
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
-    callout(d, allowance, (664.0, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
+    callout(d, allowance, (LEFT, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
     callout(d, "depth", (RIGHT, ROW), Anchor::End, "turning.scene.pass", &[(Some(node::PASS), "")], None);
     let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 156.0), Anchor::End, "turning.scene.start", &[(None, &start)], None);
-    d.showing("clearance", |d| {
-        let text = format!("{} {}", say("turning.clearance"), mm(p.clearance));
-        d.text((RIGHT, 206.0), Anchor::End, &text, Font::Label, Paint::Dim);
-    });
-    let slides = [(Some(node::X), ""), (Some(node::Z), "")];
-    callout(d, "", (RIGHT, 230.0), Anchor::End, "turning.scene.slides", &slides, None);
-    if layout.has_tailstock() {
+    callout(d, "start-x", (RIGHT, ROW + BLOCK), Anchor::End, "turning.scene.start", &[(None, &start)], None);
+    let clearance = mm(p.clearance);
+    let values = [(None, clearance.as_str())];
+    callout(d, "clearance", (RIGHT, ROW + 2.0 * BLOCK), Anchor::End, "turning.clearance", &values, None);
+    let (name, values) = (say("turning.scene.slides"), [(Some(node::X), ""), (Some(node::Z), "")]);
+    d.callout_with(
+        &Callout { at: SLIDES, anchor: Anchor::Start, name: &name, values: &values, part: None },
+        SLIDE_LETTERS,
+    );
+    if layout.holds_work {
         d.text((980.0, 478.0), Anchor::Middle, &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
     }
     d.text((4.0, 250.0), Anchor::Start, "", Font::Label, Paint::Rim).id = Some(node::STAGE);
@@ -144,8 +146,8 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         callout(
             d,
             "keyway-angle",
-            (RIGHT, 104.0),
-            Anchor::End,
+            (SLIDES.0, SLIDES.1 + 74.0),
+            Anchor::Start,
             "turning.scene.angle",
             &[(Some(node::ANGLE), "")],
             None,
@@ -154,9 +156,17 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     length(d, p, layout);
 }
 
-/// Right end of labels, left end of the label at the tool.
-const RIGHT: f64 = 1008.0;
-const TOOL: f64 = 490.0;
+/// Left ends of the labels in the row above the machine.
+const STOCK: f64 = 292.0;
+const FINISHED: f64 = 402.0;
+const TOOL: f64 = 506.0;
+const LEFT: f64 = 680.0;
+/// Right end of the column at the right, and height of a label in it.
+const RIGHT: f64 = 1036.0;
+const BLOCK: f64 = 70.0;
+/// The figures of the slides, which never come between instruments and chuck themselves, and their most letters: `X -5 999.999`.
+const SLIDES: (f64, f64) = (236.0, 104.0);
+const SLIDE_LETTERS: usize = 12;
 /// Begin of the leader of the label at the tool: below its two lines where the letters are largest, and under their first letters.
 const LEADER: (f64, f64) = (TOOL + 26.0, ROW + 44.0);
 
@@ -188,15 +198,15 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
         };
         let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
         d.path([arrows, ends].concat(), Look::LEAD);
-        let text = format!("{} {}", say(id), units::short(to - from, 3));
+        let text = format!("{} {}", say(id), units::text(to - from, 3, "mm"));
         let width = LETTER_BOX.width * LETTER * UNIT * columns(&text) as f64;
-        let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
+        // At the left, where the carriage leaves it free, if there is room beside the chuck.
         let (at, anchor) = if right - left > width + 20.0 {
             ((0.5 * (left + right), y - 6.0), Anchor::Middle)
-        } else if room > width {
-            ((right + 30.0, y + 5.0), Anchor::Start)
+        } else if left - 26.0 - width > layout.chuck.base_front() {
+            ((left - 26.0, y + 5.0), Anchor::End)
         } else {
-            ((left - 30.0, y + 5.0), Anchor::End)
+            ((right + 30.0, y + 5.0), Anchor::Start)
         };
         d.text(at, anchor, &text, Font::Label, Paint::Ink);
     });

@@ -14,7 +14,7 @@ use crate::math;
 use crate::text::{headed, number, units};
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
-use crate::ui::state::{EditKey, Page, of_field};
+use crate::ui::state::{Page, of_field};
 use crate::ui::words::{sentence_with_hints, t};
 
 /// A field with label, unit, error, help and the origin of its value; a product field also with a slider.
@@ -56,6 +56,7 @@ pub(super) fn FormField(
             class:drags=drags
             class:slides=slides
             class:cause=move || page.view.causes.with(|causes| causes.contains(&id))
+            class:changed=move || page.marks.has(id)
             on:pointerdown=move |event| pressed.press(&event)
             on:mousedown=move |event| held.press_mouse(&event)
             on:pointermove=move |event| pulled.pull(&event)
@@ -179,7 +180,7 @@ fn TypedInput(
             Ok(value) => page.set(id, value),
             Err(problem) => {
                 if let Some(before) = before.get_value() {
-                    page.edit_merged(EditKey::Field(id), |project| drop(project.values.insert(id.to_owned(), before)));
+                    page.set(id, before);
                 }
                 page.entries.refuse(id, *problem);
             }
@@ -363,6 +364,36 @@ mod tests {
             (bench.value("#pitch").as_str(), bench.attribute("#pitch", "aria-invalid").as_str()),
             ("8", "false")
         );
+    }
+
+    #[wasm_bindgen_test]
+    async fn value_from_elsewhere_is_marked_and_said_once() {
+        let bench = mounted("pitch").await;
+        let said = || bench.page.notices.announcement.get_untracked();
+        bench.type_into("#pitch", "9").await;
+        assert_eq!((bench.has(".field.changed"), said().as_str()), (false, ""), "its own entry");
+        bench.page.take_entries(&[crate::view::FieldEntry::new("pitch", "10")]);
+        settled().await;
+        assert_eq!((bench.has(".field.changed"), said().as_str()), (true, "Changed: Pitch 10 mm."));
+        bench.type_into("#pitch", "9.5").await;
+        assert!(!bench.has(".field.changed"));
+        bench.page.undo();
+        settled().await;
+        assert_eq!((bench.has(".field.changed"), said().as_str()), (true, "Changed: Pitch 10 mm."));
+        // Another project is no change of this one.
+        bench.page.change_machine(crate::machines::ALL[1].id());
+        settled().await;
+        assert_eq!(said(), "Changed: Pitch 10 mm.");
+    }
+
+    #[wasm_bindgen_test]
+    async fn mark_of_a_changed_value_ends_by_itself() {
+        let bench = mounted("pitch").await;
+        bench.page.take_value("pitch", Value::Number(10.0));
+        settled().await;
+        assert!(bench.has(".field.changed"));
+        crate::ui::testing::pause(6100).await;
+        assert!(!bench.has(".field.changed"));
     }
 
     #[wasm_bindgen_test]

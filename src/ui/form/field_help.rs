@@ -63,7 +63,7 @@ fn Content(
     let default_text = default_text(&info, &default);
     let present = default.clone();
     let changed = move || value_of(page, &row) != present || page.entries.refused(id).is_some();
-    let reset = move |_| page.set(id, default.clone());
+    let reset = move |_| page.take_value(id, default.clone());
     let row = info.clone();
     let metric = move || {
         let text = row.metric_text(&value_of(page, &row))?;

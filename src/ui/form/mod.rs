@@ -131,6 +131,8 @@ fn Group(
     let shown = move || page.results.hidden.with(|hidden| all.iter().filter(|id| !hidden.contains(id)).count());
     let own = ids.clone();
     let cause = move || page.view.causes.with(|causes| own.iter().any(|id| causes.contains(id)));
+    let within = ids.clone();
+    let changed = move || within.iter().any(|id| page.marks.has(id));
     let holds = ids.join(" ");
     let wrong = move || page.wrong_fields().iter().any(|d| d.field.is_some_and(|field| ids.contains(&field)));
     let wrong = Memo::new(move |_| wrong());
@@ -138,7 +140,7 @@ fn Group(
     let rows = move || fields.iter().cloned().map(|info| view! { <FormField info=info /> }).collect_view();
     view! {
         <details
-            class="group" class:wrong=wrong class:cause=cause data-fields=holds
+            class="group" class:wrong=wrong class:cause=cause class:changed=changed data-fields=holds
             on:toggle=move |event| if dom::is_open(&event) { put(opened, true) }
         >
             <summary>{t(title)}<span class="count">{shown}</span></summary>
@@ -247,6 +249,15 @@ mod tests {
         bench.press(".stale .link").await;
         assert_eq!(document().active_element().unwrap().id(), "clamp-x");
         assert!(bench.has(".group.wrong[open]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn group_of_a_field_changed_elsewhere_is_marked() {
+        let bench = form().await;
+        bench.page.take_entries(&[crate::view::FieldEntry::new("clamp-x", "12000")]);
+        settled().await;
+        assert_eq!(bench.all(".group.changed").len(), 1);
+        assert!(bench.has(".group.changed[data-fields~='clamp-x']"));
     }
 
     #[wasm_bindgen_test]

@@ -1,4 +1,4 @@
-//! Labels of a drawing in less room than they were laid out for: each moves aside or is hidden, so that none overlaps another or a lens.
+//! Labels of a drawing in less room than they were laid out for: each moves or is hidden, so that none overlaps another, a hairline or a lens.
 
 use std::collections::BTreeMap;
 
@@ -14,8 +14,12 @@ const GAP: f64 = 10.0;
 const GAP_TO_HAIRLINE: f64 = 3.0;
 /// Length in pixels of the pieces of a hairline that labels keep clear of.
 const PIECE: f64 = 6.0;
-/// Shifts to the side in pixels, tried in this order.
+/// Shifts to the side, and up or down, in pixels. A label leaves its row only where the next place in the row is much farther away.
 const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0, 52.0, -52.0, 68.0, -68.0];
+const UP_OR_DOWN: [f64; 7] = [0.0, 9.0, -9.0, 18.0, -18.0, 28.0, -28.0];
+const OUT_OF_ROW: f64 = 2.5;
+/// Pixels that a label goes at most to leave a drawn part: where it touches the part, and more by the share of a line on it.
+const OFF_PART: (f64, f64) = (12.0, 90.0);
 
 /// Greatest shift in pixels of a label without a hairline: further away it would seem to name another part.
 const NEAR: f64 = 38.0;
@@ -38,7 +42,7 @@ type Place = (f64, f64);
 type Obstacle = (Area, f64);
 
 /// The lines of a label: name first, then values. The hairline to the part is no line.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 struct Label {
     lines: Vec<Area>,
     /// Whether it belongs to a part that a hairline leads to, or keeps its place.
@@ -47,10 +51,20 @@ struct Label {
     hairline: Option<[Place; 2]>,
     /// The lens around it, in which it stays.
     lens: Option<Area>,
+    /// Whether it belongs on a part: letters in the colour for dark parts, figures that move with a part.
+    on_part: bool,
 }
 
-/// Placement of a label: shift to the right in pixels, and the number of its lines that are shown.
-type LabelPlacement = (f64, usize);
+/// Placement of a label.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct LabelPlacement {
+    /// Shift to the right and down in pixels.
+    by: Place,
+    /// The number of its lines that are shown.
+    lines: usize,
+    /// Start of its hairline; `None` where the text has come to the part itself.
+    start: Option<Place>,
+}
 
 fn area(element: &Element) -> Area {
     let area = element.get_bounding_client_rect();
@@ -70,8 +84,32 @@ fn rectangles([left, top, right, bottom]: Area) -> [Area; 2] {
     [[left, top + part, right, bottom - part], [left + part, top, right - part, bottom]]
 }
 
-fn aside([left, top, right, bottom]: Area, by: f64) -> Area {
-    [left + by, top, right + by, bottom]
+fn shifted([left, top, right, bottom]: Area, by: Place) -> Area {
+    [left + by.0, top + by.1, right + by.0, bottom + by.1]
+}
+
+/// The shifts of a label, the nearest first.
+fn shifts() -> Vec<(f64, Place)> {
+    let all = UP_OR_DOWN.iter().flat_map(|down| ASIDE.iter().map(move |aside| (*aside, *down)));
+    let mut all: Vec<(f64, Place)> = all.map(|by| (by.0.abs() + OUT_OF_ROW * by.1.abs(), by)).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all
+}
+
+/// Whether two areas are closer than a gap.
+fn touch(a: Area, b: Area, gap: f64) -> bool {
+    a[0] < b[2] + gap && b[0] < a[2] + gap && a[1] < b[3] + gap && b[1] < a[3] + gap
+}
+
+/// The greatest share of an area that one of the drawn parts covers.
+fn covered(own: Area, parts: &[Area]) -> f64 {
+    let size = (own[2] - own[0]) * (own[3] - own[1]);
+    let share = |part: &Area| {
+        let wide = own[2].min(part[2]) - own[0].max(part[0]);
+        let high = own[3].min(part[3]) - own[1].max(part[1]);
+        wide.max(0.0) * high.max(0.0) / size.max(1e-9)
+    };
+    parts.iter().map(share).fold(0.0, f64::max)
 }
 
 /// Whether an area is within a frame, and free of obstacles.
@@ -96,10 +134,24 @@ fn begin([(x, y), end]: [Place; 2], text: Area) -> Option<Place> {
     has_length.then(|| (x.min(text[2] - inset).max(text[0] + inset), edge))
 }
 
-/// The pieces of a hairline from a text.
-fn pieces(hairline: [Place; 2], text: Area) -> Vec<Area> {
-    let Some(from) = begin(hairline, text) else { return Vec::new() };
+/// All places where a hairline may begin at the lines of a text, the best first: along the edge towards the part, then at the side of a line.
+fn begins(hairline: [Place; 2], lines: &[Area]) -> Vec<Place> {
+    let Some(text) = around(lines.iter().copied()) else { return Vec::new() };
+    let (clear, inset) = CLEAR;
     let end = hairline[1];
+    let along = begin(hairline, text).map(|(x, edge)| {
+        let others = [end.0.min(text[2] - inset).max(text[0] + inset), text[0] + inset, text[2] - inset];
+        core::iter::once(x).chain(others).map(move |x| (x, edge))
+    });
+    let side = |line: &Area| {
+        let x = if end.0 > line[2] { line[2] + clear } else { line[0] - clear };
+        (end.0 > line[2] + clear || end.0 < line[0] - clear).then_some((x, 0.5 * (line[1] + line[3])))
+    };
+    along.into_iter().flatten().chain(lines.iter().filter_map(side)).collect()
+}
+
+/// The pieces of a line.
+fn pieces(from: Place, end: Place) -> Vec<Area> {
     let count = (math::hypot(end.0 - from.0, end.1 - from.1) / PIECE).ceil().max(1.0);
     let at = |share: f64| (from.0 + (end.0 - from.0) * share, from.1 + (end.1 - from.1) * share);
     let piece = |k: u32| {
@@ -109,6 +161,17 @@ fn pieces(hairline: [Place; 2], text: Area) -> Vec<Area> {
     (0..count as u32).map(piece).collect()
 }
 
+/// The first start of a hairline from which it crosses nothing: neither lines of its own label nor obstacles.
+fn clear_start(hairline: [Place; 2], lines: &[Area], taken: &[Obstacle]) -> Option<Place> {
+    let is_clear = |from: &Place| {
+        pieces(*from, hairline[1]).into_iter().all(|piece| {
+            let is_free = |area: Area| !touch(piece, area, GAP_TO_HAIRLINE);
+            lines.iter().all(|line| is_free(*line)) && taken.iter().all(|(area, _)| is_free(*area))
+        })
+    };
+    begins(hairline, lines).into_iter().find(is_clear)
+}
+
 /// Lines of a label in a lens that are within it and not on the lines above.
 fn seen_in(label: &Label, lens: Area) -> usize {
     let is_below = |at: usize| at == 0 || label.lines[at][1] >= label.lines[at - 1][3];
@@ -116,36 +179,75 @@ fn seen_in(label: &Label, lens: Area) -> usize {
     (0..label.lines.len()).take_while(is_within).count()
 }
 
+/// The lines of a label that have words, the first `count` of them, moved.
+fn seen(label: &Label, count: usize, by: Place) -> Vec<Area> {
+    label.lines.iter().take(count).filter(|line| line[0] < line[2]).map(|line| shifted(*line, by)).collect()
+}
+
+/// Place of a label with so many lines: the nearest one where it is free and, if that is not far, no drawn part is below it. Its hairline
+/// crosses nothing, or `may_cross`.
+fn place(
+    label: &Label,
+    (count, may_cross): (usize, bool),
+    ways: &[(f64, Place)],
+    (frame, taken, parts): Room,
+) -> Option<LabelPlacement> {
+    let mut best: Option<(f64, LabelPlacement)> = None;
+    for (far, by) in ways {
+        if best.is_some_and(|(cost, _)| cost <= *far) {
+            break;
+        }
+        let lines = seen(label, count, *by);
+        if !lines.iter().all(|line| is_free(*line, frame, taken)) {
+            continue;
+        }
+        let clear = label.hairline.and_then(|ends| clear_start(ends, &lines, taken));
+        // A text that has come to its part needs no hairline.
+        let any = label.hairline.and_then(|ends| begins(ends, &lines).first().copied());
+        if clear.is_none() && any.is_some() && !may_cross {
+            continue;
+        }
+        let start = clear.or(any);
+        let on_parts =
+            if label.on_part { 0.0 } else { lines.iter().map(|line| covered(*line, parts)).fold(0.0, f64::max) };
+        let off_part = if on_parts > 0.0 { OFF_PART.0 + OFF_PART.1 * on_parts } else { 0.0 };
+        let cost = far + off_part;
+        if best.is_none_or(|(least, _)| cost < least) {
+            best = Some((cost, LabelPlacement { by: *by, lines: count, start }));
+        }
+    }
+    best.map(|(_, placement)| placement)
+}
+
+/// Frame of the drawing, what is taken in it, and its drawn parts.
+type Room<'a> = (Area, &'a [Obstacle], &'a [Area]);
+
 /// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others. A label without room loses
 /// lines from its end, the name last.
-fn placed(labels: &[Label], frame: Area) -> Vec<LabelPlacement> {
+fn placed(labels: &[Label], frame: Area, parts: &[Area]) -> Vec<LabelPlacement> {
     let mut taken: Vec<Obstacle> = Vec::new();
-    let mut placements = vec![(0.0, 0); labels.len()];
+    let mut placements = vec![LabelPlacement::default(); labels.len()];
     for (label, placement) in labels.iter().zip(&mut placements) {
         if let Some(lens) = label.lens {
-            *placement = (0.0, seen_in(label, lens));
+            placement.lines = seen_in(label, lens);
             taken.extend(rectangles(lens).map(|area| (area, GAP)));
         }
     }
+    let shifts = shifts();
+    let near: Vec<(f64, Place)> =
+        shifts.iter().copied().filter(|(_, (x, y))| x.abs() <= NEAR && y.abs() <= 0.5 * NEAR).collect();
     for leads in [true, false] {
         let free = labels.iter().zip(&mut placements).filter(|(label, _)| label.lens.is_none() && label.leads == leads);
         for (label, placement) in free {
-            let fits = |(lines, by): &(usize, f64)| {
-                label
-                    .lines
-                    .iter()
-                    .take(*lines)
-                    .all(|line| line[0] == line[2] || is_free(aside(*line, *by), frame, &taken))
-            };
-            let ways = ASIDE.iter().filter(|by| label.leads || by.abs() <= NEAR);
-            let mut tries = (1..=label.lines.len()).rev().flat_map(|lines| ways.clone().map(move |by| (lines, *by)));
-            if let Some((lines, by)) = tries.find(fits) {
-                *placement = (by, lines);
-                let seen = label.lines.iter().take(lines).filter(|line| line[0] < line[2]).map(|line| aside(*line, by));
-                taken.extend(seen.clone().map(|line| (line, GAP)));
-                let hairline =
-                    label.hairline.zip(around(seen)).map_or_else(Vec::new, |(ends, text)| pieces(ends, text));
-                taken.extend(hairline.into_iter().map(|piece| (piece, GAP_TO_HAIRLINE)));
+            let ways = if leads { &shifts } else { &near };
+            let counts = (1..=label.lines.len()).rev();
+            let mut tries = counts.flat_map(|count| [(count, false), (count, true)]);
+            if let Some(found) = tries.find_map(|how| place(label, how, ways, (frame, &taken, parts))) {
+                *placement = found;
+                let lines = seen(label, found.lines, found.by);
+                taken.extend(lines.into_iter().map(|line| (line, GAP)));
+                let hairline = found.start.zip(label.hairline).map(|(from, [_, end])| pieces(from, end));
+                taken.extend(hairline.into_iter().flatten().map(|piece| (piece, GAP_TO_HAIRLINE)));
             }
         }
     }
@@ -170,12 +272,11 @@ fn end_of(path: &str, drawn: Area) -> Option<Place> {
     Some((x, y))
 }
 
-/// A hairline of the drawing that ends at a place in pixels, made to begin at the edge of its text. Letters keep their size in a larger
-/// drawing, so that a text reaches less far there than it was laid out for. `None` where the text has come to the part itself.
-fn led(path: &str, end: Place, text: Area, unit: f64) -> Option<String> {
+/// A hairline of the drawing that ends at a place in pixels, made to begin at another one. Letters keep their size in a larger drawing, so that
+/// a text reaches less far there than it was laid out for.
+fn led(path: &str, end: Place, start: Place, unit: f64) -> Option<String> {
     let [from, to] = ends(path)?;
-    let [(x, y), end] = in_pixels(path, end, unit)?;
-    let start = begin([(x, y), end], text)?;
+    let [(x, y), _] = in_pixels(path, end, unit)?;
     Some(filled("M# #L# #", &[from.0 + (start.0 - x) * unit, from.1 + (start.1 - y) * unit, to.0, to.1]))
 }
 
@@ -203,17 +304,36 @@ impl Hairline {
         Some(Hairline { element, path, end })
     }
 
-    /// Makes it begin at the edge of its text, and hides it where there is none.
-    fn lead_from(&self, text: Option<Area>, unit: f64) {
-        let Some(text) = text else {
+    /// Makes it begin at a place, and hides it where its text is hidden.
+    fn lead_from(&self, placement: &LabelPlacement, unit: f64) {
+        if placement.lines == 0 {
             let _ = self.element.class_list().add_1("crowded");
             return;
-        };
+        }
         if let Some(end) = self.end {
+            let led = placement.start.and_then(|start| led(&self.path, end, start, unit));
             dom::set(&self.element, LED, &self.path);
-            dom::set(&self.element, "d", &led(&self.path, end, text, unit).unwrap_or_else(|| self.path.clone()));
+            dom::set(&self.element, "d", &led.unwrap_or_else(|| self.path.clone()));
         }
     }
+}
+
+/// Filled shapes of parts that never move, without their shadows.
+const PARTS: &str = ":is(path, circle, ellipse, rect):not([fill=none], [fill='url(#ground-shade)'], [data-label], [data-n], \
+                     [data-g] *, defs *)";
+
+/// Areas of the drawn parts that never move: the labels' places must not depend on the moment at which they are fitted. What reaches from edge
+/// to edge is ground.
+fn parts_of(picture: &HtmlElement, frame: Area) -> Vec<Area> {
+    let is_ground = |area: &Area| area[0] <= frame[0] && area[2] >= frame[2];
+    dom::all(picture, PARTS).iter().map(area).filter(|area| !is_ground(area)).collect()
+}
+
+/// Whether a label belongs on the parts below it.
+fn is_on_part(elements: &[Element]) -> bool {
+    let dark = |element: &Element| element.get_attribute("fill").is_some_and(|fill| fill == "var(--rim)");
+    let moves = |element: &Element| element.closest("[data-g]").ok().flatten().is_some();
+    elements.iter().any(|element| dark(element) || moves(element))
 }
 
 /// Moves and hides labels of a drawing so that none overlaps; `unit` is the number of drawing units per pixel.
@@ -237,25 +357,27 @@ pub(super) fn untangle(picture: &HtmlElement, unit: f64) {
         leads: elements.iter().any(|element| !is_text(&element)),
         hairline: hairline.as_ref().and_then(|line| in_pixels(&line.path, line.end?, unit)),
         lens: elements.iter().find(|element| element.tag_name() == "circle").map(area),
+        on_part: is_on_part(elements),
     };
     // Elements over the drawing keep their place.
     let over = picture.closest(".drawing").ok().flatten();
     let over = over.map_or(Vec::new(), |drawing| dom::all(&drawing, ".state, .band .icon"));
     let fixed =
-        over.iter().map(|element| Label { lines: vec![area(element)], leads: true, hairline: None, lens: None });
+        over.iter().map(|element| Label { lines: vec![area(element)], leads: true, on_part: true, ..Label::default() });
     let labels: Vec<Label> = fixed.chain(parts.values().zip(&hairlines).map(label)).collect();
-    let placements = placed(&labels, area(picture)).into_iter().zip(&labels).skip(over.len());
-    for ((elements, hairline), ((by, lines), label)) in parts.values().zip(&hairlines).zip(placements) {
+    let frame = area(picture);
+    let placements = placed(&labels, frame, &parts_of(picture, frame)).into_iter().skip(over.len());
+    for ((elements, hairline), placement) in parts.values().zip(&hairlines).zip(placements) {
+        let LabelPlacement { by, lines, .. } = placement;
         for (at, text) in elements.iter().filter(is_text).enumerate() {
             if at >= lines {
                 let _ = text.class_list().add_1("crowded");
-            } else if let Some(style) = style(text).filter(|_| by != 0.0) {
-                let _ = style.set_property("translate", &format!("{:.2}px", by * unit));
+            } else if let Some(style) = style(text).filter(|_| by != (0.0, 0.0)) {
+                let _ = style.set_property("translate", &format!("{:.2}px {:.2}px", by.0 * unit, by.1 * unit));
             }
         }
-        let shown = label.lines.iter().take(lines).filter(|line| line[0] < line[2]).map(|line| aside(*line, by));
         if let Some(hairline) = hairline {
-            hairline.lead_from(around(shown), unit);
+            hairline.lead_from(&placement, unit);
         }
     }
 }
@@ -275,48 +397,90 @@ mod tests {
     fn label(left: f64, top: f64, letters: &[f64], leads: bool) -> Label {
         let line =
             |(at, width): (usize, &f64)| [left, top + 18.0 * at as f64, left + width, top + 18.0 * at as f64 + 15.0];
-        Label { lines: letters.iter().enumerate().map(line).collect(), leads, hairline: None, lens: None }
+        Label { lines: letters.iter().enumerate().map(line).collect(), leads, ..Label::default() }
+    }
+
+    /// Shift and number of lines of each label, beside some parts.
+    fn placed_beside(labels: &[Label], parts: &[Area]) -> Vec<(Place, usize)> {
+        placed(labels, FRAME, parts).iter().map(|placement| (placement.by, placement.lines)).collect()
+    }
+
+    fn placed_alone(labels: &[Label]) -> Vec<(Place, usize)> {
+        placed_beside(labels, &[])
     }
 
     #[wasm_bindgen_test]
     fn labels_with_room_stay_as_they_are() {
         let labels = [label(10.0, 10.0, &[80.0, 60.0], true), label(100.0, 10.0, &[80.0], false)];
-        assert_eq!(placed(&labels, FRAME), [(0.0, 2), (0.0, 1)]);
+        assert_eq!(placed_alone(&labels), [((0.0, 0.0), 2), ((0.0, 0.0), 1)]);
     }
 
     #[wasm_bindgen_test]
     fn label_on_another_one_moves_aside() {
         let labels = [label(10.0, 10.0, &[80.0], true), label(80.0, 10.0, &[80.0], true)];
-        assert_eq!(placed(&labels, FRAME), [(0.0, 1), (26.0, 1)]);
-        assert_eq!(placed(&[label(-20.0, 10.0, &[80.0], true)], FRAME), [(26.0, 1)]);
+        assert_eq!(placed_alone(&labels), [((0.0, 0.0), 1), ((26.0, 0.0), 1)]);
+        assert_eq!(placed_alone(&[label(-20.0, 10.0, &[80.0], true)]), [((26.0, 0.0), 1)]);
+    }
+
+    #[wasm_bindgen_test]
+    fn label_leaves_its_row_where_the_row_is_full() {
+        let labels = [label(10.0, 30.0, &[280.0], true), label(60.0, 30.0, &[120.0], true)];
+        assert_eq!(placed_alone(&labels)[1], ((0.0, 18.0), 1));
+        // Beside the lower edge there is room above alone.
+        let labels = [label(10.0, 182.0, &[280.0], false), label(60.0, 182.0, &[120.0], true)];
+        assert_eq!(placed_alone(&labels), [((0.0, -18.0), 1), ((0.0, 0.0), 1)]);
     }
 
     #[wasm_bindgen_test]
     fn name_of_a_part_outlives_values_and_other_labels() {
+        // Full rows above and below.
         let labels = [
             label(10.0, 100.0, &[280.0], false),
+            label(10.0, 64.0, &[280.0], true),
+            label(10.0, 118.0, &[280.0], true),
             label(10.0, 82.0, &[100.0, 290.0], true),
             label(60.0, 82.0, &[90.0, 90.0], true),
         ];
-        assert_eq!(placed(&labels, FRAME), [(0.0, 0), (0.0, 2), (68.0, 1)]);
+        let here = (0.0, 0.0);
+        assert_eq!(placed_alone(&labels), [(here, 0), (here, 1), (here, 1), (here, 2), ((68.0, 0.0), 1)]);
     }
 
     #[wasm_bindgen_test]
     fn label_without_a_hairline_stays_near_its_part() {
-        let beside = |left| placed(&[label(10.0, 10.0, &[80.0], true), label(left, 10.0, &[80.0], false)], FRAME)[1];
-        assert_eq!(beside(80.0), (26.0, 1));
-        assert_eq!(beside(50.0), (0.0, 0));
+        let beside = |left| placed_alone(&[label(10.0, 10.0, &[80.0], true), label(left, 10.0, &[80.0], false)])[1];
+        assert_eq!(beside(80.0), ((26.0, 0.0), 1));
+        let full = [label(10.0, 10.0, &[280.0], true), label(10.0, 30.0, &[280.0], true)];
+        let between = [full[0].clone(), full[1].clone(), label(50.0, 22.0, &[80.0], false)];
+        assert_eq!(placed_alone(&between)[2], ((0.0, 0.0), 0));
     }
 
     #[wasm_bindgen_test]
     fn label_keeps_clear_of_the_hairline_of_another() {
         // From the text in the corner down to the right, through the place of the other label.
         let led = Label { hairline: Some([(80.0, 29.0), (140.0, 89.0)]), ..label(10.0, 10.0, &[80.0], true) };
-        let other = |left| placed(&[led.clone(), label(left, 50.0, &[40.0], false)], FRAME)[1];
-        assert_eq!(other(140.0), (0.0, 1));
-        assert_eq!(other(90.0), (38.0, 1));
-        // Between both sides there is no room near its part.
-        assert_eq!(placed(&[led, label(70.0, 50.0, &[120.0], false)], FRAME)[1], (0.0, 0));
+        let other = |left| placed_alone(&[led.clone(), label(left, 50.0, &[40.0], false)])[1];
+        assert_eq!(other(140.0), ((0.0, 0.0), 1));
+        assert_eq!(other(90.0), ((38.0, 0.0), 1));
+    }
+
+    #[wasm_bindgen_test]
+    fn hairline_begins_at_the_side_where_it_crosses_no_text() {
+        // Below the first label, a second one is between it and the part at the right.
+        let below = label(10.0, 40.0, &[120.0], true);
+        let led = Label { hairline: Some([(60.0, 29.0), (240.0, 70.0)]), ..label(10.0, 10.0, &[80.0], true) };
+        let start = placed(&[below, led], FRAME, &[])[1].start;
+        assert_eq!(start, Some((94.0, 17.5)));
+    }
+
+    #[wasm_bindgen_test]
+    fn label_leaves_a_drawn_part_if_room_is_near() {
+        let part = [100.0, 0.0, 180.0, 60.0];
+        assert_eq!(placed_beside(&[label(60.0, 10.0, &[60.0], true)], &[part])[0], ((-26.0, 0.0), 1));
+        // All of the room near it is on the part.
+        let inside = [0.0, 0.0, 300.0, 200.0];
+        assert_eq!(placed_beside(&[label(60.0, 10.0, &[60.0], true)], &[inside])[0], ((0.0, 0.0), 1));
+        let belongs = Label { on_part: true, ..label(60.0, 10.0, &[60.0], true) };
+        assert_eq!(placed_beside(&[belongs], &[part])[0], ((0.0, 0.0), 1));
     }
 
     #[wasm_bindgen_test]
@@ -324,15 +488,15 @@ mod tests {
         let lens = Some([100.0, 0.0, 180.0, 80.0]);
         let figures = Label { lens, ..label(110.0, 40.0, &[60.0, 50.0], true) };
         let over = label(60.0, 50.0, &[60.0], true);
-        assert_eq!(placed(&[over.clone(), figures.clone()], FRAME), [(-38.0, 1), (0.0, 2)]);
+        assert_eq!(placed_alone(&[over.clone(), figures.clone()]), [((-38.0, 0.0), 1), ((0.0, 0.0), 2)]);
         let beside = label(30.0, 50.0, &[60.0], false);
-        assert_eq!(placed(&[beside, figures.clone()], FRAME), [(0.0, 1), (0.0, 2)]);
+        assert_eq!(placed_alone(&[beside, figures.clone()]), [((0.0, 0.0), 1), ((0.0, 0.0), 2)]);
         // A smaller drawing keeps the size of its letters: lines without room in the lens are left out.
         let wide = Label { lens, ..label(90.0, 40.0, &[100.0, 50.0], true) };
-        assert_eq!(placed(&[wide], FRAME), [(0.0, 0)]);
+        assert_eq!(placed_alone(&[wide]), [((0.0, 0.0), 0)]);
         let mut close = figures;
         close.lines[1][1] = close.lines[0][3] - 1.0;
-        assert_eq!(placed(&[close], FRAME), [(0.0, 1)]);
+        assert_eq!(placed_alone(&[close]), [((0.0, 0.0), 1)]);
     }
 
     #[wasm_bindgen_test]
@@ -340,20 +504,24 @@ mod tests {
         // Laid out for a text from 10 to 90 that ends at 40; drawn at two pixels a unit from (100, 100).
         let end = end_of("M90 40L110 100", [280.0, 180.0, 320.0, 300.0]).unwrap();
         assert_eq!(end, (320.0, 300.0));
+        let from = |path: &str, end: Place, text: Area| {
+            let start = begin(in_pixels(path, end, 0.5)?, text)?;
+            led(path, end, start, 0.5)
+        };
         let text = [120.0, 100.0, 200.0, 150.0];
-        assert_eq!(led("M90 40L110 100", end, text, 0.5).as_deref(), Some("M46 27L110 100"));
+        assert_eq!(from("M90 40L110 100", end, text).as_deref(), Some("M46 27L110 100"));
         // The same after it was moved.
         assert_eq!(end_of("M46 27L110 100", [192.0, 154.0, 320.0, 300.0]), Some(end));
         // Below its part, and where the text comes to the part.
         let end = end_of("M90 100L110 40", [280.0, 180.0, 320.0, 300.0]).unwrap();
-        assert_eq!(led("M90 100L110 40", end, [120.0, 320.0, 300.0, 340.0], 0.5).as_deref(), Some("M90 108L110 40"));
-        assert_eq!(led("M90 40L110 100", (320.0, 300.0), [120.0, 100.0, 300.0, 297.0], 0.5), None);
-        assert_eq!((end_of("", text), led("", end, text, 0.5)), (None, None));
+        assert_eq!(from("M90 100L110 40", end, [120.0, 320.0, 300.0, 340.0]).as_deref(), Some("M90 108L110 40"));
+        assert_eq!(from("M90 40L110 100", (320.0, 300.0), [120.0, 100.0, 300.0, 297.0]), None);
+        assert_eq!((end_of("", text), from("", end, text)), (None, None));
     }
 
     #[wasm_bindgen_test]
     fn value_without_words_takes_no_room() {
         let labels = [label(10.0, 10.0, &[80.0, 0.0], true), label(10.0, 28.0, &[80.0], false)];
-        assert_eq!(placed(&labels, FRAME), [(0.0, 2), (0.0, 1)]);
+        assert_eq!(placed_alone(&labels), [((0.0, 0.0), 2), ((0.0, 0.0), 1)]);
     }
 }

@@ -8,7 +8,6 @@ use web_sys::Element;
 use crate::machines::form::{FieldInfo, Values};
 use crate::project::Project;
 use crate::ui::state::{EditKey, Page};
-use crate::ui::words::t;
 
 /// Sets fields from their texts.
 pub(super) fn set<'t>(project: &Project, values: &mut Values, entries: impl IntoIterator<Item = (&'t str, &'t str)>) {
@@ -29,7 +28,6 @@ pub(super) fn take(page: Page, key: Option<EditKey>, values: Values) {
     });
     changed.iter().for_each(|field| page.entries.accept(field.id));
     page.edit_as(key, |project| project.values = values);
-    page.notices.announce(t("page.taken"));
 }
 
 /// Values of the form with those of the clicked row; `None` if the click hit no such row.

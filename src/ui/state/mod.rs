@@ -2,6 +2,8 @@
 
 pub(crate) mod begun;
 
+mod change_marks;
+
 mod edit_pace;
 
 mod entries;

@@ -7,6 +7,7 @@ use std::rc::Rc;
 use leptos::prelude::*;
 
 use super::begun::Begun;
+use super::change_marks::{ChangeMarks, changed_fields};
 use super::entries::{Entries, of_field};
 use super::field_changes::FieldChanges;
 use super::history::{EditKey, History, Undoable};
@@ -16,7 +17,7 @@ use super::player::Player;
 use super::program::ProgramFiles;
 use super::put::put;
 use super::view::{ProgramView, Tab, View};
-use crate::machines::form::{Provenance, Value};
+use crate::machines::form::{FieldInfo, Provenance, Value};
 use crate::machines::{Design, MachineVariable};
 use crate::motion::Event;
 use crate::msg;
@@ -56,6 +57,9 @@ impl Results {
     }
 }
 
+/// Changed fields that a sentence names at most.
+const NAMED: usize = 6;
+
 /// The state of the page. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Page {
@@ -73,6 +77,8 @@ pub(crate) struct Page {
     pub program: ProgramFiles,
     /// Changes of the project, field by field.
     pub field_changes: FieldChanges,
+    /// Fields marked as changed.
+    pub marks: ChangeMarks,
     /// Entries of the form that are not valid values.
     pub entries: Entries,
     /// The run.
@@ -113,6 +119,7 @@ impl Page {
             },
             program,
             field_changes: FieldChanges::new(),
+            marks: ChangeMarks::new(),
             entries: Entries::new(),
             player,
             outlook: Outlook::new(project, program, player),
@@ -176,12 +183,18 @@ impl Page {
 
     /// Changes the project in a step of the history, merged with steps of the same key, if it has one, that follow at once.
     pub(crate) fn edit_as(self, key: Option<EditKey>, change: impl FnOnce(&mut Project)) {
+        self.edit_in(None, key, change);
+    }
+
+    /// Changes the project; `own` is the field whose own entry does so.
+    fn edit_in(self, own: Option<&'static str>, key: Option<EditKey>, change: impl FnOnce(&mut Project)) {
         let mut after = self.project.get_untracked();
         change(&mut after);
         let before = self.project.get_untracked();
         if after != before || after.id != before.id {
             self.history.update_value(|history| history.note(&before, key, dom::now()));
             self.follow(&before, after);
+            self.mark_changes(&before, own);
         }
     }
 
@@ -379,7 +392,21 @@ impl Page {
         if let Some(after) = after {
             self.entries.invalid.set(Vec::new());
             self.follow(&before, after);
+            self.mark_changes(&before, None);
             self.entries.show_again();
+        }
+    }
+
+    /// Marks the fields whose values differ from those before, and says them once; not the field whose own entry did so.
+    fn mark_changes(self, before: &Project, own: Option<&'static str>) {
+        let mut changed = self.project.with_untracked(|after| changed_fields(before, after));
+        changed.retain(|field| own != Some(field.id));
+        if let Some(own) = own {
+            self.marks.unmark(own);
+        }
+        if !changed.is_empty() {
+            self.marks.mark(&changed);
+            self.notices.announce(self.in_words(&changed));
         }
     }
 
@@ -434,8 +461,16 @@ impl Page {
         });
     }
 
-    /// Sets a field of the form.
+    /// Sets a field of the form by its own entry.
     pub(crate) fn set(self, id: &'static str, value: Value) {
+        self.entries.accept(id);
+        self.edit_in(Some(id), Some(EditKey::Field(id)), |project| {
+            project.values.insert(id.to_owned(), value);
+        });
+    }
+
+    /// Sets a field of the form by another control.
+    pub(crate) fn take_value(self, id: &'static str, value: Value) {
         self.entries.accept(id);
         self.edit_merged(EditKey::Field(id), |project| {
             project.values.insert(id.to_owned(), value);
@@ -451,23 +486,26 @@ impl Page {
         });
         entries.iter().for_each(|entry| self.entries.accept(entry.field));
         self.entries.show_again();
-        match entries {
-            [] | [_] => self.notices.announce(t("page.taken")),
-            _ => self.notices.confirm(sentence(&msg!("page.taken-fields", fields = self.in_words(entries)))),
+        if entries.len() > 1 {
+            let mut fields = self.project.with_untracked(|project| project.machine.fields());
+            fields.retain(|field| entries.iter().any(|entry| entry.field == field.id));
+            self.notices.confirm(self.in_words(&fields));
         }
     }
 
-    /// The fields of these entries as a list of labels with the values that the project has.
-    fn in_words(self, entries: &[FieldEntry]) -> String {
-        self.project.with_untracked(|project| {
-            let fields = project.machine.fields();
-            clauses(entries.iter().filter_map(|entry| {
-                let field = fields.iter().find(|field| field.id == entry.field)?;
-                let value = project.values.get(field.id)?;
-                let text = field.word(value).map_or_else(|| field.text_with_unit(value), str::to_owned);
-                Some(format!("{} {}", t(field.label), text.trim_end()))
+    /// Sentence about changed fields: labels with the values that the project has, or their number where they are many.
+    fn in_words(self, fields: &[FieldInfo]) -> String {
+        if fields.len() > NAMED {
+            return sentence(&msg!("page.taken-count", count = fields.len() as u32));
+        }
+        let named = self.project.with_untracked(|project| {
+            clauses(fields.iter().map(|field| {
+                let value = project.values.get(field.id).cloned().unwrap_or_else(|| field.default());
+                let text = field.word(&value).map_or_else(|| field.text_with_unit(&value), str::to_owned);
+                format!("{} {}", t(field.label), text.trim_end())
             }))
-        })
+        });
+        sentence(&msg!("page.taken-fields", fields = named))
     }
 
     /// Notes where the value of a field comes from.

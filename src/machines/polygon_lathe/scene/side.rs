@@ -104,7 +104,7 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) 
             }
             d.path(filled("M# #H#", &[ends[0], y, ends[1]]), Look::LEAD);
         }
-        let text = format!("{} {}", say("polygon.scene.length"), units::short(lathe.p.length, 3));
+        let text = format!("{} {}", say("polygon.scene.length"), units::text(lathe.p.length, 3, "mm"));
         let half = 0.3 * LETTER * UNIT * columns(&text) as f64;
         let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);
         d.text((middle, y - 12.0), Anchor::Middle, &text, Font::Label, Paint::Ink);

@@ -39,6 +39,11 @@ impl Chuck {
         self.face + STEP
     }
 
+    /// Front end of the base of the jaws, which reaches outwards as far as the body.
+    pub(super) fn base_front(&self) -> f64 {
+        self.face + BASE
+    }
+
     /// Face of the chuck's body, in units of the drawing.
     pub(in super::super) fn face(&self) -> f64 {
         self.face

@@ -40,22 +40,21 @@ pub(super) fn draw_bed_front(d: &mut Drawing) {
     d.path(filled("M-400 #H1400M-400 #H1400M-400 #H1400", &[BED + 1.0, BED + 29.0, BED + 64.0]), Look::HAIR.faint(0.5));
 }
 
-/// The tailstock: faint where it stands aside.
+/// The tailstock that holds the work.
 pub(super) fn draw_tailstock(d: &mut Drawing, layout: &Layout) {
-    if !layout.has_tailstock() {
+    if !layout.holds_work {
         return;
     }
     let top = AXIS - 62.0;
-    let look = |look: Look| if layout.holds_work { look } else { look.faint(0.45) };
     // The quill stands out as far as its centre reaches.
-    let end = if layout.holds_work { layout.face + CENTRE.1 } else { TAIL.0 + 22.0 };
+    let end = layout.face + CENTRE.1;
     d.showing("tailstock", |d| {
-        d.path(filled("M# #H#v44H#l-22 -16v-12Z", &[end, AXIS - 22.0, TAIL.1, end]), look(Look::fill(Paint::SteelBar)));
+        d.path(filled("M# #H#v44H#l-22 -16v-12Z", &[end, AXIS - 22.0, TAIL, end]), Look::fill(Paint::SteelBar));
         d.path(
-            filled("M# #h150V#H#V#q0 -14 14 -14Z", &[TAIL.1 + 14.0, top, BED - 9.0, TAIL.1, top + 14.0]),
-            look(Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0)),
+            filled("M# #h150V#H#V#q0 -14 14 -14Z", &[TAIL + 14.0, top, BED - 9.0, TAIL, top + 14.0]),
+            Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0),
         );
-        d.path(filled("M# #h90", &[TAIL.1, AXIS + 44.0]), Look::HAIR.faint(0.2));
+        d.path(filled("M# #h90", &[TAIL, AXIS + 44.0]), Look::HAIR.faint(0.2));
     });
 }
 

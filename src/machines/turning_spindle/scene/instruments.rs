@@ -12,7 +12,7 @@ use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
 
 /// Left, top, width and height of the panel.
-const PANEL: [f64; 4] = [-6.0, 52.0, 230.0, 164.0];
+pub(super) const PANEL: [f64; 4] = [-6.0, 52.0, 230.0, 164.0];
 /// Centre and radius of the dial of the speed; degrees of its scale, from its lowest mark.
 const DIAL: (f64, f64, f64) = (52.0, 112.0, 45.0);
 const DIAL_FROM: f64 = 135.0;

@@ -13,8 +13,6 @@ use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, Placement, SceneGroup, Shape};
 
-/// Centre and radius.
-pub(super) const LENS: (f64, f64, f64) = (792.0, 410.0, 78.0);
 /// Length of the depth of cut in the lens, about.
 const DEPTH: f64 = 24.0;
 
@@ -28,7 +26,7 @@ fn magnification(p: &Params, layout: &Layout) -> f64 {
 
 /// The lens with nodes for its contents.
 pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
-    let (x, y, r) = LENS;
+    let (x, y, r) = layout.lens;
     let depth = p.depth * layout.scale * magnification(p, layout);
     d.path(String::new(), Look::POINTER.edge(Paint::Accent, 1.0)).id = Some(node::LEADER);
     d.within(group::TURRET, |d| {
@@ -62,15 +60,15 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
     let times = format!("{} ×", show(magnification(p, layout), 0));
     // The depth of cut below its dimension line, the scale in the middle below.
-    let value = units::short(p.depth, 3);
-    let room = 60.0 - 0.3 * LETTER * UNIT * columns(&value) as f64;
+    let value = units::text(p.depth, 3, "mm");
+    let room = r - 18.0 - 0.3 * LETTER * UNIT * columns(&value) as f64;
     let below = ((0.5 * depth).min(room).max(0.0), 40.0);
-    let (at, anchor) = if p.path == Path::Facing { (below, Anchor::Middle) } else { ((-58.0, 24.0), Anchor::Start) };
+    let (at, anchor) = if p.path == Path::Facing { (below, Anchor::Middle) } else { ((20.0 - r, 24.0), Anchor::Start) };
     d.lens((x, y, r), |d| {
         d.showing("depth", |d| {
             d.text((x + at.0, y + at.1), anchor, &value, Font::Value, Paint::Ink);
         });
-        d.text((x, y + 64.0), Anchor::Middle, &times, Font::Label, Paint::Ink);
+        d.text((x, y + r - 14.0), Anchor::Middle, &times, Font::Label, Paint::Ink);
     });
 }
 
@@ -90,10 +88,10 @@ pub(in super::super) fn pose(
     let lower = radius * scale;
     let ends = [upper.last(), upper.first()].map(|end| end.map_or((0.0, lower), |(x, _)| (*x, lower)));
     let part: Vec<(f64, f64)> = upper.into_iter().chain(ends).collect();
-    paths.push((node::LENS_PART, polygon(&clipped(part, LENS.2 + 4.0))));
+    paths.push((node::LENS_PART, polygon(&clipped(part, layout.lens.2 + 4.0))));
     placements.push(Placement { opacity: if cuts { 1.0 } else { 0.0 }, ..Placement::of(group::LENS_CHIP) });
     // From the ring at the tip, where the drawing has it, to the edge of the lens.
-    let (tip, (x, y, r)) = (layout.tip(radius, z), LENS);
+    let (tip, (x, y, r)) = (layout.tip(radius, z), layout.lens);
     let (dx, dy) = (x - tip.0, y - tip.1);
     let length = math::hypot(dx, dy);
     let is_seen = tip.0 < VIEW[0] + VIEW[2] && tip.1 > VIEW[1];

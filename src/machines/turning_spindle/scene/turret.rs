@@ -135,5 +135,5 @@ pub(in super::super) fn pose_chips(
 
 /// The axis line of the spindle, which the chips fall in front of.
 pub(super) fn draw_axis(d: &mut Drawing) {
-    d.path(filled("M206 #H1040", &[AXIS]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
+    d.path(filled("M206 #H1060", &[AXIS]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
 }

@@ -209,3 +209,30 @@ fn slide_from_above_passes_beside_the_figures() {
         }
     }
 }
+
+#[test]
+fn details_at_the_right_begin_in_few_columns() {
+    let project = project(&[]);
+    let scene = project.prepared().scene();
+    let pose = posed(&project, &now(&project, (60.0, 30.0), (0.0, 0.0)), FRAME);
+    let middle = 622.0;
+    let starts = scene.nodes.iter().filter_map(|node| match &node.shape {
+        Shape::Text { x, anchor, .. } if *x > middle && node.group == 0 => Some((*anchor, *x)),
+        _ => None,
+    });
+    let (mut columns, mut others) = (std::collections::BTreeSet::new(), Vec::new());
+    for (anchor, x) in starts {
+        match anchor {
+            macroline::view::Anchor::Start => drop(columns.insert(x as u32)),
+            macroline::view::Anchor::End => others.push(x),
+            macroline::view::Anchor::Middle => {}
+        }
+    }
+    // Two columns, the pass between them, and the figures behind their arrows; the start is at the right edge.
+    assert_eq!(columns.len(), 4, "{columns:?}");
+    assert!(others.iter().all(|x| *x == 1008.0), "{others:?}");
+    // The state is below the angle that it is about.
+    let text = |wanted: &str| texts(&scene, &pose).into_iter().find(|(text, _)| text == wanted).unwrap().1;
+    let (angle, state) = (text("0.00°"), text("stands"));
+    assert!(state[0] == angle[0] && state[1] > angle[3], "{angle:?} {state:?}");
+}

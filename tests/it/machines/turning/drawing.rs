@@ -22,6 +22,9 @@ const TURRET: u16 = 1;
 const SPEED: u16 = 2;
 const NEEDLE: u16 = 3;
 const KNOB: u16 = 7;
+const LENS: u16 = 8;
+const CARRIAGE: u16 = 10;
+const CROSS_SLIDE: u16 = 11;
 const CHIPS: u16 = 12;
 const PART: u16 = 0;
 const FAR: u16 = 50;
@@ -202,4 +205,69 @@ fn figures_of_the_instruments_stay_on_their_panel() {
         }
         assert!(figures[0].1[2] < figures[1].1[0], "{figures:?}");
     }
+}
+
+/// Areas of the rectangles of the slides, in the drawing.
+fn slides(scene: &Scene, pose: &Pose) -> Vec<[f64; 4]> {
+    let parts = scene.nodes.iter().filter_map(|node| match node.shape {
+        Shape::Rect { x, y, w, h, .. } if [CARRIAGE, CROSS_SLIDE].contains(&node.group) => {
+            Some((node.group, [x, y, w, h]))
+        }
+        _ => None,
+    });
+    let areas = parts.map(|(group, [x, y, w, h])| {
+        let at = placement(pose, group);
+        [x + at.dx, y + at.dy, x + w + at.dx, y + h + at.dy]
+    });
+    areas.collect()
+}
+
+fn overlap(a: [f64; 4], b: [f64; 4]) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+#[test]
+fn slides_pass_beside_the_figures() {
+    // At the start of the default, over the face, at the axis, and along the part in front of the jaws.
+    for (path, at) in [
+        ("facing", [(75.0, 100.0), (42.0, 2.0), (42.0, 0.0), (10.0, 0.0)]),
+        ("turning", [(42.0, 10.0), (42.0, 2.0), (39.0, -30.0), (39.0, -60.0)]),
+    ] {
+        for (radius, z) in at {
+            let (scene, pose) = drawn(&[("path", path)], &now(radius, z, 0.0));
+            let slides = slides(&scene, &pose);
+            assert_eq!(slides.len(), 2, "carriage and cross slide");
+            // Dimensions belong to the part.
+            let is_figure = |text: &str| !text.starts_with("Length") && !text.starts_with("Allowance");
+            for (text, area) in texts(&scene, &pose).into_iter().filter(|(text, _)| is_figure(text)) {
+                let met = slides.iter().find(|slide| overlap(**slide, area));
+                assert_eq!(met, None, "{path}: the tool at {radius}, {z} lies on {text:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lens_is_right_of_the_work_at_any_length() {
+    for length in ["0.1", "60", "400", "10000"] {
+        for tailstock in ["false", "true"] {
+            let changes = [("path", "turning"), ("length", length), ("tailstock", tailstock)];
+            let (scene, pose) = drawn(&changes, &now(40.0, 0.0, 0.0));
+            let ((_, face), _) = extent(path(&pose, PART));
+            let Some(Shape::Circle { r, .. }) = scene.groups[usize::from(LENS)].clip else { panic!("no lens") };
+            let left = scene.groups[usize::from(LENS)].at.0 - r;
+            assert!(left - face > 186.0, "{length} mm: the lens is {} from the face", left - face);
+        }
+    }
+}
+
+#[test]
+fn sentence_about_the_speed_is_over_its_dial() {
+    let mut now = now(50.0, 10.0, 0.0);
+    now.spindle.bound = Bound::Upper;
+    let (scene, pose) = drawn(&[], &now);
+    let (_, [left, _, _, bottom]) =
+        texts(&scene, &pose).into_iter().find(|(text, _)| text == "held by the upper limit").unwrap();
+    let dial = scene.groups[usize::from(SPEED)].at;
+    assert!(left < dial.0 && bottom < dial.1 - 45.0 && dial.1 - bottom < 100.0, "{left}, {bottom} for {dial:?}");
 }
