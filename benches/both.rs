@@ -64,7 +64,7 @@ fn figures() {
     sizing();
     let (flat, formulas) = (flat(COUNT), formulas());
     summary::line("flat blocks, text to canon", COUNT, "blocks", None, || run(&parse(&flat)));
-    summary::line("P9100 passes, text to canon", COUNT, "passes", None, || run(&parse(&formulas)));
+    summary::line("O9100 passes, text to canon", COUNT, "passes", None, || run(&parse(&formulas)));
     summary::line("flat blocks, planned", COUNT, "blocks", None, || plan(&flat));
     let asked = Some(ANGLES as f64 / ASKED);
     summary::line("polygon, 12 inserts at ratio 12/5, full section", ANGLES, "angles", asked, section);

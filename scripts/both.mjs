@@ -8,7 +8,7 @@ const BUILDS = [
   { name: 'wasm', args: ['--target', 'wasm32-unknown-unknown', '--profile', 'web'] },
 ];
 // Least share of the native speed, by figure.
-const PARTS = { 'flat blocks, text to canon': 0.5, 'P9100 passes, text to canon': 0.5, 'flat blocks, planned': 0.45 };
+const PARTS = { 'flat blocks, text to canon': 0.5, 'O9100 passes, text to canon': 0.5, 'flat blocks, planned': 0.45 };
 
 function cargo(args) {
   const done = spawnSync('cargo', ['bench', '--locked', '--quiet', '--bench', 'both', ...args], {

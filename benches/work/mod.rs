@@ -22,7 +22,7 @@ pub(crate) fn flat(count: u64) -> Files {
     Files::one("flat.nc", text)
 }
 
-/// The formulas of P9100, one motion and one counter a pass.
+/// The formulas of O9100, one motion and one counter a pass.
 pub(crate) fn formulas() -> Files {
     let text = format!(
         "%\nO9100\n#100=1200\n#101=25\n#102=100\n#107=8\n#109=6\n#111=120\nG91G94G64\nWHILE[#120 LT {COUNT}]DO1\n\

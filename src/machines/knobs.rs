@@ -8,7 +8,7 @@ use crate::text::Message;
 use crate::view::Advice;
 
 /// Position (%) of the feed override at which the feeds of the form hold.
-const WHOLE: f64 = 100.0;
+const FULL_PERCENT: f64 = 100.0;
 
 /// Positions of the override knobs, %.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,18 +19,18 @@ pub(super) struct KnobPositions {
 
 /// Highest position (%) of the feed override above 100 %; none on a control whose knob ends there.
 pub(super) fn highest_feed(knob: Steps) -> Option<f64> {
-    knob.ends(WHOLE).higher
+    knob.ends(FULL_PERCENT).higher
 }
 
 /// The positions at which a cut is judged beside those of the form: each knob at its ends, and both together. Less feed asks less of every
 /// drive, so that the feed override counts at its highest position alone. `present`: position of the spindle override in the form, %.
 pub(super) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
-    let feeds = [highest_feed(feed), Some(WHOLE)].into_iter().flatten();
+    let feeds = [highest_feed(feed), Some(FULL_PERCENT)].into_iter().flatten();
     let all = feeds.flat_map(|feed| {
         let spindles = [Some(present), spindle.higher, spindle.lower].into_iter().flatten();
         spindles.map(move |spindle| KnobPositions { feed, spindle })
     });
-    all.filter(|at| *at != KnobPositions { feed: WHOLE, spindle: present }).collect()
+    all.filter(|at| *at != KnobPositions { feed: FULL_PERCENT, spindle: present }).collect()
 }
 
 /// The state with the greatest demand over its limit, with both numbers; none where every state holds.

@@ -28,7 +28,7 @@ use super::program::ProgramTab;
 use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, SizingTab, VariablesTab};
 use super::state::notices::Notice;
 use super::state::view::Tab;
-use super::state::{Begun, Page, stepping};
+use super::state::{Page, ProjectStart, stepping};
 use super::words::{sentence, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
@@ -36,21 +36,21 @@ use crate::msg;
 use parts_bar::PartsBar;
 
 /// State with which the page is built: the project of the last visit, or a fresh one, with its program, its run and notices.
-pub struct Beginning {
-    begun: Begun,
+pub struct PageStart {
+    start: ProjectStart,
     found: Vec<Notice>,
     /// State of the browser's store.
     stored: store::Stored,
 }
 
-impl Beginning {
+impl PageStart {
     /// Reads the browser's store, writes the program and begins its run, each in a turn of its own, then calls `then`. `then` gets `None`
     /// only if no machine has a control, which a test of the library excludes.
-    pub fn in_turns(then: impl FnOnce(Option<Beginning>) + 'static) {
+    pub fn in_turns(then: impl FnOnce(Option<PageStart>) + 'static) {
         let visit = store::load();
         let Some(project) = visit.project else { return then(None) };
         let (found, stored) = (visit.notices, visit.stored);
-        Begun::in_turns(project, move |begun| then(Some(Beginning { begun, found, stored })));
+        ProjectStart::in_turns(project, move |start| then(Some(PageStart { start, found, stored })));
     }
 }
 
@@ -58,10 +58,10 @@ impl Beginning {
 #[component]
 pub fn App(
     /// State with which the page is built.
-    beginning: Beginning,
+    start: PageStart,
 ) -> impl IntoView {
-    let Beginning { begun, found, stored } = beginning;
-    let page = Page::provide(begun, found);
+    let PageStart { start, found, stored } = start;
+    let page = Page::provide(start, found);
     let worker = Client::provide();
     let large = LargeFile::provide();
     stepping::restore(page);
@@ -246,12 +246,12 @@ mod tests {
     async fn app_of_the_last_visit() -> ViewBench {
         // The test bench can wait only after a first mount, and this may be the first test.
         drop(mount_project(project(), || ()).await);
-        let begun = Rc::new(RefCell::new(None));
-        let take = Rc::clone(&begun);
-        Beginning::in_turns(move |beginning| drop(take.replace(beginning)));
+        let start = Rc::new(RefCell::new(None));
+        let take = Rc::clone(&start);
+        PageStart::in_turns(move |start| drop(take.replace(start)));
         until(turns::are_over).await;
-        let beginning = begun.take().unwrap();
-        let bench = mount_project(project(), || view! { <App beginning=beginning /> }).await;
+        let start = start.take().unwrap();
+        let bench = mount_project(project(), || view! { <App start=start /> }).await;
         settled().await;
         bench
     }

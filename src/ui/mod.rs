@@ -32,7 +32,7 @@ use leptos::prelude::*;
 use crate::text::catalog;
 
 pub use app::embed::{Embedded, EmbeddedApp};
-pub use app::{App, Beginning};
+pub use app::{App, PageStart};
 pub use worker::server::work;
 
 /// Opens the page with the sentences of its language ([`catalog::speak`]) in place of the first drawing in its HTML: the whole page, or the
@@ -52,8 +52,8 @@ pub fn open(sentences: String) {
         });
     }
     in_turn(|| {
-        Beginning::in_turns(|beginning| {
-            leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));
+        PageStart::in_turns(|start| {
+            leptos::mount::mount_to_body(|| start.map(|start| view! { <App start=start /> }));
         });
     });
 }

@@ -12,7 +12,7 @@ use web_sys::{Element, Event, HtmlElement, HtmlInputElement};
 
 use super::dom::{self, script, turns};
 use super::files::LargeFile;
-use super::state::{Begun, Page};
+use super::state::{Page, ProjectStart};
 use super::worker::client::Client;
 use crate::machines::form::{FieldInfo, Value};
 use crate::motion::Action;
@@ -101,7 +101,7 @@ async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V
     let provided = Rc::new(Cell::new(None));
     let provide = Rc::clone(&provided);
     let mounted = mount_to(host.clone(), move || {
-        let page = Page::provide(Begun::now(project), Vec::new());
+        let page = Page::provide(ProjectStart::now(project), Vec::new());
         let worker = Client::provide();
         LargeFile::provide();
         provide.set(Some((page, worker)));

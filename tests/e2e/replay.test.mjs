@@ -35,9 +35,9 @@ async function openList(page) {
 }
 const row = (page, at) => page.locator(`#action-${at}`);
 const entry = (page, at, column) => row(page, at).locator(`[data-column="${column}"]`);
-const times = (page) => page.locator('.hand-list [data-column="time"]').evaluateAll((inputs) => inputs.map((input) => input.value));
+const times = (page) => page.locator('.operator-list [data-column="time"]').evaluateAll((inputs) => inputs.map((input) => input.value));
 const timesAre = (page, expected) =>
-  page.waitForFunction((expected) => [...document.querySelectorAll('.hand-list [data-column="time"]')].map(({ value }) => value).join() === expected, expected.join());
+  page.waitForFunction((expected) => [...document.querySelectorAll('.operator-list [data-column="time"]')].map(({ value }) => value).join() === expected, expected.join());
 const focusOf = (page) =>
   page.evaluate(() => {
     const { activeElement } = document;
@@ -73,7 +73,7 @@ test('action added, edited, removed at the play head, a step each', () =>
     await page.waitForFunction(() => document.querySelector('.percents').textContent.includes('S 50 %'));
     // A bad value is reported and not accepted.
     await enter(entry(page, 0, 'value'), '2000');
-    assert.equal(await page.locator('#hand-list-reason').textContent(), 'Spindle override takes a number from 0 to 1000 %.');
+    assert.equal(await page.locator('#operator-list-reason').textContent(), 'Spindle override takes a number from 0 to 1000 %.');
     await accessible(page);
     await page.keyboard.press('Control+a');
     await page.keyboard.type('60');
@@ -172,10 +172,10 @@ test('panel file opens in page and command line, browser keeps it', () =>
     await withActions(page);
     await openList(page);
     await entry(page, 0, 'value').waitFor();
-    const file = await saved(page, () => page.locator('.hand-list').getByRole('button', { name: 'Save' }).click());
+    const file = await saved(page, () => page.locator('.operator-list').getByRole('button', { name: 'Save' }).click());
     assert.deepEqual(JSON.parse(file), EVENTS);
     await page.getByRole('button', { name: 'Delete all actions' }).click();
-    await page.locator('.hand-list li').first().waitFor({ state: 'hidden' });
+    await page.locator('.operator-list li').first().waitFor({ state: 'hidden' });
     await focusIs(page, 'action-kind');
     await openFile(page, JSON.parse(file), 'shift.json');
     await page.locator('.notice', { hasText: 'shift.json' }).waitFor();
@@ -208,8 +208,8 @@ test('five hundred actions are edited as fast as three', () =>
     await withActions(page, events);
     await openList(page);
     await entry(page, 0, 'time').waitFor();
-    assert.ok((await page.locator('.hand-list li').count()) < 60);
-    await page.locator('.hand-list .rows').evaluate((rows) => (rows.scrollTop = rows.scrollHeight));
+    assert.ok((await page.locator('.operator-list li').count()) < 60);
+    await page.locator('.operator-list .rows').evaluate((rows) => (rows.scrollTop = rows.scrollHeight));
     await enter(entry(page, 499, 'value'), '75');
     await page.keyboard.press('ArrowUp');
     await focusIs(page, 'action-498', 'value');
@@ -227,11 +227,11 @@ for (const [width, height, locale] of [[390, 844, 'en'], [1024, 768, 'zh'], [320
       await openList(page);
       await entry(page, 4, 'value').waitFor();
       const wide = await page.evaluate(() => {
-        const list = document.querySelector('.hand-list');
+        const list = document.querySelector('.operator-list');
         const within = ({ left, right }) => left >= 0 && right <= innerWidth + 0.5;
         return [...list.querySelectorAll('button, input, select, .what')].filter((part) => !within(part.getBoundingClientRect())).map((part) => part.outerHTML);
       });
       assert.deepEqual(wide, []);
-      assert.ok(await page.evaluate(() => [...document.querySelectorAll('.hand-list li')].every((row) => row.getBoundingClientRect().height === 40)));
+      assert.ok(await page.evaluate(() => [...document.querySelectorAll('.operator-list li')].every((row) => row.getBoundingClientRect().height === 40)));
       await accessible(page);
     }));

@@ -16,7 +16,7 @@ use crate::motion::Mover;
 use crate::view::Advice;
 
 /// All that the drive gives may be asked: the form has no reserve beside its peak torque.
-const WHOLE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
+const NO_RESERVE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
 /// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock, and those of the slides.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
@@ -54,7 +54,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             starts_per_minute: 0.0,
             // Wheels of the lathe itself.
             gear: None,
-            fitted: FittedMotor { motor, limits: WHOLE.derated(p.site_share / 100.0) },
+            fitted: FittedMotor { motor, limits: NO_RESERVE.derated(p.site_share / 100.0) },
             site_share: p.site_share / 100.0,
             fields: None,
         }

@@ -87,13 +87,13 @@ impl PolygonLathe {
 }
 
 /// Greatest speed of the turned ends, r/min.
-pub(super) fn highest(lathe: &PolygonLathe) -> f64 {
+pub(super) fn programmed_speed(lathe: &PolygonLathe) -> f64 {
     lathe.turned_ends().map(|(end, _)| end.speed).fold(0.0, f64::max)
 }
 
 /// Greatest speed (r/min) that the program asks for: S, or that of the knob's highest position, which the control clamps.
-pub(super) fn top(lathe: &PolygonLathe) -> f64 {
-    highest(lathe).max(greatest(lathe))
+pub(super) fn greatest_speed(lathe: &PolygonLathe) -> f64 {
+    programmed_speed(lathe).max(speed_at_highest_knob(lathe))
 }
 
 /// Torque (Nm) of cut and friction where they ask most of the motor.
@@ -109,7 +109,7 @@ pub(super) fn power(lathe: &PolygonLathe) -> f64 {
 
 /// Voltage (V) of the control's output at the greatest speed.
 pub(super) fn volts(lathe: &PolygonLathe) -> f64 {
-    lathe.control.analog_output.with_speed(lathe.p.main_speed).output(highest(lathe))
+    lathe.control.analog_output.with_speed(lathe.p.main_speed).output(programmed_speed(lathe))
 }
 
 /// Cut and friction against the continuous torque of the motor.
@@ -181,7 +181,7 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
 
 /// The greatest speed of the turned ends, with the knob at any position, against that of the work axis, whose motor and chuck run along.
 pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (speed, most) = (top(lathe), lathe.p.work_limit);
+    let (speed, most) = (greatest_speed(lathe), lathe.p.work_limit);
     if speed <= most {
         return ok(AtMost(most));
     }
@@ -194,7 +194,7 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
-    let speed = highest(lathe);
+    let speed = programmed_speed(lathe);
     let at_knob = lathe.knob_ends().higher.map(|percent| (percent, lathe.speed_at(speed, percent)));
     main_spindle::judge_ramp(&lathe.p.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
 }
@@ -241,14 +241,14 @@ pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stret
 }
 
 /// Greatest speed (r/min) that the knob allows.
-pub(super) fn greatest(lathe: &PolygonLathe) -> f64 {
-    lathe.speed_at(highest(lathe), lathe.knob_ends().higher.unwrap_or(100.0))
+pub(super) fn speed_at_highest_knob(lathe: &PolygonLathe) -> f64 {
+    lathe.speed_at(programmed_speed(lathe), lathe.knob_ends().higher.unwrap_or(100.0))
 }
 
 /// The encoder by which the control feeds per revolution and cuts a thread.
 pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
     let of = &lathe.p.encoder;
-    let speed = greatest(lathe) * of.ratio();
+    let speed = speed_at_highest_knob(lathe) * of.ratio();
     lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed, lines: of.lines })
 }
 

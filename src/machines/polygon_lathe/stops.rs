@@ -1,7 +1,7 @@
 //! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
 
 use super::citations::OURS;
-use super::main_spindle::greatest;
+use super::main_spindle::speed_at_highest_knob;
 use super::params::TurnedEnd;
 use super::resolved::PolygonLathe;
 use crate::drives::holding_brake::CLOSING;
@@ -65,7 +65,7 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
     });
     let turns = main_spindle(lathe, Interruption::Reset) == SpindleReaction::Turns;
     let after_reset = if turns { msg!("lathe.stops.work-turns") } else { msg!("lathe.stops.work-slows") };
-    let coasts = lathe.p.main_spindle().coasting(greatest(lathe));
+    let coasts = lathe.p.main_spindle().coasting(speed_at_highest_knob(lathe));
     let [hold, alarm] = ["polygon.stops.main-hold", "polygon.stops.main-alarm"].map(Some);
     let [reset, emergency] = ["polygon.stops.main-reset", "polygon.stops.main-emergency"].map(Some);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);

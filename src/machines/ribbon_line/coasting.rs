@@ -42,7 +42,7 @@ pub(super) fn ramp(line: &RibbonLine) -> f64 {
 }
 
 /// Ribbon (mm) laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
-fn laid_beside(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f64) -> f64 {
+fn laid_while_x_stops(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f64) -> f64 {
     if d.actual_speed <= 0.0 {
         return 0.0;
     }
@@ -52,20 +52,20 @@ fn laid_beside(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f
 
 /// Ribbon (mm) that is laid into the loop while X stops over its time constant and the unwinder coasts: as at a hold, with the time of
 /// coasting in the place of the ramp. Source: ribbon line facts, 7.
-pub(super) fn laid(line: &RibbonLine, d: &Derived) -> f64 {
-    laid_beside(line, d, (0.0, line.p.time_constant_x / 1000.0), d.line_speed / 60.0 / line.p.position_gain_x)
+pub(super) fn laid_in_move(line: &RibbonLine, d: &Derived) -> f64 {
+    laid_while_x_stops(line, d, (0.0, line.p.time_constant_x / 1000.0), d.line_speed / 60.0 / line.p.position_gain_x)
 }
 
 /// Ribbon (mm) in the loop before the stop at the worst moment, with the knob at its highest position.
-fn laid_before(line: &RibbonLine) -> f64 {
+fn loop_before_stop(line: &RibbonLine) -> f64 {
     line.fast.slack_start.abs() + line.fast.slack_run.abs()
 }
 
 /// Ribbon (mm) laid at the worst moment, with the knob at its highest position: both axes are at rest after the last move and M5 is not
 /// read yet, so that the unwinder coasts from its full speed.
-fn laid_after_the_last_move(line: &RibbonLine) -> f64 {
+fn laid_after_last_move(line: &RibbonLine) -> f64 {
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
-    laid_beside(line, &line.fast, (rest, stop), lag)
+    laid_while_x_stops(line, &line.fast, (rest, stop), lag)
 }
 
 /// The end of a product with the knob at its highest position. All values are 0 with exact stops, whose block time includes them.
@@ -96,7 +96,7 @@ impl EndOfMove {
 /// Capacity (mm) that takes up a product which ends without current at any moment, with the knob at its highest position:
 /// `C ≥ |start| + |run| + |coasting after the last move|`. A brake that stops the unwinder sooner than X stops asks for more within a move.
 pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
-    laid_before(line) + laid_after_the_last_move(line).abs().max(laid(line, &line.fast).abs())
+    loop_before_stop(line) + laid_after_last_move(line).abs().max(laid_in_move(line, &line.fast).abs())
 }
 
 /// Judges the loop's capacity against the ribbon laid when a product ends without current; a brake at the motor or a greater loop mends it.
@@ -113,7 +113,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     // The brake that stops the unwinder in the time in which the loop fills up, less the time in which it closes.
     let speed = line.fast.line_speed / 60.0;
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
-    let left = 2.0 * (capacity - laid_before(line) + lag) / speed - 2.0 * rest + stop - 2.0 * CLOSING_TIME;
+    let left = 2.0 * (capacity - loop_before_stop(line) + lag) / speed - 2.0 * rest + stop - 2.0 * CLOSING_TIME;
     if left > 0.0 {
         let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;

@@ -130,7 +130,7 @@ impl Params {
     /// Whole pitches of the wanted length by the rule for its rest, as the program counts them.
     pub(super) fn pitches_of_length(&self) -> f64 {
         let pitches = self.product_length / self.pitch;
-        if self.rest == Rest::Shorten { (pitches + WHOLE).floor() } else { pitches.round() }
+        if self.rest == Rest::Shorten { (pitches + PITCH_TOLERANCE).floor() } else { pitches.round() }
     }
 
     /// Length of the shorter last pitch of a product, mm; 0 where there is none.
@@ -211,7 +211,7 @@ impl Params {
     }
 
     /// F per revolution of the unwinder.
-    pub(super) fn in_step(&self) -> bool {
+    pub(super) fn feeds_per_revolution(&self) -> bool {
         self.feed_form == FeedForm::PerRevolution
     }
 
@@ -236,7 +236,7 @@ impl Params {
 
     /// The knob turns the unwinder and the axes stay: they neither read the knob nor follow the measured speed.
     pub(super) fn knob_turns_alone(&self) -> bool {
-        let follows = self.in_step() && self.spindle_encoder;
+        let follows = self.feeds_per_revolution() && self.spindle_encoder;
         self.typed_override && self.knob_use == KnobUse::Free && !follows
     }
 
@@ -273,7 +273,7 @@ impl Params {
 }
 
 /// Part of a pitch by which a length may miss a whole number of pitches and still have it.
-pub(super) const WHOLE: f64 = 0.0001;
+pub(super) const PITCH_TOLERANCE: f64 = 0.0001;
 
 /// Shortest last pitch, mm: half a command increment.
 pub(super) const SHORTEST: f64 = 0.0005;
@@ -313,7 +313,7 @@ impl Derived {
         let analog = output.with_speed(p.speed_at_10v);
         let errors = p.speed_errors(actual_speed);
         // A feed per revolution follows the measured speed.
-        let followed = |error: f64| if p.in_step() && error > -1.0 { 1.0 + error } else { 1.0 };
+        let followed = |error: f64| if p.feeds_per_revolution() && error > -1.0 { 1.0 + error } else { 1.0 };
         let driven = |error: f64| pitch_time / followed(error);
         let print_roller_speed = surface_speed / (PI * p.print_roller_diameter) * followed(errors.0);
         let timing = Timing::new(p, pitch_time, driven(errors.0), y_stroke);
@@ -394,22 +394,22 @@ impl Derived {
 
 impl Derived {
     /// Tension (N) of a tight ribbon, by draw or after a start.
-    pub(super) fn tension(&self) -> f64 {
+    pub(super) fn excess_tension(&self) -> f64 {
         self.draw_tension.max(self.start_tension)
     }
 
     /// Greatest tension (N) of the ribbon before X: `T1`, with a draw, or after a start.
-    pub(super) fn taut(&self, p: &Params) -> f64 {
-        self.drawn(p).max(self.start_tension)
+    pub(super) fn greatest_tension(&self, p: &Params) -> f64 {
+        self.tension_with_draw(p).max(self.start_tension)
     }
 
     /// Tension (N) of the ribbon before X with a draw: `T1 + E · A · draw`.
-    pub(super) fn drawn(&self, p: &Params) -> f64 {
+    pub(super) fn tension_with_draw(&self, p: &Params) -> f64 {
         p.web.tension_before + self.draw_tension
     }
 
-    /// Position (%) of the knob of these results: as far as it makes the unwinder faster.
-    pub(super) fn knob(&self, p: &Params) -> f64 {
+    /// Override (%) with which the unwinder really turns: at most that of its speed clamp.
+    pub(super) fn effective_override(&self, p: &Params) -> f64 {
         100.0 * self.actual_speed / p.spindle_speed
     }
 }
@@ -542,7 +542,7 @@ fn ramp(p: &Params) -> f64 {
 /// Ribbon unwound at a start before X pulls at the same speed, mm. With F per revolution and a wait t_w shorter than the spindle ramp t_r:
 /// `s = v · (t_w² / (2 t_r) + τ / 2)`, with ribbon speed v [mm/s] and time constant τ of X [s]; else [`web::slack_after_start`].
 /// Source: sizing facts 2.6.
-fn laid(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
+fn laid_at_start(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
     let wait = wait(p, true);
     if p.feed_form == FeedForm::PerRevolution && wait < ramp {
         speed * (wait * wait / (2.0 * ramp) + tau / 2.0)
@@ -580,7 +580,7 @@ impl Slack {
         let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * actual_speed;
         let unwound = |error: f64| if p.dancer { line_speed } else { unwound * (1.0 + error) };
         // A feed per revolution follows the measured speed of the unwinder.
-        let in_step = p.in_step();
+        let in_step = p.feeds_per_revolution();
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
         let rate = |error: f64, kept: f64| unwound(error) - pulled(error) * kept;
         let (rate, rate_rated) = (rate(error, kept.0), rate(error_rated, kept.1));
@@ -595,11 +595,11 @@ impl Slack {
         // Each exact stop has its ramps and the lag in its time.
         let stops = p.path_mode == PathMode::ExactStop;
         let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };
-        let start = if started { laid(p, second, feed_ramp, edge) + edge_lag } else { 0.0 };
+        let start = if started { laid_at_start(p, second, feed_ramp, edge) + edge_lag } else { 0.0 };
         // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
         // at the start.
         let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
-        let resume = if in_step { second * tau / 2.0 + lag } else { laid(p, second, feed_ramp, tau) + lag };
+        let resume = if in_step { second * tau / 2.0 + lag } else { laid_at_start(p, second, feed_ramp, tau) + lag };
         let resume = if started { resume } else { 0.0 };
         let timed = p.wait == Wait::Dwell && !in_step;
         let short = if timed { web::slack_of_short_stop(second, feed_ramp, wait(p, started)) } else { 0.0 };
@@ -630,7 +630,7 @@ impl Slack {
 
     /// Draw (part) of X against an unwinder that is slower than commanded; 0 where X follows the measured speed.
     fn draw(&self, p: &Params) -> f64 {
-        if p.in_step() { 0.0 } else { (-self.error.min(self.error_rated)).max(0.0) }
+        if p.feeds_per_revolution() { 0.0 } else { (-self.error.min(self.error_rated)).max(0.0) }
     }
 
     /// Ribbon (mm) missing after start or restart with an empty loop.

@@ -40,7 +40,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         run_up(&mut book);
     }
     book.answer(if waits { &[BUSY] } else { &[] });
-    if !line.in_step() {
+    if !line.feeds_per_revolution() {
         restart(&mut book, line);
     }
     book.finish()
@@ -55,7 +55,7 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     if book.has(SignalRole::SpindleOverrideCode) {
         // A code has steps of 10 %, which the program gets, too.
         let tens = book.override_code();
-        if line.handed().is_some() {
+        if line.override_macro_input().is_some() {
             knob = book.override_of_code(tens);
         }
     } else {
@@ -91,7 +91,7 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     if book.has(SignalRole::FeedOverrideValid) {
         book.coil(Bit::Signal(SignalRole::FeedOverrideValid), Book::never(), "ribbon.ladder.feed-invalid");
     }
-    let Some(input) = line.handed() else { return };
+    let Some(input) = line.override_macro_input() else { return };
     let low = PlcNumber::Signal(SignalRole::MacroInputLow(input));
     if p.override_form == OverrideForm::FinalSpeed && book.has(SignalRole::SpindleFinal) {
         book.copy_double(PlcNumber::Signal(SignalRole::SpindleFinal), low, Book::always(), "ribbon.ladder.final");

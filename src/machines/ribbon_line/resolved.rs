@@ -70,7 +70,7 @@ impl RibbonLine {
             (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
         }
         let [d, fast, slow] = derive_over_knob(&p, knob, &control.analog_output);
-        let tautest = greatest([&d, &fast, &slow], |at| at.taut(&p));
+        let tautest = greatest([&d, &fast, &slow], |at| at.greatest_tension(&p));
         let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d, tautest), Mechanics::new(&p, &fast, tautest));
         RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
     }
@@ -119,11 +119,6 @@ impl RibbonLine {
         if self.fast.actual_speed > 0.0 { self.d.actual_speed / self.fast.actual_speed } else { 1.0 }
     }
 
-    /// Override (%) at which the spindle turns as with the knob at its highest position: `100 n_fast / n`.
-    pub(super) fn highest_knob_percent(&self) -> f64 {
-        100.0 * self.fast.actual_speed / self.p.spindle_speed
-    }
-
     /// Index of the axis that pulls, in the control's order.
     pub(super) fn pull(&self) -> usize {
         self.control.axis(PULL).unwrap_or(0)
@@ -136,8 +131,8 @@ impl RibbonLine {
 
     /// Driven speed over commanded speed, now or with the knob at its highest position: a feed per revolution follows the measured speed of
     /// the unwinder.
-    pub(super) fn following(&self, at: &Derived) -> f64 {
-        if self.in_step() { 1.0 + at.speed_error } else { 1.0 }
+    pub(super) fn driven_share(&self, at: &Derived) -> f64 {
+        if self.feeds_per_revolution() { 1.0 + at.speed_error } else { 1.0 }
     }
 
     /// Letter of the print roller's axis.
@@ -199,14 +194,14 @@ impl RibbonLine {
     }
 
     /// F counts per revolution of the unwinder.
-    pub(super) fn in_step(&self) -> bool {
-        self.p.in_step()
+    pub(super) fn feeds_per_revolution(&self) -> bool {
+        self.p.feeds_per_revolution()
     }
 
     /// The largest F: the range of the control, in mm/min also the limit of the form.
     pub(super) fn feed_max(&self) -> f64 {
         let limits = &self.control.limits;
-        if self.in_step() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
+        if self.feeds_per_revolution() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
     }
 
     /// Length (mm) of a dot along the ribbon.
@@ -220,12 +215,12 @@ impl RibbonLine {
     }
 
     /// Variable of the override: the macro input, or the variable in which it is typed.
-    pub(super) fn input(&self) -> u32 {
-        self.handed().unwrap_or(TYPED)
+    pub(super) fn override_variable(&self) -> u32 {
+        self.override_macro_input().unwrap_or(TYPED)
     }
 
     /// Macro input with the override, if the control has one.
-    pub(super) fn handed(&self) -> Option<u32> {
+    pub(super) fn override_macro_input(&self) -> Option<u32> {
         override_input(self.control)
     }
 }

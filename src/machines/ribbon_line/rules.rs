@@ -149,7 +149,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         let hints = advice.into_iter().map(|advice| advice.message);
         found.push(hints.fold(Diagnostic::warning(message).about("feed-limit"), Diagnostic::hint));
     }
-    if line.in_step() && !p.spindle_encoder {
+    if line.feeds_per_revolution() && !p.spindle_encoder {
         found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
     }
     found.extend(p.encoder.finding(line.control).filter(|_| p.spindle_encoder));

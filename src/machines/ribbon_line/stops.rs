@@ -37,7 +37,8 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
             count = (left / each).max(0.0).floor()
         ),
     };
-    let goes_on = if line.in_step() { msg!("ribbon.stops.start-in-step") } else { msg!("ribbon.stops.start") };
+    let goes_on =
+        if line.feeds_per_revolution() { msg!("ribbon.stops.start-in-step") } else { msg!("ribbon.stops.start") };
     // After a broken-off product a head has to be brought to the ribbon again.
     let program_sets_phase = phase::program_sets_phase(line);
     let variable = line.control.variable(PHASE);
@@ -87,7 +88,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         row(
             Interruption::InverterFault,
             msg!("ribbon.stops.axes-reset", axis = print.as_str()),
-            laid(coasting::laid(line, d)),
+            laid(coasting::laid_in_move(line, d)),
             anew(
                 |axis| msg!("ribbon.stops.fault", axis),
                 |axis, variable| msg!("ribbon.stops.fault-by-hand", axis, variable),
@@ -97,7 +98,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     rows.push(row(
         Interruption::PowerFailure,
         msg!("ribbon.stops.axes-unpowered", axis = print.as_str()),
-        laid(coasting::laid(line, d)),
+        laid(coasting::laid_in_move(line, d)),
         anew(
             |axis| msg!("ribbon.stops.power-on", axis),
             |axis, variable| msg!("ribbon.stops.power-on-by-hand", axis, variable),
@@ -110,7 +111,8 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
 /// Rows of the contacts that hold the program, with the alarm of an inverter that is not ready.
 fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
     let (d, print) = (&line.d, line.p.print_axis.address().to_string());
-    let (axis, program_sets_phase, in_step) = (print.as_str(), phase::program_sets_phase(line), line.in_step());
+    let (axis, program_sets_phase, in_step) =
+        (print.as_str(), phase::program_sets_phase(line), line.feeds_per_revolution());
     let variable = line.control.variable(PHASE);
     let variable = variable.as_str();
     let row = |at, cause, axes, material, operator| Reaction {
@@ -154,7 +156,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             Interruption::InverterFault,
             "ribbon.stops.not-ready",
             msg!("ribbon.stops.axes-reset", axis),
-            laid(coasting::laid(line, d)),
+            laid(coasting::laid_in_move(line, d)),
             if program_sets_phase {
                 msg!("ribbon.stops.make-ready", axis)
             } else {

@@ -74,7 +74,7 @@ pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
 /// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     let of = &lathe.p.encoder;
-    SpindleEncoder { name: NAME, speed: run_up::greatest(lathe) * of.ratio(), lines: of.lines }
+    SpindleEncoder { name: NAME, speed: run_up::greatest_speed(lathe) * of.ratio(), lines: of.lines }
 }
 
 /// Abilities of the inverter that the catalogue does not tell: a speed input of both signs, and the feedback of a position loop.

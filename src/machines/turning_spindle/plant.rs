@@ -53,12 +53,12 @@ fn coasting(lathe: &TurningSpindle) -> [f64; STAGES] {
 }
 
 /// A knob in whole percent, which the ladder turns into the positions of a code.
-const WHOLE: Steps = Steps { low: 0.0, high: 200.0, step: 1.0 };
+const ANY_POSITION: Steps = Steps { low: 0.0, high: 200.0, step: 1.0 };
 
 /// The ladder, wired to knob, inverter and gear box.
 pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
     let wiring = Wiring {
-        knob: if lathe.rules().override_codes.is_empty() { lathe.rules().knob } else { WHOLE },
+        knob: if lathe.rules().override_codes.is_empty() { lathe.rules().knob } else { ANY_POSITION },
         rules: lathe.rules(),
         at_speed: 1.0 - lathe.rules().reached.unwrap_or(0.1),
         meshing: gear_times(lathe).meshing,

@@ -4,7 +4,7 @@ use super::bending;
 use super::gears;
 use super::keyway;
 use super::resolved::TurningSpindle;
-use super::run_up::{engaged, highest, positioning_torque};
+use super::run_up::{engaged, positioning_torque, programmed_speed};
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
@@ -156,23 +156,23 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "shortest-ramp", label: "turning.readout.shortest-ramp", unit: "s", decimals: 2,
-        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: |lathe| engaged(lathe).shortest_ramp(highest(lathe)), ..ReadoutRow::BASE
+        formula: "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", cite: RUN_UP, value: |lathe| engaged(lathe).shortest_ramp(programmed_speed(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2,
-        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).run_up(highest(lathe)), ..ReadoutRow::BASE
+        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).run_up(programmed_speed(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "braking-time", label: "turning.readout.braking-time", unit: "s", decimals: 2,
-        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).braking(highest(lathe)), ..ReadoutRow::BASE
+        formula: "J ω b / (M + M f) + J ∫ ω / (P + M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).braking(programmed_speed(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "coasting-time", label: "turning.readout.coasting-time", unit: "s", decimals: 1,
-        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: |lathe| engaged(lathe).coasting(highest(lathe)), ..ReadoutRow::BASE
+        formula: "J · 2π n / 60 / friction, from the highest speed", cite: TORQUE, value: |lathe| engaged(lathe).coasting(programmed_speed(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "stop-energy", label: "turning.readout.stop-energy", unit: "J", decimals: 0,
-        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: |lathe| engaged(lathe).stop_energy(highest(lathe)), ..ReadoutRow::BASE
+        formula: "½ J ω² - ½ friction · ω t", cite: ENERGY, value: |lathe| engaged(lathe).stop_energy(programmed_speed(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "keyway-time", label: "turning.readout.keyway-time", unit: "s", decimals: 2,

@@ -14,22 +14,22 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 /// Highest speed of the program, r/min.
-pub(super) fn highest(lathe: &TurningSpindle) -> f64 {
-    highest_of(&lathe.d)
+pub(super) fn programmed_speed(lathe: &TurningSpindle) -> f64 {
+    programmed_speed_of(&lathe.d)
 }
 
-pub(super) fn highest_of(d: &Derived) -> f64 {
+pub(super) fn programmed_speed_of(d: &Derived) -> f64 {
     d.speed_largest.max(d.speed_smallest)
 }
 
 /// Greatest speed (r/min) of the program with the knob at its highest position.
-pub(super) fn greatest(lathe: &TurningSpindle) -> f64 {
-    lathe.at_highest_knob().map_or(0.0, |(_, fast)| highest_of(fast)).max(highest(lathe))
+pub(super) fn greatest_speed(lathe: &TurningSpindle) -> f64 {
+    lathe.at_highest_knob().map_or(0.0, |(_, fast)| programmed_speed_of(fast)).max(programmed_speed(lathe))
 }
 
 /// Seconds in which the spindle coasts to rest from its greatest speed.
 pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
-    engaged(lathe).coasting(greatest(lathe))
+    engaged(lathe).coasting(greatest_speed(lathe))
 }
 
 /// The spindle in the program's gear stage.
@@ -63,6 +63,6 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// The form's ramp against the shortest one.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
-    let at_knob = lathe.at_highest_knob().map(|(percent, fast)| (percent, highest_of(fast)));
-    main_spindle::judge_ramp(&engaged(lathe), highest(lathe), at_knob, (FIELDS, "spindle-ramp"))
+    let at_knob = lathe.at_highest_knob().map(|(percent, fast)| (percent, programmed_speed_of(fast)));
+    main_spindle::judge_ramp(&engaged(lathe), programmed_speed(lathe), at_knob, (FIELDS, "spindle-ramp"))
 }

@@ -11,7 +11,7 @@ use crate::ui::form::FirstFields;
 use crate::ui::machine::EmbeddedMachine;
 use crate::ui::parts::scene::StillDrawing;
 use crate::ui::state::notices::Notice;
-use crate::ui::state::{Begun, Page};
+use crate::ui::state::{Page, ProjectStart};
 use crate::ui::words::{Tone, sentence_with_hints, t};
 
 /// Fields that are shown.
@@ -19,7 +19,7 @@ const FIELDS: usize = 3;
 
 /// State with which an embedded page is built: its project, and notices about the address of the frame.
 pub struct Embedded {
-    begun: Begun,
+    start: ProjectStart,
     found: Vec<Notice>,
 }
 
@@ -38,7 +38,7 @@ impl Embedded {
         let found = asked.iter().flat_map(|asked| &asked.diagnostics).map(notice).collect();
         let first = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
         let Some(project) = asked.and_then(|asked| asked.project).or_else(first) else { return then(None) };
-        Begun::in_turns(project, move |begun| then(Some(Embedded { begun, found })));
+        ProjectStart::in_turns(project, move |start| then(Some(Embedded { start, found })));
     }
 }
 
@@ -48,7 +48,7 @@ pub fn EmbeddedApp(
     /// State with which the page is built.
     embedded: Embedded,
 ) -> impl IntoView {
-    let page = Page::provide(embedded.begun, embedded.found);
+    let page = Page::provide(embedded.start, embedded.found);
     StillDrawing::provide();
     let busy = RwSignal::new(true);
     reload_on_another_fragment(page);
@@ -106,11 +106,11 @@ mod tests {
         drop(mount_project(project(), || ()).await);
         window().location().set_hash(fragment).unwrap();
         assert!(Embedded::is_asked_for());
-        let begun = Rc::new(RefCell::new(None));
-        let take = Rc::clone(&begun);
+        let start = Rc::new(RefCell::new(None));
+        let take = Rc::clone(&start);
         Embedded::in_turns(move |embedded| drop(take.replace(embedded)));
         until(turns::are_over).await;
-        let embedded = begun.take().unwrap();
+        let embedded = start.take().unwrap();
         let bench = mount_project(project(), || view! { <EmbeddedApp embedded=embedded /> }).await;
         dom::forget_fragment();
         settled().await;

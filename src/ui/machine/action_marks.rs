@@ -19,7 +19,7 @@ use crate::ui::words::{clock, t};
 /// Pixels before a press is a pull.
 const SLACK: f64 = 4.0;
 
-/// Steps of the arrow keys on an axis; with Shift a tenth of them.
+/// Steps of an arrow key across the whole axis; with Shift ten at once.
 const STEPS: f64 = 100.0;
 
 /// Greatest number of marks; with more actions only those on the axis have one, at most this many.

@@ -35,8 +35,8 @@ pub(super) fn OperatorList() -> impl IntoView {
     };
     let empty = move || list.count.get() == 0;
     view! {
-        <section class="hand-list" aria-labelledby="hand-list-title" on:keydown=keys>
-            <h3 id="hand-list-title" class="hidden">{t("operator.list")}</h3>
+        <section class="operator-list" aria-labelledby="operator-list-title" on:keydown=keys>
+            <h3 id="operator-list-title" class="hidden">{t("operator.list")}</h3>
             <AddAction list=list />
             <div class="rows" node_ref=list.scroller on:scroll=move |_| list.scrolled()>
                 <p class="lead" class:gone=move || !empty()>{t("operator.none")}</p>
@@ -46,7 +46,7 @@ pub(super) fn OperatorList() -> impl IntoView {
                     </For>
                 </ol>
             </div>
-            <p class="told" id="hand-list-reason" role="status">{move || list.reason()}</p>
+            <p class="told" id="operator-list-reason" role="status">{move || list.reason()}</p>
             <Files list=list />
         </section>
     }

@@ -56,7 +56,7 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
         view! { <span>{move || format!("{letter} {} %", number_text(value.get(), 1))}</span> }
     };
     view! {
-        <section class="panel" class:open=open aria-label=t("page.hand")>
+        <section class="panel" class:open=open aria-label=t("page.operator-panel")>
             <div class="fold">
                 <button
                     type="button" id="panel-fold" aria-controls="panel-body"
@@ -64,8 +64,8 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
                     on:click=move |_| open.update(|open| *open = !*open)
                 >
                     <i class=lamp aria-hidden="true"></i>
-                    <b class="long">{t("page.hand")}</b>
-                    <b class="short">{t("page.hand-short")}</b>
+                    <b class="long">{t("page.operator-panel")}</b>
+                    <b class="short">{t("page.operator-panel-short")}</b>
                     <span class="percents">{percent('S', spindle)} " " {percent('F', feed)}</span>
                     <span class="space"></span>
                     <Icon glyph=Glyph::Up />
@@ -216,7 +216,7 @@ fn Presses() -> impl IntoView {
 fn Told() -> impl IntoView {
     let page = Page::here();
     let told = move || match page.player.changed.get() {
-        told if told.is_empty() => t("page.hand-hint").to_owned(),
+        told if told.is_empty() => t("page.operator-panel-hint").to_owned(),
         told => told,
     };
     let count = move || page.project.with(|project| project.panel.events().len());
@@ -265,14 +265,14 @@ mod tests {
         let bench = panel().await;
         bench.page.note(crate::motion::Event { t: 1.0, action: Action::Hold });
         bench.press("#panel-list").await;
-        assert!(bench.has(".panel.open .hand-list") && bench.has(".plate.gone"));
+        assert!(bench.has(".panel.open .operator-list") && bench.has(".plate.gone"));
         assert_eq!(bench.text("#panel-list b"), "1");
         assert_eq!(bench.attribute("#panel-list", "aria-pressed"), "true");
         bench.press("#panel-list").await;
-        assert!(bench.has(".panel.open .plate:not(.gone)") && !bench.has(".hand-list"));
+        assert!(bench.has(".panel.open .plate:not(.gone)") && !bench.has(".operator-list"));
         bench.press("#panel-list").await;
         bench.press("#panel-fold").await;
-        assert!(!bench.has(".hand-list"));
+        assert!(!bench.has(".operator-list"));
         assert_eq!(bench.attribute("#panel-list", "aria-pressed"), "false");
     }
 
@@ -380,7 +380,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn effect_is_shown_and_all_actions_can_be_removed() {
         let bench = panel().await;
-        assert_eq!(bench.text("#changed"), t("page.hand-hint"));
+        assert_eq!(bench.text("#changed"), t("page.operator-panel-hint"));
         assert!(bench.has(".changed .clear.gone"));
         bench.seek(3.0).await;
         bench.type_into("#spindle-knob", "50").await;

@@ -117,7 +117,7 @@ pub(super) fn Row(
             on:pointerdown=press on:keydown=keys
         >
             <input
-                type="text" inputmode="decimal" autocomplete="off" data-column="time" aria-describedby="hand-list-reason"
+                type="text" inputmode="decimal" autocomplete="off" data-column="time" aria-describedby="operator-list-reason"
                 aria-label=move || about(|_, action| msg!("operator.time-of", action)) aria-invalid=move || list.is_wrong(at, "time")
                 prop:value=time on:change=set_time
             />
@@ -188,7 +188,7 @@ fn Value(
         EntryKind::Number => view! {
             <span class="value">
                 <input
-                    type="text" inputmode="decimal" autocomplete="off" data-column="value" aria-label=label aria-describedby="hand-list-reason"
+                    type="text" inputmode="decimal" autocomplete="off" data-column="value" aria-label=label aria-describedby="operator-list-reason"
                     aria-invalid=move || list.is_wrong(at, "value")
                     prop:value=typed on:change=set
                 />
@@ -471,16 +471,16 @@ pub(super) mod tests {
         bench.choose(&selector(0, "value"), "1001").await;
         assert_eq!(bench.value(&selector(0, "value")), "1001");
         assert_eq!(bench.attribute(&selector(0, "value"), "aria-invalid"), "true");
-        assert!(bench.text("#hand-list-reason").contains("1000 %"));
+        assert!(bench.text("#operator-list-reason").contains("1000 %"));
         assert_eq!(events(&bench)[0], feed(2.0, 80.0));
         bench.choose(&selector(0, "value"), "90").await;
-        assert!(bench.text("#hand-list-reason").is_empty() && !bench.has("[aria-invalid]"));
+        assert!(bench.text("#operator-list-reason").is_empty() && !bench.has("[aria-invalid]"));
         bench.choose(&selector(0, "time"), "soon").await;
-        assert_eq!(bench.text("#hand-list-reason"), t("operator.time-from-0"));
+        assert_eq!(bench.text("#operator-list-reason"), t("operator.time-from-0"));
         bench.page.edit(|project| drop(project.panel.remove(0)));
         settled().await;
         assert!(
-            !bench.has("[aria-invalid]") && bench.text("#hand-list-reason").is_empty(),
+            !bench.has("[aria-invalid]") && bench.text("#operator-list-reason").is_empty(),
             "another action is there now"
         );
         assert_eq!(bench.value(&selector(0, "time")), "4");

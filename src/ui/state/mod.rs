@@ -1,6 +1,6 @@
 //! State of the page as signals: the project, its results, the program, the run, and the view.
 
-pub(crate) mod begun;
+pub(crate) mod project_start;
 
 mod change_marks;
 
@@ -36,8 +36,8 @@ pub(crate) mod stepper;
 
 mod work_spans;
 
-pub(crate) use begun::Begun;
 pub(crate) use entries::of_field;
 pub(crate) use history::EditKey;
 pub(crate) use page::Page;
+pub(crate) use project_start::ProjectStart;
 pub(crate) use put::put;

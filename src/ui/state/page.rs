@@ -6,7 +6,6 @@ use std::rc::Rc;
 
 use leptos::prelude::*;
 
-use super::begun::Begun;
 use super::change_marks::{ChangeMarks, changed_fields};
 use super::entries::{Entries, of_field};
 use super::field_changes::FieldChanges;
@@ -15,6 +14,7 @@ use super::notices::{Notice, Notices};
 use super::outlook::Outlook;
 use super::player::Player;
 use super::program::ProgramFiles;
+use super::project_start::ProjectStart;
 use super::put::put;
 use super::view::{ProgramView, Tab, View};
 use crate::machines::form::{FieldInfo, Provenance, Value};
@@ -98,8 +98,8 @@ pub(crate) struct Page {
 
 impl Page {
     /// Begins with a project, and hands the state to every component below.
-    pub(crate) fn provide(begun: Begun, notices: Vec<Notice>) -> Page {
-        let Begun { project, design, scene, written, run } = begun;
+    pub(crate) fn provide(start: ProjectStart, notices: Vec<Notice>) -> Page {
+        let ProjectStart { project, design, scene, written, run } = start;
         let prepared = project.prepared();
         let player = Player::new();
         player.take(run, &project, &written);

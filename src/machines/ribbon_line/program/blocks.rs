@@ -54,7 +54,7 @@ pub(super) fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
 
 /// Unit of F.
 pub(super) fn feed_unit(line: &RibbonLine) -> Code {
-    if line.in_step() { Code::FeedPerRevolution } else { Code::FeedPerMinute }
+    if line.feeds_per_revolution() { Code::FeedPerRevolution } else { Code::FeedPerMinute }
 }
 
 /// A short dwell before the program reads the override knob again.

@@ -30,7 +30,7 @@ pub(super) fn is_length(line: &RibbonLine) -> bool {
 
 /// The operator's variables on this control.
 pub(super) fn entries(line: &RibbonLine) -> Vec<OperatorVariable> {
-    let typed = line.handed().is_none().then_some(OperatorVariable::any(line.input()));
+    let typed = line.override_macro_input().is_none().then_some(OperatorVariable::any(line.override_variable()));
     let product = |entry: OperatorVariable| match entry.number {
         COUNT if is_length(line) => OperatorVariable::any(LENGTH),
         _ => entry,
@@ -41,7 +41,7 @@ pub(super) fn entries(line: &RibbonLine) -> Vec<OperatorVariable> {
 /// Variables that the operator reads and sets.
 pub(in crate::machines::ribbon_line) fn variables(line: &RibbonLine) -> Vec<MachineVariable> {
     let variable = MachineVariable::new;
-    let per_turn = line.in_step();
+    let per_turn = line.feeds_per_revolution();
     let mut all = vec![
         variable(SPEED, "ribbon.spindle-speed", "r/min"),
         variable(REDUCTION, "ribbon.reduction-ratio", ": 1"),
@@ -57,7 +57,7 @@ pub(in crate::machines::ribbon_line) fn variables(line: &RibbonLine) -> Vec<Mach
             variable(COUNT, "ribbon.pitch-count", "")
         },
         variable(BLOCK_SIZE, "ribbon.pitches-per-block", ""),
-        variable(line.input(), "ribbon.variable.input", ""),
+        variable(line.override_variable(), "ribbon.variable.input", ""),
         variable(ACTUAL_SPEED, "ribbon.readout.actual-speed", "r/min"),
         variable(LINE_SPEED, "ribbon.readout.line-speed", "mm/min"),
         variable(STROKE, "ribbon.readout.y-stroke", ""),

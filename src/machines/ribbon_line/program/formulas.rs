@@ -41,7 +41,7 @@ pub(super) fn vector_feed(speed: Formula) -> Formula {
 
 /// Variable of the F that moves the axes.
 pub(super) fn feed(line: &RibbonLine) -> u32 {
-    if line.in_step() { FEED_PER_TURN } else { VECTOR_FEED }
+    if line.feeds_per_revolution() { FEED_PER_TURN } else { VECTOR_FEED }
 }
 
 /// Least F (mm/min): the control reads a smaller one as F0.

@@ -19,7 +19,7 @@ pub(super) fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, pa
     writing::guards(b, &entries(line));
     phase::check(b, line, 19);
     override_off(b, line, 20);
-    if !line.in_step() {
+    if !line.feeds_per_revolution() {
         writing::count_seconds(b, line.control);
     }
     b.n(21);

@@ -20,7 +20,7 @@ pub(super) const WATCHED_ONCE: [(u32, u32); 3] = [(SPEED, SPEED_COPY), (PITCH, P
 /// O9100 of the listing that calculates before the loop: the same numbers without the motion, and copies of the watched entries.
 pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED, ONCE");
-    b.n(1).assign(KNOB, v(line.input())).note("OVERRIDE");
+    b.n(1).assign(KNOB, v(line.override_variable())).note("OVERRIDE");
     for (at, (watched, copy)) in (2..).zip(WATCHED_ONCE) {
         b.n(at).assign(copy, v(watched));
     }
@@ -31,7 +31,7 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
     b.n(20).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
     b.n(30).assign(VECTOR_FEED, vector_feed(v(LINE_SPEED))).note("VECTOR FEED");
     b.n(31).assign(PULL, pull_words(line, v(PITCH))).note("PULL PER PITCH");
-    if line.in_step() {
+    if line.feeds_per_revolution() {
         b.n(32).assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER TURN");
     }
     limit_guards(b, line, 41);
@@ -55,7 +55,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
         start_spindle(b, line, 100, 110);
         b.n(120).assign(RUNNING_SPEED, v(speed)).note("SPEED THAT RUNS");
         b.n(190).while_do(v(LEFT).gt(0), 2);
-        let watched: Vec<_> = core::iter::once((line.input(), KNOB)).chain(WATCHED_ONCE).collect();
+        let watched: Vec<_> = core::iter::once((line.override_variable(), KNOB)).chain(WATCHED_ONCE).collect();
         // Without its number the block fits on a screen.
         b.if_goto(changed(&watched).gt(0), 31);
         b.n(192)

@@ -3,7 +3,7 @@
 use super::blocks::{about, move_block, pull_words};
 use super::entries::is_length;
 use super::numbers::COMPUTE;
-use crate::machines::ribbon_line::derive::{SHORTEST, WHOLE};
+use crate::machines::ribbon_line::derive::{PITCH_TOLERANCE, SHORTEST};
 use crate::machines::ribbon_line::params::Rest;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
@@ -21,7 +21,7 @@ pub(super) const WHOLE_ALARM: u32 = 22;
 pub(super) fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
     let pitches = || length.clone() / v(PITCH);
     let whole = match line.p.rest {
-        Rest::Shorten => (pitches() + real(WHOLE, 4)).fix(),
+        Rest::Shorten => (pitches() + real(PITCH_TOLERANCE, 4)).fix(),
         Rest::Round | Rest::Alarm => pitches().round(),
     };
     b.assign(LEFT, whole).note("PITCHES LEFT");
@@ -64,7 +64,7 @@ pub(super) fn length_alarms(b: &mut Builder, line: &RibbonLine) {
     let length = line.control.variable(LENGTH);
     writing::alarm(b, line.control, SHORT_ALARM, &format!("LENGTH {length} IS BELOW A PITCH"));
     if line.p.rest == Rest::Alarm {
-        writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO WHOLE PITCHES"));
+        writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO PITCH_TOLERANCE PITCHES"));
     }
     if writing::has_alarms(line.control) {
         b.words([m(30)]);

@@ -16,7 +16,7 @@ use crate::nc::build::{Builder, v};
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
 pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED");
-    b.n(5).assign(ACTUAL_SPEED, actual_speed(line, line.input())).note("ACTUAL SPEED R/MIN");
+    b.n(5).assign(ACTUAL_SPEED, actual_speed(line, line.override_variable())).note("ACTUAL SPEED R/MIN");
     b.n(6).if_goto(v(ACTUAL_SPEED).le(v(SPEED_CLAMP)), 10);
     b.n(7).assign(ACTUAL_SPEED, v(SPEED_CLAMP)).note("CLAMP AS THE CONTROL DOES");
     b.n(10).assign(LINE_SPEED, per_turn(line) * v(ACTUAL_SPEED)).note("LINE SPEED MM/MIN");
@@ -26,7 +26,7 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
         .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(STROKE)) * 1000).round() / 1000)
         .note(&about(line, "OF THIS PITCH"));
     b.n(40).if_goto(feed_is_zero(), 210).note("F BELOW IS F0");
-    if line.in_step() {
+    if line.feeds_per_revolution() {
         b.assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
     }
     feed_guard(b, line, 41);

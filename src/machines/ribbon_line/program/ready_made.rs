@@ -59,7 +59,7 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
 
 /// All that depends on the override, in six blocks from number `n` on; [`FEED_PER_TURN`] and [`RIBBON_PER_TURN`] hold what does not.
 pub(super) fn speed_and_feed(b: &mut Builder, line: &RibbonLine, n: u32) {
-    b.n(n).assign(KNOB, v(line.input())).note("OVERRIDE");
+    b.n(n).assign(KNOB, v(line.override_variable())).note("OVERRIDE");
     b.n(n + 1).assign(ACTUAL_SPEED, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
     b.n(n + 2).if_goto(v(ACTUAL_SPEED).le(v(SPEED_CLAMP)), n + 4);
     b.n(n + 3).assign(ACTUAL_SPEED, v(SPEED_CLAMP)).note("CLAMP AS THE CONTROL DOES");
@@ -72,7 +72,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     override_off(b, line, 1);
-    if !line.in_step() {
+    if !line.feeds_per_revolution() {
         writing::count_seconds(b, line.control);
     }
     if !is_length(line) {
@@ -112,7 +112,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
     // One block watches the knob and three entries, another one the other entries, so that a pass has seven macro blocks. Each block fits a
     // screen, this one without its number.
     let (first, second) = WATCHED.split_at(3);
-    let with_knob: Vec<_> = core::iter::once((line.input(), KNOB)).chain(first.iter().copied()).collect();
+    let with_knob: Vec<_> = core::iter::once((line.override_variable(), KNOB)).chain(first.iter().copied()).collect();
     if line.p.knob_is_locked() {
         // S changes with the typed override.
         b.if_goto(changed(&with_knob).gt(0), 15);
@@ -120,7 +120,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
         b.if_goto(changed(&with_knob).le(0), 41);
         b.n(32).if_goto(changed(first).gt(0), 15);
         speed_and_feed(b, line, 33);
-        if !line.in_step() {
+        if !line.feeds_per_revolution() {
             b.n(39).if_goto(v(VECTOR_FEED).gt(v(FEED_LIMIT)), 15).note("TOO FAST: ALARM");
         }
         clamp_guards(b, line, [15, 15]);

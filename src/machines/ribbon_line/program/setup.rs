@@ -33,8 +33,8 @@ pub(super) fn write(b: &mut Builder, line: &RibbonLine) {
     for (at, (number, value, decimals, text)) in (1..).zip(values) {
         b.n(at).assign(number, real(value, decimals)).note(text);
     }
-    if line.handed().is_none() {
-        b.n(11).assign(line.input(), real(p.override_stepped(), 0)).note("OVERRIDE PERCENT");
+    if line.override_macro_input().is_none() {
+        b.n(11).assign(line.override_variable(), real(p.override_stepped(), 0)).note("OVERRIDE PERCENT");
     }
     b.n(20).words([m(30)]);
 }

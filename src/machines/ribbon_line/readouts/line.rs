@@ -289,7 +289,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "slack-coasting", label: "ribbon.readout.slack-coasting", unit: "mm", decimals: 1,
         formula: "v · (coasting / 2 - τ / 2 - 1 / Kx): at an inverter fault or a power failure",
-        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| coasting::laid(line, &line.d), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| coasting::laid_in_move(line, &line.d), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "loop-coasting", label: "ribbon.readout.loop-coasting", unit: "mm", decimals: 1,
@@ -304,7 +304,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "tension", label: "ribbon.readout.tension", unit: "N", decimals: 3,
         formula: "E · width · thickness · draw; after a start E · width · thickness · |start| / L + T1, the knob at its worst",
-        cite: Citation::new("sizing facts D11; ribbon line facts, 7", Grade::Inferred), value: |line| line.worst(Derived::tension).tension(), ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts D11; ribbon line facts, 7", Grade::Inferred), value: |line| line.worst(Derived::excess_tension).excess_tension(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "pi-drift", label: "ribbon.readout.pi-drift", unit: "mm/min", decimals: 3,

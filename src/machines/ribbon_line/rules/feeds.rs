@@ -18,7 +18,7 @@ pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(M
     let RibbonLine { p, d, .. } = line;
     let limits = &line.control.limits;
     let max = line.feed_max();
-    if line.in_step() || d.vector_feed <= max {
+    if line.feeds_per_revolution() || d.vector_feed <= max {
         return None;
     }
     let mut advice = vec![slower_advice(line)];
@@ -32,7 +32,7 @@ pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(M
 
 /// Driven feed of a commanded one, mm/min.
 pub(in crate::machines::ribbon_line) fn followed(line: &RibbonLine, feed: f64) -> f64 {
-    feed * line.following(&line.d)
+    feed * line.driven_share(&line.d)
 }
 
 /// The highest whole speed of the unwinder within all limits of rule 4.
@@ -43,9 +43,9 @@ fn fastest(line: &RibbonLine) -> f64 {
 /// The least limit of axes and F over its feed with the knob at its highest position: below 1, the line must run slower by as much.
 fn share_of_feeds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, fast, .. } = line;
-    let driven = line.following(fast);
+    let driven = line.driven_share(fast);
     let clamps = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
-    if line.in_step() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) }
+    if line.feeds_per_revolution() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) }
 }
 
 /// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
@@ -58,7 +58,7 @@ pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
     if worst_knob(line).is_some() {
         return p.override_stepped();
     }
-    let share = share_of_feeds(line).min(fast.block_time / line.following(fast) / d.block_needed);
+    let share = share_of_feeds(line).min(fast.block_time / line.driven_share(fast) / d.block_needed);
     (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit).min(line.highest_position())
 }
 
@@ -87,7 +87,7 @@ pub(in crate::machines::ribbon_line) fn slower_advice(line: &RibbonLine) -> Advi
         speed => with_speed(
             line,
             speed,
-            msg!("ribbon.knob-too-far", percent = (line.highest_knob_percent(), 1), speed = (speed, 0)),
+            msg!("ribbon.knob-too-far", percent = (line.fast.effective_override(&line.p), 1), speed = (speed, 0)),
         ),
     }
 }
@@ -95,7 +95,7 @@ pub(in crate::machines::ribbon_line) fn slower_advice(line: &RibbonLine) -> Advi
 /// Judges a feed against the clamp of its axis over the whole range of the knob: the limit of the present feed is lower by the share that
 /// the knob may add. The driven feed is compared, so the limit of the commanded feed is also lower if the unwinder is fast.
 fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement> {
-    let limit = clamp / line.following(&line.fast) * line.knob_share();
+    let limit = clamp / line.driven_share(&line.fast) * line.knob_share();
     if limit <= 0.0 || limit.is_infinite() {
         return ok(None);
     }
@@ -121,7 +121,7 @@ pub(in crate::machines::ribbon_line) fn clamp_y(line: &RibbonLine) -> Option<Jud
 }
 
 pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
-    if line.in_step() {
+    if line.feeds_per_revolution() {
         return None;
     }
     let limit = AtMost(line.feed_max() * line.knob_share());
@@ -131,7 +131,7 @@ pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<
         }
         let feed = msg!(
             "ribbon.knob-stops",
-            percent = (line.highest_knob_percent(), 1),
+            percent = (line.fast.effective_override(&line.p), 1),
             feed = (line.fast.vector_feed, 0),
             most = line.feed_max()
         );
@@ -147,7 +147,7 @@ pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<
 pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { d, .. } = line;
     let limits = &line.control.limits;
-    if !line.in_step() {
+    if !line.feeds_per_revolution() {
         return None;
     }
     let (feed, limit, step) = (d.feed_per_revolution, line.feed_max(), limits.feed_increment);
@@ -277,14 +277,14 @@ pub(in crate::machines::ribbon_line) fn block_time(line: &RibbonLine) -> Option<
     if d.block_time.is_infinite() {
         return warn(AtLeast(needed), [msg!("ribbon.stands").into()]);
     }
-    if line.in_step() && d.speed_error <= -1.0 {
+    if line.feeds_per_revolution() && d.speed_error <= -1.0 {
         return fail(None, [msg!("ribbon.stalls").into()]);
     }
     // Exact stops leave the control their time.
     if p.path_mode == PathMode::ExactStop && fast.stop_time * 1000.0 >= needed {
         return ok(None);
     }
-    let driven = line.following(fast);
+    let driven = line.driven_share(fast);
     let lasts = fast.block_time * 1000.0 / driven;
     let here = |needed: f64| AtLeast(needed * driven * d.block_time / fast.block_time);
     let block = d.block_time * 1000.0;
@@ -292,7 +292,7 @@ pub(in crate::machines::ribbon_line) fn block_time(line: &RibbonLine) -> Option<
     if steady && (here(turned).holds(block) || turned.is_infinite()) {
         return ok(here(if turned.is_infinite() { needed } else { turned }));
     }
-    let knob = (line.highest_knob_percent(), 1);
+    let knob = (line.fast.effective_override(&line.p), 1);
     let advice = match p.variant {
         Variant::ReadyMade => {
             let wanted = if turned.is_infinite() { needed } else { turned };

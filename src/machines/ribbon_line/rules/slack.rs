@@ -67,7 +67,7 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
 /// more. A feed per revolution follows the unwinder from standstill, and the best dwell is none.
 fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
-    let short = if line.in_step() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
+    let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
     at_least(FIELDS, "dwell", short.max(0.0))
 }
 
@@ -119,7 +119,7 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     }
     let sum = msg!(
         "ribbon.loop-too-small",
-        percent = (d.knob(p), 1),
+        percent = (d.effective_override(p), 1),
         needed = (d.loop_needed.ceil(), 0),
         capacity = (p.loop_capacity, 0),
         start = (d.slack_start.abs(), 0),
@@ -175,11 +175,11 @@ fn laid_so_far(line: &RibbonLine) -> f64 {
 /// Ribbon (mm) that may go missing in the run: what a start has laid at the worst position of the knob, and what is missing when the
 /// tension switch opens.
 fn may_go_missing(line: &RibbonLine) -> f64 {
-    (least_laid(line) + TensionSwitch::new(line).missing).max(0.0)
+    (least_laid_by_start(line) + TensionSwitch::new(line).missing).max(0.0)
 }
 
 /// Ribbon (mm) in the loop at the least while the line runs, over the positions of the knob.
-fn least_laid(line: &RibbonLine) -> f64 {
+fn least_laid_by_start(line: &RibbonLine) -> f64 {
     let laid = line.over_knob().map(|d| d.slack_start.min(d.slack_start + d.slack_run));
     laid.into_iter().fold(f64::INFINITY, f64::min)
 }
@@ -199,10 +199,10 @@ struct LowestTurns {
 /// `queued · (1 - k / highest)` pulled more than laid. Source: ribbon line facts, 5.
 fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
     let p = &line.p;
-    if line.in_step() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
+    if line.feeds_per_revolution() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
         return None;
     }
-    let (highest, queued) = (line.highest_knob_percent(), queued(p));
+    let (highest, queued) = (line.fast.effective_override(&line.p), queued(p));
     let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
     let up = highest / (1.0 + room / queued);
     let down = highest * (1.0 - may_go_missing(line) / queued).max(0.0);
@@ -216,7 +216,7 @@ pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
 
 /// Judges a turn of the knob between the lowest position in common use and its highest.
 pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
-    let (p, highest) = (&line.p, line.highest_knob_percent());
+    let (p, highest) = (&line.p, line.fast.effective_override(&line.p));
     // A knob that ends below is no wider.
     let low = LOW_KNOB.min(highest);
     let limit = AtMost(low);
@@ -244,7 +244,7 @@ pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<J
             kept = (missing - may_go_missing(line), 0),
             least = (down, 1)
         );
-        advice.push(with_pinch(line, message, missing - least_laid(line)));
+        advice.push(with_pinch(line, message, missing - least_laid_by_start(line)));
     }
     if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
 }
@@ -275,7 +275,7 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let RibbonLine { p, d, .. } = line;
     let message = msg!("ribbon.starved", percent = kept);
     let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
-    let pitches = ready.pass_needed() * line.following(d) / d.pitch_time;
+    let pitches = ready.pass_needed() * line.driven_share(d) / d.pitch_time;
     let set = at_least(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
         Variant::ReadyMade => {
@@ -389,7 +389,7 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
     let (drawn, started) = (line.worst(|d| d.draw_tension), line.worst(|d| d.start_tension));
     let mut advice = Vec::new();
     if started.start_tension > most {
-        let (dwell, percent) = (matching_dwell(line, p), (started.knob(p), 1));
+        let (dwell, percent) = (matching_dwell(line, p), (started.effective_override(p), 1));
         let message = msg!(
             "ribbon.start-stretches",
             percent,
@@ -410,7 +410,7 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
 
 /// Whether the draw pulls the ribbon tauter than a start that misses ribbon.
 pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool {
-    line.worst(|d| d.draw_tension).drawn(&line.p) > line.worst(|d| d.start_tension).start_tension
+    line.worst(|d| d.draw_tension).tension_with_draw(&line.p) > line.worst(|d| d.start_tension).start_tension
 }
 
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.

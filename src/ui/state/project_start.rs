@@ -11,7 +11,7 @@ use crate::ui::dom::turns::in_turn;
 use crate::view::Scene;
 
 /// A project, its results and drawing, its program, and the run of that.
-pub(crate) struct Begun {
+pub(crate) struct ProjectStart {
     pub project: Project,
     pub design: Design,
     pub scene: Scene,
@@ -19,9 +19,9 @@ pub(crate) struct Begun {
     pub run: Run,
 }
 
-impl Begun {
+impl ProjectStart {
     /// Makes everything in turns, then calls `then`.
-    pub(crate) fn in_turns(project: Project, then: impl FnOnce(Begun) + 'static) {
+    pub(crate) fn in_turns(project: Project, then: impl FnOnce(ProjectStart) + 'static) {
         in_turn(move || {
             let prepared = project.prepared();
             in_turn(move || {
@@ -30,7 +30,7 @@ impl Begun {
                     let written = Rc::new(project.written());
                     in_turn(move || {
                         let run = planning::begin(&project, &written);
-                        in_turn(move || then(Begun { project, design, scene, written, run }));
+                        in_turn(move || then(ProjectStart { project, design, scene, written, run }));
                     });
                 });
             });
@@ -39,9 +39,9 @@ impl Begun {
 
     /// Makes everything at once.
     #[cfg(test)]
-    pub(crate) fn now(project: Project) -> Begun {
+    pub(crate) fn now(project: Project) -> ProjectStart {
         let (design, scene, written) = (project.design(), project.prepared().scene(), Rc::new(project.written()));
         let run = planning::begin(&project, &written);
-        Begun { project, design, scene, written, run }
+        ProjectStart { project, design, scene, written, run }
     }
 }
