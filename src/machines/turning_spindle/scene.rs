@@ -157,10 +157,10 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
 }
 
 /// Left ends of the labels in the row above the machine.
-const STOCK: f64 = 292.0;
-const FINISHED: f64 = 402.0;
-const TOOL: f64 = 506.0;
-const LEFT: f64 = 680.0;
+const STOCK: f64 = 291.0;
+const FINISHED: f64 = 403.0;
+const TOOL: f64 = 515.0;
+const LEFT: f64 = 688.0;
 /// Right end of the column at the right, and height of a label in it.
 const RIGHT: f64 = 1036.0;
 const BLOCK: f64 = 70.0;
