@@ -65,7 +65,7 @@ pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
     if !waits.is_empty() {
         b.words(waits);
     }
-    b.assign(PHASE, 0).note("THE PRODUCT IS PITCH_TOLERANCE");
+    b.assign(PHASE, 0).note("THE PRODUCT IS WHOLE");
 }
 
 /// Writes the alarm after the end of the program. Only a reset ends it: after an M0, cycle start would bring a jogged roller back.

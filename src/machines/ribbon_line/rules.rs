@@ -124,8 +124,6 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
     Rule::new("knob-turn", slack::knob_turn, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("stop-room", tension_switch::stops_in_time, CONTACTS),
-    Rule::new("head-gap", product::head_gap, Citation::new("sizing facts 3.1", Grade::Inferred)),
-    Rule::new("dot-gap", product::dot_gap, Citation::new("sizing facts 3.2", Grade::Inferred)),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 

@@ -318,10 +318,10 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
         b.n(65).words([driven(stop, 5)]);
     }
     let release = p.release_code as u32;
-    if release > 0 {
-        b.n(66).words([m(release)]).note("RELEASES THE SPINDLE");
-    } else if p.lock_code <= 0.0 {
+    if p.lock_code <= 0.0 {
         b.n(66).words([m(0)]).note("RELEASE THE SPINDLE BY HAND");
+    } else if release > 0 {
+        b.n(66).words([m(release)]).note("RELEASES THE SPINDLE");
     }
 }
 

@@ -263,7 +263,7 @@ fn design_readouts_match_their_golden() {
         Fail peak-torque: At Ø 80 mm cut, friction and the acceleration of the constant surface speed together take 171.4 Nm at 716 r/min; the motor gives 85.9 Nm there for a short time: the spindle lags or stalls. Feed more slowly, or limit the speed to less.
     "#]].assert_eq(&verdicts(&[("cutting-force", "4000"), ("gear", "1"), ("feed", "2")]));
     expect![[r#"
-        Warning lower-limit: At Ø 80 mm the lower limit of 3000 r/min lifts the cutting speed to 754 m/min.
+        Warning lower-limit: At Ø 80 mm the lower limit of 2500 r/min lifts the cutting speed to 628 m/min.
         Warning lower-limit: The lower limit of 3000 r/min lies above the upper one of 2500 r/min: the upper one holds.
     "#]]
     .assert_eq(&verdicts(&[("cutting-speed", "20"), ("lower-limit", "3000")]));
@@ -376,10 +376,13 @@ fn parameter_sheets_match_their_goldens() {
         1006#3 DIA X 1 Open
         1420 X 8000 mm/min Open
         1420 Z 10000 mm/min Open
-        1422 X 4000 mm/min Open
-        1422 Z 8000 mm/min Open
+        1422 8945 mm/min Open
+        1430 X 4000 mm/min Open
+        1430 Z 8000 mm/min Open
         1610#0 CTL X 1 Open
         1610#0 CTL Z 1 Open
+        1620 X 100 ms Open
+        1620 Z 100 ms Open
         1622 X 100 ms Open
         1622 Z 100 ms Open
         1820 CMR X 102 Open
@@ -421,6 +424,8 @@ fn parameter_sheets_match_their_goldens() {
         #2002 clamp Z 8000 mm/min Sister
         #2003 smgst X 11 hex Open
         #2003 smgst Z 11 hex Open
+        #2004 G0tL X 100 ms Sister
+        #2004 G0tL Z 100 ms Sister
         #2007 G1tL X 100 ms Sister
         #2007 G1tL Z 100 ms Sister
         #2201 PC1 X 1 Inferred

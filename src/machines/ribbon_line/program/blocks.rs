@@ -107,10 +107,10 @@ pub(super) fn spindle_word(line: &RibbonLine) -> u32 {
     if line.p.knob_is_locked() { ACTUAL_SPEED } else { SPEED }
 }
 
-/// S before the program reads it back: a register with the final speed is 0 until the control has put out an S.
+/// Starts the unwinder before the program reads its speed back: a register with the final speed is 0 until the control puts out an S.
 pub(super) fn speed_before_reading(b: &mut Builder, line: &RibbonLine) {
     if line.p.override_form == OverrideForm::FinalSpeed {
-        b.words([s(v(SPEED))]).note("S IS READ BACK");
+        b.words([s(v(SPEED)), m(3)]).note("S IS READ BACK");
     }
 }
 

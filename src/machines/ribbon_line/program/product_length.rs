@@ -64,7 +64,7 @@ pub(super) fn length_alarms(b: &mut Builder, line: &RibbonLine) {
     let length = line.control.variable(LENGTH);
     writing::alarm(b, line.control, SHORT_ALARM, &format!("LENGTH {length} IS BELOW A PITCH"));
     if line.p.rest == Rest::Alarm {
-        writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO PITCH_TOLERANCE PITCHES"));
+        writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO WHOLE PITCHES"));
     }
     if writing::has_alarms(line.control) {
         b.words([m(30)]);
