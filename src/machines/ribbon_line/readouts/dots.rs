@@ -1,4 +1,4 @@
-//! The results of the error budget of a dot.
+//! The results of a dot: its error budget, and the room between heads and between dots.
 
 use crate::machines::ribbon_line::dot_error::{DotError, strain};
 use crate::machines::ribbon_line::resolved::RibbonLine;
@@ -7,7 +7,7 @@ use crate::text::{Citation, Grade};
 
 const BUDGET: Citation = Citation::new("sizing facts 2.5, error budget", Grade::Inferred);
 
-/// Results of the error budget.
+/// Rows in the order they are shown.
 pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "dot-error",
@@ -67,6 +67,26 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         formula: "1000 · T2 / (E · width · thickness)",
         cite: BUDGET,
         value: |line| 1e3 * strain(line),
+        ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "dot-gap",
+        label: "ribbon.readout.dot-gap",
+        unit: "mm",
+        decimals: 3,
+        formula: "#107 - length of a dot",
+        cite: Citation::new("sizing facts 3.2", Grade::Inferred),
+        value: RibbonLine::dot_gap,
+        ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "head-gap",
+        label: "ribbon.readout.head-gap",
+        unit: "mm",
+        decimals: 3,
+        formula: "π · #111 / #109 - l",
+        cite: Citation::new("sizing facts 3.1", Grade::Inferred),
+        value: |line| line.p.head_gap(),
         ..ReadoutRow::BASE
     },
 ];

@@ -110,16 +110,6 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         value: RibbonLine::dot_length, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "dot-gap", label: "ribbon.readout.dot-gap", unit: "mm", decimals: 3,
-        formula: "#107 - length of a dot",
-        cite: Citation::new("sizing facts 3.2", Grade::Inferred), value: RibbonLine::dot_gap, ..ReadoutRow::BASE
-    },
-    ReadoutRow {
-        id: "head-gap", label: "ribbon.readout.head-gap", unit: "mm", decimals: 3,
-        formula: "π · #111 / #109 - l",
-        cite: Citation::new("sizing facts 3.1", Grade::Inferred), value: |line| line.p.head_gap(), ..ReadoutRow::BASE
-    },
-    ReadoutRow {
         id: "unwinder-torque", label: "ribbon.readout.unwinder-torque", unit: "Nm", decimals: 4,
         formula: "(brake · #102 / 2 + friction) / (#101 · η)",
         cite: Citation::new("sizing facts D1", Grade::Inferred), value: |line| line.mechanics.unwinder, ..ReadoutRow::BASE

@@ -1,4 +1,4 @@
-//! The rule of the error budget of a dot: all parts together stay within its tolerance.
+//! The rules of a dot: all parts of its error together stay within its tolerance, heads fit on the roller, dots stay apart.
 
 use super::slack::equal_entries;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most};
@@ -6,15 +6,18 @@ use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource};
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
-use crate::machines::verdict::{Judgement, Rule, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
 use crate::view::Advice;
-use crate::view::Limit::AtMost;
+use crate::view::Limit::{AtLeast, AtMost};
 
-/// The rule.
-pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] =
-    &[Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred))];
+/// All rules of a dot.
+pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
+    Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred)),
+    Rule::new("head-gap", head_gap, Citation::new("sizing facts 3.1", Grade::Inferred)),
+    Rule::new("dot-gap", dot_gap, Citation::new("sizing facts 3.2", Grade::Inferred)),
+];
 
 fn error(line: &RibbonLine) -> Option<Judgement> {
     let (p, of) = (&line.p, DotError::of(line));
@@ -61,4 +64,37 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         msg!("ribbon.dot-error-of-several", error, tolerance, part, part_error)
     };
     warn(limit, [Advice::from(advice).setting(button, entries)])
+}
+
+/// A shorter print head, where the form takes one this short (mm).
+fn with_head(advice: Message, longest: f64) -> Advice {
+    let set = at_most(FIELDS, "head-length", longest);
+    let advice = Advice::from(advice);
+    if set.value > longest {
+        advice
+    } else {
+        advice.setting(msg!("advice.set-head-length", length = set.text.as_str()), [set])
+    }
+}
+
+/// Judges the room between two heads on the print roller.
+fn head_gap(line: &RibbonLine) -> Option<Judgement> {
+    let (p, limit) = (&line.p, AtLeast(0.0));
+    if p.head_gap() >= 0.0 {
+        return ok(limit);
+    }
+    let room = p.head_gap() + p.print.head_length;
+    let advice = msg!("ribbon.heads-do-not-fit", length = (p.print.head_length, 3), room = (room, 3));
+    fail(limit, [with_head(advice, room)])
+}
+
+/// Judges the ribbon left between two dots. The slip lengthens a dot whatever the length of its head.
+fn dot_gap(line: &RibbonLine) -> Option<Judgement> {
+    let (p, limit) = (&line.p, AtLeast(0.0));
+    if line.dot_gap() >= 0.0 {
+        return ok(limit);
+    }
+    let length = p.pitch - line.dot_gap();
+    let advice = msg!("ribbon.dots-touch", length = (length, 3), pitch = (p.pitch, 3));
+    fail(limit, [with_head(advice, (p.pitch - line.d.smear) * line.d.surface_ratio)])
 }

@@ -2,7 +2,7 @@
 //!
 //! Judged with the knob at its highest position: acceleration grows with the speed, because a ramp lasts its time constant at every speed.
 
-use super::{product, slack};
+use super::slack;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::devices::forced_cooling_advice;
@@ -26,8 +26,6 @@ pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-inertia-ratio", inertia_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("y-inertia-ratio", inertia_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("nip-use", grip, Citation::new("sizing facts 2.2, from memory", Grade::Open)),
-    Rule::new("head-gap", product::head_gap, Citation::new("sizing facts 3.1", Grade::Inferred)),
-    Rule::new("dot-gap", product::dot_gap, Citation::new("sizing facts 3.2", Grade::Inferred)),
     Rule::new("unwinder-torque", unwinder, Citation::new("data sheet of the motor", Grade::Inferred)),
     Rule::new("unwinder-ramp-torque", unwinder_ramp, Citation::new("FR-E800: 150 % for 60 s", Grade::Inferred)),
     Rule::new("unwinder-torque", unwinder_load, Citation::new("sizing facts D1", Grade::Inferred)),

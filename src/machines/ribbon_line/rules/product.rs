@@ -2,13 +2,13 @@
 
 use super::cam;
 use crate::drives::web;
-use crate::machines::form::entry::{at_least, at_most, nearest};
+use crate::machines::form::entry::{at_least, nearest};
 use crate::machines::ribbon_line::params::{FIELDS, PiForm, Rest};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
-use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
+use crate::view::Limit::{AtMost, Equal, Within};
 use crate::view::{Advice, FieldEntry, Verdict};
 
 /// OK up to the allowed smear, a warning up to four times it, a failure beyond.
@@ -155,39 +155,6 @@ pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judg
         Rest::Alarm => fail(limit, [advice, shorter]),
         Rest::Round | Rest::Shorten => warn(limit, [advice, shorter]),
     }
-}
-
-/// A shorter print head, where the form takes one this short (mm).
-fn with_head(advice: Message, longest: f64) -> Advice {
-    let set = at_most(FIELDS, "head-length", longest);
-    let advice = Advice::from(advice);
-    if set.value > longest {
-        advice
-    } else {
-        advice.setting(msg!("advice.set-head-length", length = set.text.as_str()), [set])
-    }
-}
-
-/// Judges the room between two heads on the print roller.
-pub(in crate::machines::ribbon_line) fn head_gap(line: &RibbonLine) -> Option<Judgement> {
-    let (p, limit) = (&line.p, AtLeast(0.0));
-    if p.head_gap() >= 0.0 {
-        return ok(limit);
-    }
-    let room = p.head_gap() + p.print.head_length;
-    let advice = msg!("ribbon.heads-do-not-fit", length = (p.print.head_length, 3), room = (room, 3));
-    fail(limit, [with_head(advice, room)])
-}
-
-/// Judges the ribbon left between two dots. The slip lengthens a dot whatever the length of its head.
-pub(in crate::machines::ribbon_line) fn dot_gap(line: &RibbonLine) -> Option<Judgement> {
-    let (p, limit) = (&line.p, AtLeast(0.0));
-    if line.dot_gap() >= 0.0 {
-        return ok(limit);
-    }
-    let length = p.pitch - line.dot_gap();
-    let advice = msg!("ribbon.dots-touch", length = (length, 3), pitch = (p.pitch, 3));
-    fail(limit, [with_head(advice, (p.pitch - line.d.smear) * line.d.surface_ratio)])
 }
 
 pub(in crate::machines::ribbon_line) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
