@@ -16,9 +16,12 @@ use super::rules;
 use crate::machines::verdict::{ReadoutRow, Rule, results};
 use crate::view::Readout;
 
+/// Rows of a subject, and the rules that judge them.
+type Subject = (&'static [ReadoutRow<RibbonLine>], &'static [Rule<RibbonLine>]);
+
 /// The results with their verdicts, in the order they are shown; those of a cam only if a law is chosen.
 pub(super) fn readouts(line: &RibbonLine) -> Vec<Readout> {
-    let subjects: [(&[ReadoutRow<RibbonLine>], &[Rule<RibbonLine>]); 5] = [
+    let subjects: [Subject; 5] = [
         (line::ROWS, rules::RULES),
         (drives::ROWS, rules::drives::RULES),
         (reel::ROWS, rules::reel::RULES),
