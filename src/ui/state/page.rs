@@ -469,6 +469,13 @@ impl Page {
         });
     }
 
+    /// Brings the value before an entry back that turns out to be no value; its text stays as it is typed.
+    pub(crate) fn restore(self, id: &'static str, before: Value) {
+        self.edit_in(Some(id), Some(EditKey::Field(id)), |project| {
+            project.values.insert(id.to_owned(), before);
+        });
+    }
+
     /// Sets a field of the form by another control.
     pub(crate) fn take_value(self, id: &'static str, value: Value) {
         self.entries.accept(id);
