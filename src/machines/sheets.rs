@@ -1,8 +1,9 @@
 //! Sheets beside a program: rows that all machines share.
 
 use crate::controls::{Control, ParamDef, ParamRole};
-use crate::text::Citation;
+use crate::msg;
 use crate::text::catalog::{number_text, words};
+use crate::text::{Citation, Diagnostic};
 use crate::view::{Column, Row, Sheet, SheetKind};
 
 /// A sentence of the catalog, for cells and drawings.
@@ -35,6 +36,18 @@ pub struct AxisUnits<'a> {
 
 /// Values of a parameter: by axis, or one under an empty name.
 pub type AxisValues<'a> = Vec<(&'a str, ParamValue)>;
+
+/// The error of a value (with its unit) that a parameter of the control does not take, if its range is known.
+pub fn beyond_range(
+    field: &'static str,
+    value: f64,
+    unit: &'static str,
+    range: Option<(f64, f64)>,
+) -> Option<Diagnostic> {
+    let (low, high) = range.filter(|(low, high)| !(*low..=*high).contains(&value))?;
+    let message = msg!("form.parameter-range", value = (value, 3), least = (low, 3), most = (high, 3), unit);
+    Some(Diagnostic::error(message).about(field))
+}
 
 /// Parameters with their values, as far as the control has them.
 pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, AxisValues)>) -> Sheet {

@@ -27,6 +27,7 @@ use super::program;
 use super::resolved::RibbonLine;
 use super::tension_switch;
 use crate::controls::ParamRole;
+use crate::machines::sheets;
 use crate::machines::verdict::Rule;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade};
@@ -159,11 +160,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     }
     let constant = line.control.param(ParamRole::AxisTimeConstant).and_then(|row| row.range);
     for (field, value) in [("time-constant-x", p.time_constant_x), ("time-constant-y", p.time_constant_y)] {
-        if let Some((least, most)) = constant.filter(|(low, high)| !(*low..=*high).contains(&value)) {
-            let message =
-                msg!("form.parameter-range", value = (value, 3), least = (least, 3), most = (most, 3), unit = "ms");
-            found.push(Diagnostic::error(message).about(field));
-        }
+        found.extend(sheets::beyond_range(field, value, "ms", constant));
     }
     if p.no_load_speed < p.rated_load_speed {
         let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));

@@ -21,7 +21,7 @@ use crate::machines::form::entry::{at_least, at_most};
 use crate::machines::knobs::{self, TorqueRemedy};
 use crate::machines::materials::Material;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
-use crate::machines::{scaling, turret};
+use crate::machines::{scaling, sheets, turret};
 use crate::math;
 use crate::msg;
 use crate::text::catalog::number_text as show;
@@ -522,12 +522,7 @@ fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let TurningSpindle { p, .. } = lathe;
     let rules = &lathe.control.spindle;
-    let mut check = |field: &'static str, value: f64, unit: &'static str, range: Option<(f64, f64)>| {
-        if let Some((low, high)) = range.filter(|(low, high)| !(*low..=*high).contains(&value)) {
-            let message = msg!("form.parameter-range", value = (value, 3), least = (low, 3), most = (high, 3), unit);
-            found.push(Diagnostic::error(message).about(field));
-        }
-    };
+    let mut check = |field, value, unit, range| found.extend(sheets::beyond_range(field, value, unit, range));
     let offsets = |at: usize| rules.offsets.and_then(|ranges| ranges.get(at).copied());
     check("offset-zero", p.offset_zero, "mV", offsets(0));
     check("offset-full", p.offset_full, "mV", offsets(1));

@@ -180,7 +180,7 @@ fn TypedInput(
             Ok(value) => page.set(id, value),
             Err(problem) => {
                 if let Some(before) = before.get_value() {
-                    page.restore(id, before);
+                    page.set_below_text(id, before);
                 }
                 page.entries.refuse(id, *problem);
             }

@@ -464,15 +464,13 @@ impl Page {
     /// Sets a field of the form by its own entry.
     pub(crate) fn set(self, id: &'static str, value: Value) {
         self.entries.accept(id);
-        self.edit_in(Some(id), Some(EditKey::Field(id)), |project| {
-            project.values.insert(id.to_owned(), value);
-        });
+        self.set_below_text(id, value);
     }
 
-    /// Brings the value before an entry back that turns out to be no value; its text stays as it is typed.
-    pub(crate) fn restore(self, id: &'static str, before: Value) {
+    /// Sets a field whose entry turns out to be no value to the one before it; the text stays as it is typed.
+    pub(crate) fn set_below_text(self, id: &'static str, value: Value) {
         self.edit_in(Some(id), Some(EditKey::Field(id)), |project| {
-            project.values.insert(id.to_owned(), before);
+            project.values.insert(id.to_owned(), value);
         });
     }
 
