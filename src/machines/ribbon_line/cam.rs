@@ -70,7 +70,7 @@ impl Cam {
                 contact: p.contact_length / 1e3,
                 // The heads have their angles, whatever π the program uses.
                 arc: PI * p.print_roller_diameter / p.heads / 1e3,
-                speed: d.line_speed / 60e3,
+                speed: d.feeds.line_speed / 60e3,
             },
             law,
             axis,
@@ -78,7 +78,7 @@ impl Cam {
             tolerance: p.dot_tolerance / 1e3,
             position_gain: p.position_gain_y,
             time_constant: p.time_constant_y / 1e3,
-            smear: d.smear,
+            smear: d.surface.smear,
         }
     }
 

@@ -43,22 +43,27 @@ pub(super) fn ramp(line: &RibbonLine) -> f64 {
 
 /// Ribbon (mm) laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
 fn laid_while_x_stops(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f64) -> f64 {
-    if d.actual_speed <= 0.0 {
+    if d.unwinder.actual <= 0.0 {
         return 0.0;
     }
-    let coasting = self::ramp(line) * d.actual_speed / line.p.speed_at_10v;
-    web::slack_after_stop(d.line_speed / 60.0, coasting, ramp, delay) - lag
+    let coasting = self::ramp(line) * d.unwinder.actual / line.p.speed_at_10v;
+    web::slack_after_stop(d.feeds.line_speed / 60.0, coasting, ramp, delay) - lag
 }
 
 /// Ribbon (mm) that is laid into the loop while X stops over its time constant and the unwinder coasts: as at a hold, with the time of
 /// coasting in the place of the ramp. Source: ribbon line facts, 7.
 pub(super) fn laid_in_move(line: &RibbonLine, d: &Derived) -> f64 {
-    laid_while_x_stops(line, d, (0.0, line.p.time_constant_x / 1000.0), d.line_speed / 60.0 / line.p.position_gain_x)
+    laid_while_x_stops(
+        line,
+        d,
+        (0.0, line.p.time_constant_x / 1000.0),
+        d.feeds.line_speed / 60.0 / line.p.position_gain_x,
+    )
 }
 
 /// Ribbon (mm) in the loop before the stop at the worst moment, with the knob at its highest position.
 fn loop_before_stop(line: &RibbonLine) -> f64 {
-    line.fast.slack_start.abs() + line.fast.slack_run.abs()
+    line.fast.slack.start.abs() + line.fast.slack.run.abs()
 }
 
 /// Ribbon (mm) laid at the worst moment, with the knob at its highest position: both axes are at rest after the last move and M5 is not
@@ -87,7 +92,7 @@ impl EndOfMove {
             PathMode::Continuous => EndOfMove {
                 rest: p.slowest(),
                 stop: p.time_constant_x / 1000.0,
-                lag: line.fast.line_speed / 60.0 / p.position_gain_x,
+                lag: line.fast.feeds.line_speed / 60.0 / p.position_gain_x,
             },
         }
     }
@@ -106,16 +111,16 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(needed) {
         return ok(limit);
     }
-    let time = seconds(line, line.fast.actual_speed);
+    let time = seconds(line, line.fast.unwinder.actual);
     let message =
         msg!("ribbon.coasts-too-long", time = (time, 2), needed = (needed.ceil(), 0), capacity = (capacity, 0));
     let mut advice = Vec::new();
     // The brake that stops the unwinder in the time in which the loop fills up, less the time in which it closes.
-    let speed = line.fast.line_speed / 60.0;
+    let speed = line.fast.feeds.line_speed / 60.0;
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
     let left = 2.0 * (capacity - loop_before_stop(line) + lag) / speed - 2.0 * rest + stop - 2.0 * CLOSING_TIME;
     if left > 0.0 {
-        let torque = load::braking(inertia(line), line.fast.actual_speed * RPM, left);
+        let torque = load::braking(inertia(line), line.fast.unwinder.actual * RPM, left);
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;
         if brake <= STRONGEST * line.p.unwinding.torque {
             let set = at_least(FIELDS, "unwinder-motor-brake", brake);

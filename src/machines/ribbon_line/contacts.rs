@@ -25,13 +25,13 @@ pub(super) fn holding(line: &RibbonLine) -> Vec<MachineContact> {
 /// line facts, 11.
 pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     let (p, fast) = (&line.p, &line.fast);
-    let ramp = p.inverter_ramp * fast.actual_speed / p.speed_at_10v;
-    fast.line_speed / 60.0 * ramp / 2.0
+    let ramp = p.inverter_ramp * fast.unwinder.actual / p.speed_at_10v;
+    fast.feeds.line_speed / 60.0 * ramp / 2.0
 }
 
 /// Ribbon (mm) laid below the sensor of the longest loop while the program holds, at the worst position of the knob.
 pub(super) fn room_below_sensor(line: &RibbonLine) -> f64 {
-    line.worst(|d| d.slack_hold).slack_hold.max(0.0)
+    line.worst(|d| d.slack.hold).slack.hold.max(0.0)
 }
 
 /// The contacts of loop and reel in a run, in the order of [`BY_MOVERS`].

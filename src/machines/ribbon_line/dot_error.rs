@@ -31,10 +31,10 @@ impl DotError {
         let pull = play(&mechanics.pull, p.x_roller_diameter);
         let print = play(&mechanics.print, p.print_roller_diameter);
         DotError {
-            encoders: math::hypot(half_pulse(d.x_resolution), half_pulse(d.y_resolution)),
+            encoders: math::hypot(half_pulse(d.accuracy.x_resolution), half_pulse(d.accuracy.y_resolution)),
             run_out: math::hypot(p.roller_run_out / 2.0, p.roller_run_out / 2.0),
             backlash: math::hypot(pull, print),
-            lag: d.register_error.abs(),
+            lag: d.accuracy.register_error.abs(),
             strain: p.pitch * strain(line),
         }
     }

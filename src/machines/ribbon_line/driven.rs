@@ -105,13 +105,13 @@ fn unwinder_gear(line: &RibbonLine) -> FormGear {
 
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.
 fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
-    let (p, speed) = (&line.p, line.fast.actual_speed);
+    let (p, speed) = (&line.p, line.fast.unwinder.actual);
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;
     InverterCycle {
         load: unwinder_load(p, line.mechanics.unwinder),
         // The inertia of the form includes the rotor.
         rotor: None,
-        of: Move { speed: speed * RPM, ramp, run: line.fast.product_time, pause: p.pause, hold: 0.0 },
+        of: Move { speed: speed * RPM, ramp, run: line.fast.product.time, pause: p.pause, hold: 0.0 },
         short_time: ShortTime { driving: SHORT_TIME, braking: p.unwinding.motor_braking / 100.0 },
     }
 }
@@ -122,8 +122,8 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         id: "unwinder",
         name: "ribbon.drive.unwinder",
         torque: line.mechanics.unwinder,
-        speed: line.fast.actual_speed,
-        top_speed: line.fast.actual_speed,
+        speed: line.fast.unwinder.actual,
+        top_speed: line.fast.unwinder.actual,
         site_share: line.p.unwinding.site_share / 100.0,
         brake: line.p.unwinding.motor_brake,
         cycle: Some(unwinder_cycle(line)),
@@ -132,7 +132,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         rotor: 0.0,
         gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
         full: Some(FullSignal { frequency: line.p.frequency_at_10v, no_load: line.p.no_load_speed }),
-        cooled_at: (!line.p.unwinding.forced_cooling).then_some(line.slow.actual_speed.min(line.d.actual_speed)),
+        cooled_at: (!line.p.unwinding.forced_cooling).then_some(line.slow.unwinder.actual.min(line.d.unwinder.actual)),
         fields: Some(&UNWINDER),
     }
 }
@@ -140,10 +140,10 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
 /// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its
 /// highest position.
 pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
-    let (p, speed, torque) = (&line.p, line.fast.actual_speed, line.mechanics.unwinder_braking);
+    let (p, speed, torque) = (&line.p, line.fast.unwinder.actual, line.mechanics.unwinder_braking);
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;
     let energy = 0.5 * torque * speed * RPM * ramp;
-    let cycle = line.fast.product_time + p.pause;
+    let cycle = line.fast.product.time + p.pause;
     let is_asked = torque > WITHOUT_RESISTOR / 100.0 * p.unwinding.torque && energy > 0.0 && cycle.is_finite();
     is_asked.then(|| ResistorDemand {
         name: "ribbon.drive.unwinder",
@@ -156,7 +156,7 @@ pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
 /// The encoder of the unwinder's motor, where the form has one.
 pub(super) fn encoder(line: &RibbonLine) -> Option<SpindleEncoder> {
     let of = &line.p.encoder;
-    let speed = line.fast.actual_speed * of.ratio();
+    let speed = line.fast.unwinder.actual * of.ratio();
     line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed, lines: of.lines })
 }
 

@@ -88,10 +88,10 @@ impl ServoAxis {
         let hold = side.hold / ratio;
         let output = Load { inertia: side.turning, torque: side.torque, efficiency: 1.0 };
         let repeated = motion(p, d, (speed, ramp), hold);
-        let mean_speed = repeated.map_or(0.0, |of| mean_speed(&of, d.product_time, p.pause));
+        let mean_speed = repeated.map_or(0.0, |of| mean_speed(&of, d.product.time, p.pause));
         let phases = repeated.map(|of| load.phases(motor.rotor, of));
         let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
-        let effective = with_pause(effective, d.product_time, p.pause, hold);
+        let effective = with_pause(effective, d.product.time, p.pause, hold);
         // An overhauling load asks more torque in the stop or at standstill than in the start.
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
         let taut = load::through_gear(side.taut, ratio, efficiency);
@@ -151,7 +151,7 @@ impl ServoAxis {
 /// Starts of the axes in a minute: each block with exact stop is one.
 fn starts(p: &Params, d: &Derived) -> f64 {
     match p.path_mode {
-        PathMode::ExactStop if d.stop_time > 0.0 => 60.0 / d.stop_time,
+        PathMode::ExactStop if d.timing.exact_stop > 0.0 => 60.0 / d.timing.exact_stop,
         _ => 0.0,
     }
 }
@@ -160,8 +160,8 @@ fn starts(p: &Params, d: &Derived) -> f64 {
 /// does not reach the speed (sizing facts, section 4).
 fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Option<Move> {
     let (run, cycle) = match p.path_mode {
-        PathMode::ExactStop => (d.block_time, d.stop_time),
-        PathMode::Continuous => (p.count() * d.pitch_time / d.speed_kept, d.product_time),
+        PathMode::ExactStop => (d.timing.block, d.timing.exact_stop),
+        PathMode::Continuous => (p.count() * d.timing.pitch / d.timing.kept, d.product.time),
     };
     let reached = (run / ramp).min(1.0);
     let found = Move {
@@ -226,7 +226,7 @@ impl Mechanics {
             torque: (web.tension_before - web.tension_behind) * radius + pull.friction,
             taut: (tautest - web.tension_behind) * radius + pull.friction,
             hold: (web.tension_before - web.tension_behind) * radius,
-            rpm: d.x_motor_speed,
+            rpm: d.feeds.x_motor_speed,
             time_constant: p.time_constant_x / 1e3,
             position_gain: p.position_gain_x,
         };
@@ -239,7 +239,7 @@ impl Mechanics {
             torque: print.force * print_radius + print.friction,
             taut: print.force * print_radius + print.friction,
             hold: 0.0,
-            rpm: d.y_motor_speed,
+            rpm: d.feeds.y_motor_speed,
             time_constant: p.time_constant_y / 1e3,
             position_gain: p.position_gain_y,
         };
@@ -256,7 +256,7 @@ impl Mechanics {
         let print_motor = servo(torques.1, print.rotor, p.motor_rated_y, p.motor_max_y);
         let pull_axis =
             ServoAxis::new(&pull_side, pull_motor, Acceptance::of_form(pull.inertia_limit, pull.effective_limit), p, d);
-        let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
+        let acceleration = d.feeds.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
         let unwinder = unwinder_torque(p, unwinding.brake);
         // The load has its gear's losses in its inertia, so that run-up and stop take the same torque.
@@ -276,8 +276,8 @@ impl Mechanics {
             ),
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
-            allowed_tension: d.tension_limit.min(web.tension_behind + GRIP / 100.0 * grip.0 * grip.1),
-            slip_or_break_tension: (2.0 * d.tension_limit).min(web.tension_behind + grip.0 * grip.1),
+            allowed_tension: d.tension.limit.min(web.tension_behind + GRIP / 100.0 * grip.0 * grip.1),
+            slip_or_break_tension: (2.0 * d.tension.limit).min(web.tension_behind + grip.0 * grip.1),
             unwound: unwound(p, unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,

@@ -139,8 +139,8 @@ impl Prepared for RibbonLine {
     }
 
     fn summary(&self) -> Option<Message> {
-        let speed = units::four_digits(self.d.line_speed, 3, "mm/min");
-        Some(msg!("ribbon.summary", speed, dots = four_digits(self.d.dots_per_second, 4)))
+        let speed = units::four_digits(self.d.feeds.line_speed, 3, "mm/min");
+        Some(msg!("ribbon.summary", speed, dots = four_digits(self.d.timing.dots_per_second, 4)))
     }
 
     fn program(&self) -> MachineProgram {

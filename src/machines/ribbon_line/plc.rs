@@ -42,7 +42,7 @@ impl RibbonPlc {
             opened: None,
             typed: line.p.knob_turns_alone().then(|| line.p.override_stepped()),
             filled: (program::feed_override_acts(line) || program::feed_override_stops(line))
-                .then_some((line.d.k, line.p.loop_capacity)),
+                .then_some((line.d.feeds.k, line.p.loop_capacity)),
             stops_alone: program::feed_override_stops(line),
         }
     }

@@ -185,7 +185,7 @@ fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut P
     }
     pose.placements.push(turned(group::PRINT, -flash, heads_seen));
     pose.placements.push(shown(group::PRINT_BLUR, 0.6 * (1.0 - heads_seen)));
-    let lens = Lens::new(line.layout(), &line.p, line.d.smear);
+    let lens = Lens::new(line.layout(), &line.p, line.d.surface.smear);
     let (cy, turn) = (lens.centre(), -(flash - (flash / head).floor() * head));
     pose.placements.push(Placement { turn, cy, opacity: 0.25 + 0.75 * heads_seen, ..Placement::of(group::LENS_HEADS) });
 }
@@ -208,7 +208,7 @@ fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose
     pose.dashes.push((node::DOTS, 0.5 * long - part * p.pitch));
     pose.placements.push(shown(group::DOTS, clear * any));
     pose.placements.push(shown(group::DOTS_BLUR, 0.7 * (1.0 - clear) * any));
-    let lens = Lens::new(layout, p, line.d.smear);
+    let lens = Lens::new(layout, p, line.d.surface.smear);
     for id in [node::LENS_DOTS, node::LENS_SMEAR] {
         pose.dashes.push((id, -part * lens.pitch));
         pose.paths.push((id, lens.row(state.pulled.max(0.0))));

@@ -16,12 +16,12 @@ pub(super) fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
 /// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
 pub(super) fn time(line: &RibbonLine) -> f64 {
     let length = wound(&line.p).length();
-    if length > 0.0 { 60e3 * length / line.d.line_speed } else { 0.0 }
+    if length > 0.0 { 60e3 * length / line.d.feeds.line_speed } else { 0.0 }
 }
 
 /// Whole products that a reel makes until its sensor holds the program.
 pub(super) fn products(line: &RibbonLine) -> f64 {
-    ((1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product_length).floor()
+    ((1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product.length).floor()
 }
 
 /// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.

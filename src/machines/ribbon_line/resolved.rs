@@ -70,7 +70,7 @@ impl RibbonLine {
             (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
         }
         let [d, fast, slow] = derive_over_knob(&p, knob, &control.analog_output);
-        let tautest = greatest([&d, &fast, &slow], |at| at.greatest_tension(&p));
+        let tautest = greatest([&d, &fast, &slow], |at| at.tension.greatest(&p));
         let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d, tautest), Mechanics::new(&p, &fast, tautest));
         RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
     }
@@ -98,7 +98,7 @@ impl RibbonLine {
 
     /// Frequency (Hz) of the unwinder's motor at the lowest position of the knob at which it turns, at most the present one.
     pub(super) fn lowest_frequency(&self) -> f64 {
-        let (p, now) = (&self.p, self.d.frequency);
+        let (p, now) = (&self.p, self.d.unwinder.frequency);
         if now <= 0.0 || p.knob_is_locked() {
             return now;
         }
@@ -116,7 +116,7 @@ impl RibbonLine {
 
     /// Speed now over the speed with the knob at its highest position: a limit that holds there is so much lower here.
     pub(super) fn knob_share(&self) -> f64 {
-        if self.fast.actual_speed > 0.0 { self.d.actual_speed / self.fast.actual_speed } else { 1.0 }
+        if self.fast.unwinder.actual > 0.0 { self.d.unwinder.actual / self.fast.unwinder.actual } else { 1.0 }
     }
 
     /// Index of the axis that pulls, in the control's order.
@@ -132,7 +132,7 @@ impl RibbonLine {
     /// Driven speed over commanded speed, now or with the knob at its highest position: a feed per revolution follows the measured speed of
     /// the unwinder.
     pub(super) fn driven_share(&self, at: &Derived) -> f64 {
-        if self.feeds_per_revolution() { 1.0 + at.speed_error } else { 1.0 }
+        if self.feeds_per_revolution() { 1.0 + at.unwinder.error } else { 1.0 }
     }
 
     /// Letter of the print roller's axis.
@@ -206,7 +206,7 @@ impl RibbonLine {
 
     /// Length (mm) of a dot along the ribbon.
     pub(super) fn dot_length(&self) -> f64 {
-        web::mark_length(self.p.print.head_length, self.d.surface_ratio, self.p.contact_length)
+        web::mark_length(self.p.print.head_length, self.d.surface.ratio, self.p.contact_length)
     }
 
     /// Ribbon (mm) between two dots; negative where they run into each other.
@@ -235,7 +235,7 @@ fn highest(knob: Steps) -> f64 {
 fn derive_over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
     let now = Derived::new(p, output);
-    if now.actual_speed <= 0.0 || p.knob_is_locked() {
+    if now.unwinder.actual <= 0.0 || p.knob_is_locked() {
         return [now.clone(), now.clone(), now];
     }
     let fast = at(highest(knob).max(p.override_percent));

@@ -135,7 +135,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     let print = line.letter();
     for (axis, feed, clamp, field) in
-        [("X", d.x_feed, p.clamp_x, "clamp-x"), (print.as_str(), d.y_feed, p.clamp_y, "clamp-y")]
+        [("X", d.feeds.line_speed, p.clamp_x, "clamp-x"), (print.as_str(), d.feeds.y_feed, p.clamp_y, "clamp-y")]
     {
         let feed = feeds::followed(line, feed);
         if feed > clamp {
@@ -172,8 +172,9 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
                 .about("spindle-speed"),
         );
     }
-    if d.vector_feed > 0.0 && d.vector_feed < limits.feed_increment {
-        let message = msg!("ribbon.feed-below-increment", feed = (d.vector_feed, 6), step = limits.feed_increment);
+    if d.feeds.vector_feed > 0.0 && d.feeds.vector_feed < limits.feed_increment {
+        let message =
+            msg!("ribbon.feed-below-increment", feed = (d.feeds.vector_feed, 6), step = limits.feed_increment);
         found.push(Diagnostic::error(message).about("spindle-speed"));
     }
     found.extend(coordinates::long_blocks(line));
@@ -181,7 +182,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         let message = msg!("ribbon.cam-no-time", length = (p.contact_length, 3), pitch = (p.pitch, 3));
         found.push(Diagnostic::warning(message).about("contact-length"));
     }
-    let speed = line.fast.line_speed / 60.0;
+    let speed = line.fast.feeds.line_speed / 60.0;
     if speed > 0.0 {
         let (speed, capacity, time) = ((speed, 0), (p.loop_capacity, 0), (p.loop_capacity / speed, 1));
         let acts = program::feed_override_acts(line).then(|| msg!("ribbon.override-acts", speed, capacity, time));

@@ -48,7 +48,7 @@ pub(super) fn band(layout: &Layout, web: &Web) -> [String; 2] {
 /// Length and width of a dot on the ribbon, mm. The width is no input.
 pub(super) fn dot(line: &RibbonLine) -> (f64, f64) {
     let (p, s) = (&line.p, line.layout().scale);
-    let long = (p.contact_length + line.d.smear).max(0.6 * s);
+    let long = (p.contact_length + line.d.surface.smear).max(0.6 * s);
     (math::clamp(long, 0.05 * p.pitch, 0.7 * p.pitch), math::clamp(2.0 * p.contact_length, 1.6 * s, 4.0 * s))
 }
 
@@ -75,7 +75,7 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     stations::before(&mut drawing, layout, &layout.pull, group::PULL, DriveKind::Servo);
     printing::before(&mut drawing, layout, p);
     printing::deflector(&mut drawing, layout);
-    lens::lens(&mut drawing, layout, p, line.d.smear, line.d.smear > p.smear_limit);
+    lens::lens(&mut drawing, layout, p, line.d.surface.smear, line.d.surface.smear > p.smear_limit);
     labels::lens(&mut drawing, line, layout);
     labels::callouts(&mut drawing, line, layout);
     let slack = 0.5 * (layout.unwinder.x + layout.pull.x);

@@ -26,14 +26,14 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     let (d, print) = (&line.d, line.p.print_axis.address().to_string());
     let laid = |mm: f64| msg!("ribbon.stops.laid", length = (mm, 0));
     let worst = worst_loop(line);
-    let left = line.p.loop_capacity - (worst.loop_needed - worst.slack_interruption);
-    let again = match worst.slack_interruption {
+    let left = line.p.loop_capacity - (worst.slack.loop_needed - worst.slack.interruption);
+    let again = match worst.slack.interruption {
         none if none <= 0.0 => laid(0.0),
         each => msg!(
             "ribbon.stops.laid-twice",
-            hold = (d.slack_hold, 0),
-            restart = (d.slack_resume, 0),
-            pause = (d.slack_interruption, 0),
+            hold = (d.slack.hold, 0),
+            restart = (d.slack.resume, 0),
+            pause = (d.slack.interruption, 0),
             count = (left / each).max(0.0).floor()
         ),
     };
@@ -61,7 +61,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         row(
             Interruption::Alarm,
             block,
-            laid(d.slack_stop),
+            laid(d.slack.stop),
             anew(
                 |axis| msg!("ribbon.stops.mend", axis),
                 |axis, variable| msg!("ribbon.stops.mend-by-hand", axis, variable),
@@ -70,7 +70,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         row(
             Interruption::Reset,
             msg!("ribbon.stops.axes-reset", axis = print.as_str()),
-            laid(d.slack_hold),
+            laid(d.slack.hold),
             anew(
                 |axis| msg!("ribbon.stops.anew", axis),
                 |axis, variable| msg!("ribbon.stops.anew-by-hand", axis, variable),
@@ -79,7 +79,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         row(
             Interruption::EmergencyStop,
             msg!("ribbon.stops.axes-emergency", axis = print.as_str()),
-            laid(d.slack_hold),
+            laid(d.slack.hold),
             anew(
                 |axis| msg!("ribbon.stops.clear", axis),
                 |axis, variable| msg!("ribbon.stops.clear-by-hand", axis, variable),
@@ -142,7 +142,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             Interruption::Hold,
             "ribbon.stops.web-tight",
             hold(),
-            laid(d.slack_hold),
+            laid(d.slack.hold),
             if in_step { msg!("ribbon.stops.hangs-in-step") } else { msg!("ribbon.stops.hangs") },
         ),
         row(

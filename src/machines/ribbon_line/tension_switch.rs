@@ -49,7 +49,7 @@ fn force_per_strain(line: &RibbonLine) -> f64 {
 
 /// Way (mm) of X from a hold to its stop with the knob at its highest position: `v · (τ / 2 + 1 / K)`. Source: ribbon line facts, 11.
 fn way_to_the_stop(line: &RibbonLine) -> f64 {
-    line.fast.line_speed / 60.0 * (line.p.time_constant_x / 2000.0 + 1.0 / line.p.position_gain_x)
+    line.fast.feeds.line_speed / 60.0 * (line.p.time_constant_x / 2000.0 + 1.0 / line.p.position_gain_x)
 }
 
 /// Stretch (mm) of the ribbon that is left for the switch when X keeps its way to the stop; negative where the ribbon tears or slips
@@ -76,7 +76,7 @@ pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
 
 /// An advice to press so hard that the switch opens where at least so much ribbon (mm) is missing; alone where the ribbon would break.
 pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> Advice {
-    let (p, half) = (&line.p, line.d.tension_limit);
+    let (p, half) = (&line.p, line.d.tension.limit);
     let (allowed, holds) = (tension(line, missing), tension(line, missing + way_to_the_stop(line)));
     if allowed > half || holds > 2.0 * half {
         return message.into();

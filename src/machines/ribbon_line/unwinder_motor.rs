@@ -26,7 +26,7 @@ impl UnwindingParams {
 pub(super) fn shortest_ramp(line: &RibbonLine) -> f64 {
     let (p, mechanics) = (&line.p, &line.mechanics);
     let (steady, rise) = (mechanics.unwinder, mechanics.unwinder_ramp - mechanics.unwinder);
-    let motor = |share: f64| p.unwinding.short_time(share, line.fast.frequency);
+    let motor = |share: f64| p.unwinding.short_time(share, line.fast.unwinder.frequency);
     let left = (motor(SHORT_TIME) - steady).min(motor(p.unwinding.motor_braking / 100.0) + steady);
     if left > 0.0 { p.inverter_ramp * rise / left } else { f64::INFINITY }
 }

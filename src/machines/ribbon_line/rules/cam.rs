@@ -35,7 +35,7 @@ pub(in crate::machines::ribbon_line) fn advice(line: &RibbonLine) -> Option<Mess
     let peak = (fast.start_torque(), 2);
     let speed = fast.speed_by_start().min(fast.speed_by_heat());
     let effective = (fast.effective_torque(), 2);
-    (speed >= (CRAWL * line.fast.line_speed).max(1.0)).then(|| {
+    (speed >= (CRAWL * line.fast.feeds.line_speed).max(1.0)).then(|| {
         msg!(
             "ribbon.match-cam",
             torque = peak,
@@ -64,7 +64,7 @@ fn torque(line: &RibbonLine, (now, fast): (f64, f64), most: f64, speed: f64) -> 
         return ok(limit);
     }
     let sentence = msg!("ribbon.cam-torque", torque = (fast, 2), limit = (most, 2), speed = (speed, 0));
-    let unwinder = (line.fast.actual_speed * speed / line.fast.line_speed).floor();
+    let unwinder = (line.fast.unwinder.actual * speed / line.fast.feeds.line_speed).floor();
     fail(limit, [if unwinder >= 1.0 { feeds::with_speed(line, unwinder, sentence) } else { sentence.into() }])
 }
 

@@ -19,7 +19,8 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
     let limits = &line.control.limits;
     let pitches = p.block_pitches().min(p.count());
     let pull = p.pitch * f64::from(line.pull_words());
-    let (axis, pitch) = if d.y_stroke > pull { (line.letter(), d.y_stroke) } else { ("X".to_owned(), pull) };
+    let (axis, pitch) =
+        if d.feeds.y_stroke > pull { (line.letter(), d.feeds.y_stroke) } else { ("X".to_owned(), pull) };
     let max = limits.coordinate_max;
     (pitches * pitch > max).then(|| {
         Diagnostic::error(msg!("ribbon.block-too-long", axis, travel = (pitches * pitch, 3), most = max))
@@ -32,7 +33,7 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
 fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
     let [pull_rolls, print_rolls] = line.rolls_over();
     let pull = ("X".to_owned(), line.p.pitch * f64::from(line.pull_words()));
-    let print = (line.letter(), line.d.y_stroke);
+    let print = (line.letter(), line.d.feeds.y_stroke);
     match (pull_rolls, print_rolls) {
         (true, true) => None,
         (true, false) => Some(print),
@@ -43,10 +44,10 @@ fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
 
 /// Seconds of running from zero to the end of the control's range: `range / (travel per pitch · pitches per second)`; 0 at standstill.
 pub(in crate::machines::ribbon_line) fn range_time(line: &RibbonLine) -> f64 {
-    let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.d.dots_per_second);
+    let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.d.timing.dots_per_second);
     match speed > 0.0 {
         true => line.control.limits.coordinate_max / speed,
-        false if line.d.dots_per_second > 0.0 => f64::INFINITY,
+        false if line.d.timing.dots_per_second > 0.0 => f64::INFINITY,
         false => 0.0,
     }
 }
@@ -126,7 +127,7 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
 /// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors, by the whole numbers of the scaling parameters; none
 /// if the control has no such numbers.
 pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
-    let feeds = [line.d.x_feed, line.d.y_feed];
+    let feeds = [line.d.feeds.line_speed, line.d.feeds.y_feed];
     let drives = line.drives("");
     [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
 }
@@ -140,7 +141,7 @@ fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
         return fail(None, [msg!("scaling.no-ratio", axis).into()]);
     };
     let per_turn = if at == 1 && line.degrees() { 360.0 / (PI * p.print_roller_diameter) } else { 1.0 };
-    let limit = p.dot_tolerance * per_turn * 3600.0 / d.product_time;
+    let limit = p.dot_tolerance * per_turn * 3600.0 / d.product.time;
     if drift.abs() <= limit {
         return ok(AtMost(limit));
     }

@@ -96,5 +96,5 @@ fn dot_gap(line: &RibbonLine) -> Option<Judgement> {
     }
     let length = p.pitch - line.dot_gap();
     let advice = msg!("ribbon.dots-touch", length = (length, 3), pitch = (p.pitch, 3));
-    fail(limit, [with_head(advice, (p.pitch - line.d.smear) * line.d.surface_ratio)])
+    fail(limit, [with_head(advice, (p.pitch - line.d.surface.smear) * line.d.surface.ratio)])
 }

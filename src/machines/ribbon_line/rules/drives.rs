@@ -164,7 +164,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
 /// is weakest at its highest.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.p);
-    let (slow, fast) = (line.lowest_frequency(), line.fast.frequency);
+    let (slow, fast) = (line.lowest_frequency(), line.fast.unwinder.frequency);
     let (most, at_fast) = (p.unwinding.continuous(slow), p.unwinding.continuous(fast));
     let limit = AtMost(most.min(at_fast));
     if limit.holds(torque) {
@@ -197,7 +197,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
 fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_braking, line.mechanics.unwinder);
     let percent = p.unwinding.motor_braking;
-    let most = p.unwinding.short_time(percent / 100.0, line.fast.frequency);
+    let most = p.unwinding.short_time(percent / 100.0, line.fast.unwinder.frequency);
     let limit = AtMost(most);
     if limit.holds(torque) {
         return ok(limit);
@@ -209,7 +209,7 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
         let set = at_least(FIELDS, "inverter-ramp", ramp);
         advice.push(Advice::from(message.clone()).setting(msg!("advice.set-ramp", time = (set.value, 2)), [set]));
     }
-    let asked = 100.0 * torque / p.unwinding.short_time(1.0, line.fast.frequency);
+    let asked = 100.0 * torque / p.unwinding.short_time(1.0, line.fast.unwinder.frequency);
     if asked <= 100.0 * SHORT_TIME {
         let set = at_least(FIELDS, "unwinder-motor-braking", asked);
         let button = msg!("advice.set-braking", percent = set.text.as_str());
@@ -225,7 +225,7 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
 /// with the knob at its highest position.
 fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.p, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
-    let most = p.unwinding.short_time(SHORT_TIME, line.fast.frequency);
+    let most = p.unwinding.short_time(SHORT_TIME, line.fast.unwinder.frequency);
     let limit = AtMost(most);
     if limit.holds(torque) {
         return ok(limit);

@@ -18,16 +18,16 @@ pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(M
     let RibbonLine { p, d, .. } = line;
     let limits = &line.control.limits;
     let max = line.feed_max();
-    if line.feeds_per_revolution() || d.vector_feed <= max {
+    if line.feeds_per_revolution() || d.feeds.vector_feed <= max {
         return None;
     }
     let mut advice = vec![slower_advice(line)];
-    if line.control.can(Code::FeedPerRevolution) && d.feed_per_revolution <= limits.revolution_feed_max {
-        let instead = Advice::from(msg!("ribbon.per-revolution-instead", feed = (d.feed_per_revolution, 3)));
+    if line.control.can(Code::FeedPerRevolution) && d.feeds.per_revolution <= limits.revolution_feed_max {
+        let instead = Advice::from(msg!("ribbon.per-revolution-instead", feed = (d.feeds.per_revolution, 3)));
         let set = [("feed-form", "per-revolution")];
         advice.push(if p.spindle_encoder { instead.setting(msg!("advice.per-revolution"), set) } else { instead });
     }
-    Some((msg!("ribbon.feed-above-limit", feed = d.vector_feed, most = max), advice))
+    Some((msg!("ribbon.feed-above-limit", feed = d.feeds.vector_feed, most = max), advice))
 }
 
 /// Driven feed of a commanded one, mm/min.
@@ -37,39 +37,39 @@ pub(in crate::machines::ribbon_line) fn followed(line: &RibbonLine, feed: f64) -
 
 /// The highest whole speed of the unwinder within all limits of rule 4.
 fn fastest(line: &RibbonLine) -> f64 {
-    (line.fast.actual_speed * share_of_feeds(line)).floor()
+    (line.fast.unwinder.actual * share_of_feeds(line)).floor()
 }
 
 /// The least limit of axes and F over its feed with the knob at its highest position: below 1, the line must run slower by as much.
 fn share_of_feeds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, fast, .. } = line;
     let driven = line.driven_share(fast);
-    let clamps = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
-    if line.feeds_per_revolution() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) }
+    let clamps = (p.clamp_x / (fast.feeds.line_speed * driven)).min(p.clamp_y / (fast.feeds.y_feed * driven));
+    if line.feeds_per_revolution() { clamps } else { clamps.min(line.feed_max() / fast.feeds.vector_feed) }
 }
 
 /// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
 /// the control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's highest position.
 pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, fast, .. } = line;
-    if fast.actual_speed <= 0.0 {
+    if fast.unwinder.actual <= 0.0 {
         return 0.0;
     }
     if worst_knob(line).is_some() {
         return p.override_stepped();
     }
-    let share = share_of_feeds(line).min(fast.block_time / line.driven_share(fast) / d.block_needed);
-    (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit).min(line.highest_position())
+    let share = share_of_feeds(line).min(fast.timing.block / line.driven_share(fast) / d.timing.needed);
+    (100.0 * fast.unwinder.actual * share / p.spindle_speed).min(d.unwinder.override_limit).min(line.highest_position())
 }
 
 /// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
 pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
     let RibbonLine { p, d, fast, .. } = line;
     let mut sets = Vec::new();
-    if d.asked_speed > speed {
+    if d.unwinder.commanded > speed {
         sets.push(at_most(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
     }
-    if fast.actual_speed > speed {
+    if fast.unwinder.actual > speed {
         sets.push(at_most(FIELDS, "speed-clamp", speed));
     }
     let button = match sets.first() {
@@ -83,11 +83,13 @@ pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64
 pub(in crate::machines::ribbon_line) fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
         speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
-        speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0))),
+        speed if line.d.unwinder.actual > speed => {
+            with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0)))
+        }
         speed => with_speed(
             line,
             speed,
-            msg!("ribbon.knob-too-far", percent = (line.fast.effective_override(&line.p), 1), speed = (speed, 0)),
+            msg!("ribbon.knob-too-far", percent = (line.fast.unwinder.effective_override, 1), speed = (speed, 0)),
         ),
     }
 }
@@ -103,21 +105,21 @@ fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement
 }
 
 pub(in crate::machines::ribbon_line) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(line.d.x_feed, line.p.clamp_x, line)
+    within_or_error(line.d.feeds.line_speed, line.p.clamp_x, line)
 }
 
 /// Judges the speed of the line by the axis that reaches its clamp first: beyond it the control slows both.
 pub(in crate::machines::ribbon_line) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    if d.line_speed == 0.0 {
+    if d.feeds.line_speed == 0.0 {
         return ok(None);
     }
-    let clamped = d.line_speed * (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed);
-    within_or_error(d.line_speed, clamped, line)
+    let clamped = d.feeds.line_speed * (p.clamp_x / d.feeds.line_speed).min(p.clamp_y / d.feeds.y_feed);
+    within_or_error(d.feeds.line_speed, clamped, line)
 }
 
 pub(in crate::machines::ribbon_line) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(line.d.y_feed, line.p.clamp_y, line)
+    within_or_error(line.d.feeds.y_feed, line.p.clamp_y, line)
 }
 
 pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
@@ -126,13 +128,13 @@ pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<
     }
     let limit = AtMost(line.feed_max() * line.knob_share());
     let Some((message, mut advice)) = too_fast(line) else {
-        if limit.holds(line.d.vector_feed) {
+        if limit.holds(line.d.feeds.vector_feed) {
             return ok(limit);
         }
         let feed = msg!(
             "ribbon.knob-stops",
-            percent = (line.fast.effective_override(&line.p), 1),
-            feed = (line.fast.vector_feed, 0),
+            percent = (line.fast.unwinder.effective_override, 1),
+            feed = (line.fast.feeds.vector_feed, 0),
             most = line.feed_max()
         );
         return fail(limit, [feed.into(), slower_advice(line)]);
@@ -150,14 +152,14 @@ pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Op
     if !line.feeds_per_revolution() {
         return None;
     }
-    let (feed, limit, step) = (d.feed_per_revolution, line.feed_max(), limits.feed_increment);
+    let (feed, limit, step) = (d.feeds.per_revolution, line.feed_max(), limits.feed_increment);
     if feed > limit {
         return fail(
             AtMost(limit),
             [msg!("ribbon.revolution-feed-above-limit", feed = (feed, 3), most = limit).into()],
         );
     }
-    let drift = (1.0 - (feed / step).round() * step / feed) * d.line_speed;
+    let drift = (1.0 - (feed / step).round() * step / feed) * d.feeds.line_speed;
     if drift.abs() > 1.0 && !line.p.dancer {
         return warn(AtMost(limit), [with_dancer(msg!("ribbon.feed-in-steps", step, rate = (drift.abs(), 1)))]);
     }
@@ -173,7 +175,7 @@ pub(in crate::machines::ribbon_line) fn motor(
 ) -> Option<Judgement> {
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
-        let slower = line.d.actual_speed * rated.min(max) / speed;
+        let slower = line.d.unwinder.actual * rated.min(max) / speed;
         let advice = msg!("ribbon.motor-too-fast", speed = (speed / line.knob_share(), 0), limit = (max, 0));
         fail(limit, [with_speed(line, slower, advice)])
     } else if speed > rated {
@@ -184,11 +186,11 @@ pub(in crate::machines::ribbon_line) fn motor(
 }
 
 pub(in crate::machines::ribbon_line) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
-    motor(line, line.d.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
+    motor(line, line.d.feeds.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
 }
 
 pub(in crate::machines::ribbon_line) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
-    motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
+    motor(line, line.d.feeds.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
 }
 
 /// Speed (r/min) of the motor of X, or of the print roller, at rapid traverse.
@@ -247,12 +249,12 @@ pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgem
 
 /// Slip of the motor at a load (part of the rated torque) and its speed, as a sentence has them.
 fn slip(line: &RibbonLine, load: f64) -> [(f64, u8); 2] {
-    [(Induction { load, ..line.p.induction() }.slip(), 1), (line.d.actual_speed, 1)]
+    [(Induction { load, ..line.p.induction() }.slip(), 1), (line.d.unwinder.actual, 1)]
 }
 
 /// A motor that slips by its whole speed at the load of the form stands.
 pub(in crate::machines::ribbon_line) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
-    if line.d.speed_error > -1.0 {
+    if line.d.unwinder.error > -1.0 {
         return None;
     }
     let [slip, speed] = slip(line, line.p.induction().load);
@@ -261,7 +263,7 @@ pub(in crate::machines::ribbon_line) fn stalls_at_load(line: &RibbonLine) -> Opt
 
 /// The same at rated torque, which the load of the form is below.
 pub(in crate::machines::ribbon_line) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
-    if line.d.speed_error_rated > -1.0 {
+    if line.d.unwinder.error_rated > -1.0 {
         return None;
     }
     let [slip, speed] = slip(line, 1.0);
@@ -273,26 +275,26 @@ pub(in crate::machines::ribbon_line) fn stalls_when_rated(line: &RibbonLine) -> 
 /// longer if the unwinder is fast.
 pub(in crate::machines::ribbon_line) fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, fast, .. } = line;
-    let (needed, turned) = (d.block_needed * 1000.0, d.block_needed_turned * 1000.0);
-    if d.block_time.is_infinite() {
+    let (needed, turned) = (d.timing.needed * 1000.0, d.timing.needed_turned * 1000.0);
+    if d.timing.block.is_infinite() {
         return warn(AtLeast(needed), [msg!("ribbon.stands").into()]);
     }
-    if line.feeds_per_revolution() && d.speed_error <= -1.0 {
+    if line.feeds_per_revolution() && d.unwinder.error <= -1.0 {
         return fail(None, [msg!("ribbon.stalls").into()]);
     }
     // Exact stops leave the control their time.
-    if p.path_mode == PathMode::ExactStop && fast.stop_time * 1000.0 >= needed {
+    if p.path_mode == PathMode::ExactStop && fast.timing.exact_stop * 1000.0 >= needed {
         return ok(None);
     }
     let driven = line.driven_share(fast);
-    let lasts = fast.block_time * 1000.0 / driven;
-    let here = |needed: f64| AtLeast(needed * driven * d.block_time / fast.block_time);
-    let block = d.block_time * 1000.0;
+    let lasts = fast.timing.block * 1000.0 / driven;
+    let here = |needed: f64| AtLeast(needed * driven * d.timing.block / fast.timing.block);
+    let block = d.timing.block * 1000.0;
     let steady = here(needed).holds(block);
     if steady && (here(turned).holds(block) || turned.is_infinite()) {
         return ok(here(if turned.is_infinite() { needed } else { turned }));
     }
-    let knob = (line.fast.effective_override(&line.p), 1);
+    let knob = (line.fast.unwinder.effective_override, 1);
     let advice = match p.variant {
         Variant::ReadyMade => {
             let wanted = if turned.is_infinite() { needed } else { turned };
@@ -330,20 +332,24 @@ fn precomputed_in_time(p: &Params, in_time: impl Fn(f64) -> bool) -> Option<Advi
 /// Volts of the analog output; where the speed is beyond the clamp or the output, those that it would take, `10 n / n10`.
 pub(in crate::machines::ribbon_line) fn volts(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, .. } = line;
-    if d.asked_speed > d.top_speed { 10.0 * d.asked_speed / p.speed_at_10v } else { d.volts }
+    if d.unwinder.commanded > d.unwinder.greatest {
+        10.0 * d.unwinder.commanded / p.speed_at_10v
+    } else {
+        d.unwinder.volts
+    }
 }
 
 pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    let limit = AtMost(d.top_volts);
-    if d.asked_speed > d.top_speed {
+    let limit = AtMost(d.unwinder.greatest_volts);
+    if d.unwinder.commanded > d.unwinder.greatest {
         let advice = msg!(
             "ribbon.saturates",
-            asked = (d.asked_speed, 1),
-            speed = (d.top_speed, 1),
-            percent = (d.override_limit, 1)
+            asked = (d.unwinder.commanded, 1),
+            speed = (d.unwinder.greatest, 1),
+            percent = (d.unwinder.override_limit, 1)
         );
-        return fail(limit, [with_speed(line, d.top_speed, advice)]);
+        return fail(limit, [with_speed(line, d.unwinder.greatest, advice)]);
     }
     if p.speed_clamp > p.speed_at_10v {
         let advice =
@@ -351,8 +357,8 @@ pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<
         let set = at_most(FIELDS, "speed-clamp", p.speed_at_10v);
         return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.text.as_str()), [set])]);
     }
-    if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {
-        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", volts = (d.volts_command, 3)).into()]);
+    if d.unwinder.volts_command < FEW_VOLTS && d.unwinder.actual > 0.0 {
+        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", volts = (d.unwinder.volts_command, 3)).into()]);
     }
     ok(limit)
 }
@@ -362,9 +368,9 @@ const LEAST_FREQUENCY: f64 = 5.0;
 
 pub(in crate::machines::ribbon_line) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let (d, limit) = (&line.d, AtLeast(LEAST_FREQUENCY));
-    if d.frequency < LEAST_FREQUENCY && d.actual_speed > 0.0 {
-        warn(limit, [msg!("ribbon.low-frequency", frequency = (d.frequency, 2)).into()])
-    } else if d.actual_speed > 0.0 {
+    if d.unwinder.frequency < LEAST_FREQUENCY && d.unwinder.actual > 0.0 {
+        warn(limit, [msg!("ribbon.low-frequency", frequency = (d.unwinder.frequency, 2)).into()])
+    } else if d.unwinder.actual > 0.0 {
         ok(limit)
     } else {
         ok(None)

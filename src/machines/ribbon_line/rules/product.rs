@@ -14,9 +14,9 @@ use crate::view::{Advice, FieldEntry, Verdict};
 /// OK up to the allowed smear, a warning up to four times it, a failure beyond.
 fn slip(line: &RibbonLine) -> Verdict {
     let RibbonLine { p, d, .. } = line;
-    if d.smear <= p.smear_limit {
+    if d.surface.smear <= p.smear_limit {
         Verdict::Ok
-    } else if d.smear <= 4.0 * p.smear_limit {
+    } else if d.surface.smear <= 4.0 * p.smear_limit {
         Verdict::Warn
     } else {
         Verdict::Fail
@@ -29,20 +29,21 @@ const MATCH_TOLERANCE: f64 = 0.025;
 pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let slips = slip(line);
-    let verdict = if (d.surface_ratio - 1.0).abs() > MATCH_TOLERANCE { slips.max(Verdict::Warn) } else { slips };
+    let verdict = if (d.surface.ratio - 1.0).abs() > MATCH_TOLERANCE { slips.max(Verdict::Warn) } else { slips };
     let advice = if verdict == Verdict::Ok {
         Vec::new()
     } else {
-        let heads = d.matching_heads.round().max(1.0);
-        let with_heads = d.matching_heads / heads;
+        let heads = d.surface.matching_heads.round().max(1.0);
+        let with_heads = d.surface.matching_heads / heads;
         let smear = web::smear(with_heads, p.contact_length);
         let diameter = |advice: Message| {
-            let set = nearest(FIELDS, "print-roller-diameter", d.matching_diameter);
-            Advice::from(advice).setting(msg!("advice.set-diameter", diameter = (d.matching_diameter, 2)), [set])
+            let set = nearest(FIELDS, "print-roller-diameter", d.surface.matching_diameter);
+            Advice::from(advice)
+                .setting(msg!("advice.set-diameter", diameter = (d.surface.matching_diameter, 2)), [set])
         };
         let count = nearest(FIELDS, "heads", heads);
-        let pitch = nearest(FIELDS, "pitch", d.matching_pitch);
-        let (ratio, smear_now, limit) = ((d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3));
+        let pitch = nearest(FIELDS, "pitch", d.surface.matching_pitch);
+        let (ratio, smear_now, limit) = ((d.surface.ratio, 3), (d.surface.smear, 3), (p.smear_limit, 3));
         let cause = match slips {
             Verdict::Ok => msg!("ribbon.not-matched", ratio, smear = smear_now, limit),
             _ => msg!("ribbon.slips", ratio, smear = smear_now, limit),
@@ -53,14 +54,14 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
             more_heads(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)));
         // A roller thinner than its two walls is another one than the machine has.
         let walls = 2.0 * p.print.wall;
-        let matched = if d.matching_diameter > walls {
-            let set = msg!("ribbon.match-diameter", diameter = (d.matching_diameter, 2), heads = (p.heads, 0));
-            let short = msg!("ribbon.slips-short", diameter = (d.matching_diameter, 2), heads = (heads, 0));
+        let matched = if d.surface.matching_diameter > walls {
+            let set = msg!("ribbon.match-diameter", diameter = (d.surface.matching_diameter, 2), heads = (p.heads, 0));
+            let short = msg!("ribbon.slips-short", diameter = (d.surface.matching_diameter, 2), heads = (heads, 0));
             vec![diameter(short), cause.into(), diameter(set), heads_matched]
         } else {
             let thin = msg!(
                 "ribbon.match-diameter-thin",
-                diameter = (d.matching_diameter, 2),
+                diameter = (d.surface.matching_diameter, 2),
                 heads = (p.heads, 0),
                 walls = (walls, 2)
             );
@@ -73,7 +74,7 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
         };
         matched
             .into_iter()
-            .chain([Advice::from(msg!("ribbon.match-pitch", pitch = (d.matching_pitch, 3)))
+            .chain([Advice::from(msg!("ribbon.match-pitch", pitch = (d.surface.matching_pitch, 3)))
                 .setting(msg!("advice.set-pitch", pitch = pitch.text.as_str()), [pitch])])
             .chain(cam::advice(line).map(Advice::from))
             .collect()
@@ -89,7 +90,11 @@ pub(in crate::machines::ribbon_line) fn pi(line: &RibbonLine) -> Option<Judgemen
     match line.p.pi {
         PiForm::Exact => ok(None),
         PiForm::Short => {
-            let advice = msg!("ribbon.pi-short", rate = (line.d.pi_drift, 2), length = (line.d.pi_drift * 60.0, 0));
+            let advice = msg!(
+                "ribbon.pi-short",
+                rate = (line.d.accuracy.pi_drift, 2),
+                length = (line.d.accuracy.pi_drift * 60.0, 0)
+            );
             let set = [("pi", "exact")];
             warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
         }
@@ -102,12 +107,13 @@ const THICKNESS: f64 = 0.05;
 pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let limit = AtMost(THICKNESS);
-    if d.thickness_error <= THICKNESS {
+    if d.accuracy.thickness_error <= THICKNESS {
         return ok(limit);
     }
     let effective = p.press_roller_diameter + p.ribbon_thickness;
     let set = nearest(FIELDS, "press-roller-diameter", effective);
-    let advice = Advice::from(msg!("ribbon.thickness", percent = (d.thickness_error, 2), diameter = (effective, 3)));
+    let advice =
+        Advice::from(msg!("ribbon.thickness", percent = (d.accuracy.thickness_error, 2), diameter = (effective, 3)));
     let button = msg!("advice.set-diameter", diameter = (effective, 2));
     warn(limit, [advice.setting(button, [set.into(), FieldEntry::new("effective-diameter", "true")])])
 }
@@ -124,11 +130,11 @@ fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static st
 }
 
 pub(in crate::machines::ribbon_line) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line, line.d.x_resolution, ("encoder-resolution-x", line.p.encoder_x))
+    resolution(line, line.d.accuracy.x_resolution, ("encoder-resolution-x", line.p.encoder_x))
 }
 
 pub(in crate::machines::ribbon_line) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line, line.d.y_resolution, ("encoder-resolution-y", line.p.encoder_y))
+    resolution(line, line.d.accuracy.y_resolution, ("encoder-resolution-y", line.p.encoder_y))
 }
 
 /// Judges a wanted length against the length that the program makes by the rule for its rest.
@@ -159,6 +165,6 @@ pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judg
 
 pub(in crate::machines::ribbon_line) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
-    let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.d.y_drift, 3), unit);
+    let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.d.accuracy.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
 }

@@ -53,27 +53,27 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
             gain_x = (p.position_gain_x, 2),
             axis = line.letter(),
             gain = (p.position_gain_y, 2),
-            error = (d.register_error, 3)
+            error = (d.accuracy.register_error, 3)
         ));
     }
     if advice.is_empty() {
         return ok(Equal(0.0));
     }
     // At standstill, and where the differences cancel, there is no error yet.
-    fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
+    fail((d.accuracy.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
 /// The shortest dwell (s) of a form after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm
 /// more. A feed per revolution follows the unwinder from standstill, and the best dwell is none.
 fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
-    let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack_start / (fast.line_speed / 60.0) };
+    let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack.start / (fast.feeds.line_speed / 60.0) };
     at_least(FIELDS, "dwell", short.max(0.0))
 }
 
 /// The results at that position of the knob at which a product may lay most ribbon into the loop.
 pub(in crate::machines::ribbon_line) fn worst_loop(line: &RibbonLine) -> &Derived {
-    line.worst(|d| d.loop_needed)
+    line.worst(|d| d.slack.loop_needed)
 }
 
 /// Longest loop (mm) that an advice offers: hanging free it is half as deep. Engineering choice.
@@ -114,21 +114,21 @@ pub(in crate::machines::ribbon_line) fn with_loop(advice: Advice, needed: f64, c
 pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     let (p, d) = (&line.p, worst_loop(line));
     let limit = AtMost(p.loop_capacity);
-    if d.loop_needed <= p.loop_capacity {
+    if d.slack.loop_needed <= p.loop_capacity {
         return ok(limit);
     }
     let sum = msg!(
         "ribbon.loop-too-small",
-        percent = (d.effective_override(p), 1),
-        needed = (d.loop_needed.ceil(), 0),
+        percent = (d.unwinder.effective_override, 1),
+        needed = (d.slack.loop_needed.ceil(), 0),
         capacity = (p.loop_capacity, 0),
-        start = (d.slack_start.abs(), 0),
-        run = (d.slack_run.abs(), 0),
-        stop = (d.slack_stop.abs(), 0),
-        hold = (d.slack_interruption, 0)
+        start = (d.slack.start.abs(), 0),
+        run = (d.slack.run.abs(), 0),
+        stop = (d.slack.stop.abs(), 0),
+        hold = (d.slack.interruption, 0)
     );
-    let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
-    let after = |form: &Params| greatest(&line.with(form), |d| d.loop_needed);
+    let mut advice = vec![with_loop(sum.into(), d.slack.loop_needed, Vec::new())];
+    let after = |form: &Params| greatest(&line.with(form), |d| d.slack.loop_needed);
     // An advice with changes of the waiting and the ramp, and the loop that they still ask; none where no such loop is built.
     let mut offer = |message: Message, left: f64, changes: Vec<FormChange>| {
         if left <= p.loop_capacity {
@@ -139,7 +139,7 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     };
     let dwelt = with_matching_dwell(line, p.clone());
     let left = after(&dwelt.form);
-    if left < d.loop_needed {
+    if left < d.slack.loop_needed {
         let message = msg!("ribbon.matching-dwell", time = dwelt.typed.as_str(), capacity = (left.ceil(), 0));
         offer(message, left, vec![dwelt.change]);
     }
@@ -147,14 +147,14 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     if ramp.value < p.inverter_ramp {
         let steep = with_matching_dwell(line, Params { inverter_ramp: ramp.value, ..p.clone() });
         let shortest = after(&steep.form);
-        if shortest < left.min(d.loop_needed) {
+        if shortest < left.min(d.slack.loop_needed) {
             let message = msg!("ribbon.shorter-ramp", time = ramp.text.as_str(), capacity = (shortest.ceil(), 0));
             let button = msg!("advice.set-ramp", time = ramp.text.as_str());
             offer(message, shortest, vec![FormChange { button, entries: vec![ramp.into()] }, steep.change]);
         }
     }
-    if d.slack_run != 0.0 && !p.dancer {
-        advice.push(with_dancer(msg!("ribbon.run-fills", length = (d.slack_run.abs(), 0))));
+    if d.slack.run != 0.0 && !p.dancer {
+        advice.push(with_dancer(msg!("ribbon.run-fills", length = (d.slack.run.abs(), 0))));
     }
     fail(limit, advice)
 }
@@ -169,7 +169,7 @@ fn queued(p: &Params) -> f64 {
 
 /// Ribbon (mm) that start and run lay into the loop, at the worst position of the knob.
 fn laid_so_far(line: &RibbonLine) -> f64 {
-    greatest(line.over_knob(), |d| d.slack_start.abs() + d.slack_run.abs())
+    greatest(line.over_knob(), |d| d.slack.start.abs() + d.slack.run.abs())
 }
 
 /// Ribbon (mm) that may go missing in the run: what a start has laid at the worst position of the knob, and what is missing when the
@@ -180,7 +180,7 @@ fn may_go_missing(line: &RibbonLine) -> f64 {
 
 /// Ribbon (mm) in the loop at the least while the line runs, over the positions of the knob.
 fn least_laid_by_start(line: &RibbonLine) -> f64 {
-    let laid = line.over_knob().map(|d| d.slack_start.min(d.slack_start + d.slack_run));
+    let laid = line.over_knob().map(|d| d.slack.start.min(d.slack.start + d.slack.run));
     laid.into_iter().fold(f64::INFINITY, f64::min)
 }
 
@@ -202,7 +202,7 @@ fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
     if line.feeds_per_revolution() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
         return None;
     }
-    let (highest, queued) = (line.fast.effective_override(&line.p), queued(p));
+    let (highest, queued) = (line.fast.unwinder.effective_override, queued(p));
     let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
     let up = highest / (1.0 + room / queued);
     let down = highest * (1.0 - may_go_missing(line) / queued).max(0.0);
@@ -216,7 +216,7 @@ pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
 
 /// Judges a turn of the knob between the lowest position in common use and its highest.
 pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
-    let (p, highest) = (&line.p, line.fast.effective_override(&line.p));
+    let (p, highest) = (&line.p, line.fast.unwinder.effective_override);
     // A knob that ends below is no wider.
     let low = LOW_KNOB.min(highest);
     let limit = AtMost(low);
@@ -275,7 +275,7 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let RibbonLine { p, d, .. } = line;
     let message = msg!("ribbon.starved", percent = kept);
     let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
-    let pitches = ready.pass_needed() * line.driven_share(d) / d.pitch_time;
+    let pitches = ready.pass_needed() * line.driven_share(d) / d.timing.pitch;
     let set = at_least(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
         Variant::ReadyMade => {
@@ -300,9 +300,9 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     };
     let mut advice = vec![Advice::from(fills)];
     // Loss of X by exact stops and starved blocks, mm/min; a dancer does not compensate it.
-    let lost = d.line_speed * (1.0 - d.speed_kept);
+    let lost = d.feeds.line_speed * (1.0 - d.timing.kept);
     if lost > DRIFT {
-        let kept = (d.speed_kept * 100.0, 1);
+        let kept = (d.timing.kept * 100.0, 1);
         advice.push(match p.path_mode {
             PathMode::ExactStop => Advice::from(msg!("ribbon.stops-lose", percent = kept))
                 .setting(msg!("advice.continuous"), [("path-mode", "continuous")]),
@@ -321,11 +321,11 @@ pub(in crate::machines::ribbon_line) fn with_dancer(advice: Message) -> Advice {
 }
 
 pub(in crate::machines::ribbon_line) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
-    drift(line.d.slack_rate, line)
+    drift(line.d.slack.rate, line)
 }
 
 pub(in crate::machines::ribbon_line) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
-    drift(line.d.slack_rate_rated, line)
+    drift(line.d.slack.rate_rated, line)
 }
 
 /// Slack rate (mm/min) with the knob at its worse extreme position, where the knob turns the unwinder and the axes stay; else 0:
@@ -347,12 +347,12 @@ pub(in crate::machines::ribbon_line) struct KnobPosition {
 /// The worse extreme position of such a knob; none if the axes follow it, or if nothing turns.
 pub(in crate::machines::ribbon_line) fn worst_knob(line: &RibbonLine) -> Option<KnobPosition> {
     let RibbonLine { p, d, .. } = line;
-    if !p.knob_turns_alone() || d.actual_speed <= 0.0 {
+    if !p.knob_turns_alone() || d.unwinder.actual <= 0.0 {
         return None;
     }
     let at = |percent: f64| {
         let speed = p.speed_at(percent);
-        KnobPosition { percent, speed, slack_rate: d.k * (speed - d.actual_speed) }
+        KnobPosition { percent, speed, slack_rate: d.feeds.k * (speed - d.unwinder.actual) }
     };
     let (high, low) = (at(line.highest_position()), at(line.dialect.spindle().knob.low));
     Some(if low.slack_rate.abs() > high.slack_rate.abs() { low } else { high })
@@ -369,7 +369,7 @@ pub(in crate::machines::ribbon_line) fn slack_rate_knob(line: &RibbonLine) -> Op
     let lock = [("knob-use", "locked")];
     let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
     if line.control.can(Code::FeedPerRevolution) {
-        let follow = msg!("ribbon.follow-measured", feed = (line.d.feed_per_revolution, 3));
+        let follow = msg!("ribbon.follow-measured", feed = (line.d.feeds.per_revolution, 3));
         let set = [("feed-form", "per-revolution")];
         advice.push(if line.p.spindle_encoder {
             Advice::from(follow).setting(msg!("advice.per-revolution"), set)
@@ -386,23 +386,23 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
     let p = &line.p;
     let most = TensionSwitch::new(line).tension;
     let limit = AtMost(most);
-    let (drawn, started) = (line.worst(|d| d.draw_tension), line.worst(|d| d.start_tension));
+    let (drawn, started) = (line.worst(|d| d.tension.draw), line.worst(|d| d.tension.start));
     let mut advice = Vec::new();
-    if started.start_tension > most {
-        let (dwell, percent) = (matching_dwell(line, p), (started.effective_override(p), 1));
+    if started.tension.start > most {
+        let (dwell, percent) = (matching_dwell(line, p), (started.unwinder.effective_override, 1));
         let message = msg!(
             "ribbon.start-stretches",
             percent,
-            missing = (started.missing, 1),
+            missing = (started.slack.missing, 1),
             span = (p.web.span, 0),
-            tension = (started.start_tension, 0),
+            tension = (started.tension.start, 0),
             limit = (most, 0)
         );
         let button = msg!("advice.set-dwell", time = dwell.text.as_str());
         advice.push(Advice::from(message).setting(button, [dwell]));
     }
-    if drawn.draw_tension > most {
-        let message = msg!("ribbon.stiff-web", tension = (drawn.draw_tension, 0), limit = (most, 0));
+    if drawn.tension.draw > most {
+        let message = msg!("ribbon.stiff-web", tension = (drawn.tension.draw, 0), limit = (most, 0));
         advice.push(with_dancer(message));
     }
     if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
@@ -410,7 +410,7 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
 
 /// Whether the draw pulls the ribbon tauter than a start that misses ribbon.
 pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool {
-    line.worst(|d| d.draw_tension).tension_with_draw(&line.p) > line.worst(|d| d.start_tension).start_tension
+    line.worst(|d| d.tension.draw).tension.with_draw(&line.p) > line.worst(|d| d.tension.start).tension.start
 }
 
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
@@ -426,10 +426,13 @@ pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, m
 /// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
 pub(in crate::machines::ribbon_line) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    if p.path_mode != PathMode::ExactStop || d.cycles_per_minute <= 100.0 {
+    if p.path_mode != PathMode::ExactStop || d.timing.stops_per_minute <= 100.0 {
         return None;
     }
-    let advice =
-        Advice::from(msg!("ribbon.start-stop", stops = (d.cycles_per_minute, 0), percent = (d.start_stop_speed, 0)));
+    let advice = Advice::from(msg!(
+        "ribbon.start-stop",
+        stops = (d.timing.stops_per_minute, 0),
+        percent = (d.timing.exact_stop_speed, 0)
+    ));
     warn(None, [advice.setting(msg!("advice.continuous"), [("path-mode", "continuous")])])
 }

@@ -152,13 +152,13 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
 /// Rim and figures of the lens: smear and magnification.
 pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (x, y, r) = layout.lens;
-    let bad = line.d.smear > line.p.smear_limit;
+    let bad = line.d.surface.smear > line.p.smear_limit;
     let letter = LETTER * layout.unit;
     let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
     let paint = if bad { Paint::Bad } else { Paint::Ink };
     drawing.lens((x, y, r), |drawing| {
         drawing.text((x, low), Anchor::Middle, &name, Font::Label, Paint::Dim);
-        drawing.text((x, low + LINE * letter), Anchor::Middle, &smear_text(line.d.smear), Font::Value, paint);
+        drawing.text((x, low + LINE * letter), Anchor::Middle, &smear_text(line.d.surface.smear), Font::Value, paint);
     });
 }
 

@@ -1,0 +1,107 @@
+//! Speed of the ribbon, feeds of both axes and what their blocks move, by equations (2) to (4) of the paper.
+
+use super::unwinder::UnwinderSpeed;
+use crate::machines::ribbon_line::params::{FeedForm, Params, PiForm, YUnit};
+use crate::math::{self, PI};
+
+/// π as the paper writes it: 3.14.
+const PUBLISHED_PI: f64 = 314.0 / 100.0;
+
+/// Speeds of the ribbon and of both axes. mm/min, or °/min for a print roller in degrees; motors and roller in r/min.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::machines::ribbon_line) struct LineFeeds {
+    /// Ribbon per revolution of the unwinder's motor, mm.
+    pub k: f64,
+    /// Programmed speed of the ribbon and of X.
+    pub line_speed: f64,
+    /// Travel of the print roller per pitch, mm or °.
+    pub y_stroke: f64,
+    /// F of a block that moves both axes.
+    pub vector_feed: f64,
+    /// The same per revolution of the unwinder's motor.
+    pub per_revolution: f64,
+    pub y_feed: f64,
+    pub x_motor_speed: f64,
+    pub y_motor_speed: f64,
+    pub print_roller_speed: f64,
+    /// Speed of the ribbon in manual operation.
+    pub manual_line_speed: f64,
+    /// Change of the ribbon's speed by one step of the knob, mm/s.
+    pub override_step: f64,
+}
+
+impl LineFeeds {
+    pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed) -> LineFeeds {
+        let k = ribbon_per_revolution(p);
+        let line_speed = k * unwinder.actual;
+        let y_stroke = p.y_stroke();
+        let followed = p.followed(unwinder.error);
+        let print_roller_speed = line_speed * p.printed_arc() / p.pitch / (PI * p.print_roller_diameter) * followed;
+        LineFeeds {
+            k,
+            line_speed,
+            y_stroke,
+            vector_feed: vector_feed(line_speed, p.pitch, y_stroke),
+            per_revolution: vector_feed(k, p.pitch, y_stroke),
+            y_feed: line_speed * y_stroke / p.pitch,
+            x_motor_speed: line_speed / (PI * p.x_roller_diameter) * p.gear_x * followed,
+            y_motor_speed: print_roller_speed * p.gear_y,
+            print_roller_speed,
+            manual_line_speed: k * p.manual_speed.min(unwinder.greatest),
+            override_step: line_speed / 60.0 * p.knob_step.percent() / 100.0,
+        }
+    }
+}
+
+impl Params {
+    /// π of the program.
+    pub(in crate::machines::ribbon_line) fn program_pi(&self) -> f64 {
+        match self.pi {
+            PiForm::Exact => PI,
+            PiForm::Short => PUBLISHED_PI,
+        }
+    }
+
+    /// Travel of the print roller per pitch, one head further, in mm or °.
+    pub(super) fn y_stroke(&self) -> f64 {
+        match self.y_unit {
+            YUnit::Millimetres => self.program_pi() * self.print_roller_diameter / self.heads,
+            YUnit::Degrees => 360.0 / self.heads,
+        }
+    }
+
+    /// F per revolution of the unwinder.
+    pub(in crate::machines::ribbon_line) fn feeds_per_revolution(&self) -> bool {
+        self.feed_form == FeedForm::PerRevolution
+    }
+
+    /// Travel of the print roller's surface per pitch, mm, by its true circumference in degrees.
+    pub(super) fn printed_arc(&self) -> f64 {
+        match self.y_unit {
+            YUnit::Millimetres => self.y_stroke(),
+            YUnit::Degrees => PI * self.print_roller_diameter / self.heads,
+        }
+    }
+
+    /// Driven speed of the axes over their programmed one, where the unwinder misses its speed by `error`: a feed per revolution follows the
+    /// measured speed.
+    pub(super) fn followed(&self, error: f64) -> f64 {
+        if self.feeds_per_revolution() && error > -1.0 { 1.0 + error } else { 1.0 }
+    }
+}
+
+/// Ribbon (mm) per revolution of the unwinder's motor with the π of the program.
+pub(super) fn ribbon_per_revolution(p: &Params) -> f64 {
+    k(p.program_pi(), p.press_roller_diameter, p.reduction_ratio)
+}
+
+/// mm of ribbon per revolution of the unwinder motor: `K = π · D / i`, equation (2).
+pub(super) fn k(pi: f64, diameter: f64, reduction: f64) -> f64 {
+    pi * diameter / reduction
+}
+
+/// F of a block that moves X by `a` and Y by `b` so that X runs at `x_speed`: `F = Fx · √(a² + b²) / a`, equation (4). It holds for
+/// millimetres and degrees mixed as well, because the control works with the numbers (sheet section 5).
+pub(super) fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
+    x_speed * math::hypot(a, b) / a
+}

@@ -1,0 +1,42 @@
+//! The print roller on the ribbon: its surface against the ribbon's, and the machine on which both match.
+
+use super::feeds::LineFeeds;
+use crate::drives::web;
+use crate::machines::ribbon_line::params::Params;
+use crate::math::PI;
+
+/// PrintSurface of the print roller against the ribbon.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::machines::ribbon_line) struct PrintSurface {
+    /// mm/min.
+    pub speed: f64,
+    /// Speed of the surface over the ribbon's.
+    pub ratio: f64,
+    /// mm.
+    pub smear: f64,
+    /// Diameter (mm), number of heads or pitch (mm) with which both have one speed.
+    pub matching_diameter: f64,
+    pub matching_heads: f64,
+    pub matching_pitch: f64,
+}
+
+impl PrintSurface {
+    pub(super) fn new(p: &Params, feeds: &LineFeeds) -> PrintSurface {
+        let ratio = p.printed_arc() / p.pitch;
+        PrintSurface {
+            speed: feeds.line_speed * p.printed_arc() / p.pitch,
+            ratio,
+            smear: web::smear(ratio, p.contact_length),
+            matching_diameter: p.heads * p.pitch / PI,
+            matching_heads: PI * p.print_roller_diameter / p.pitch,
+            matching_pitch: PI * p.print_roller_diameter / p.heads,
+        }
+    }
+}
+
+impl Params {
+    /// Room (mm) between two heads on the circumference of the print roller; negative where they overlap.
+    pub(in crate::machines::ribbon_line) fn head_gap(&self) -> f64 {
+        PI * self.print_roller_diameter / self.heads - self.print.head_length
+    }
+}

@@ -1,0 +1,84 @@
+//! Ribbon between unwinder and pull roller: what start, run, stop and interruption lay down, and the loop that takes it.
+
+use super::feeds::{LineFeeds, k};
+use super::start::{laid_at_start, ramp, wait};
+use super::timing::LineTiming;
+use super::unwinder::UnwinderSpeed;
+use crate::drives::web;
+use crate::machines::ribbon_line::params::{Params, PathMode, Wait};
+use crate::math::PI;
+
+/// Ribbon between unwinder and pull roller, mm; positive where it piles up.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::machines::ribbon_line) struct Slack {
+    pub start: f64,
+    /// mm/min, at the running load and at rated load.
+    pub rate: f64,
+    pub rate_rated: f64,
+    pub run: f64,
+    pub stop: f64,
+    pub hold: f64,
+    pub resume: f64,
+    /// Greatest ribbon laid by a hold and its restart.
+    pub interruption: f64,
+    /// Ribbon missing after start or restart with an empty loop: X is ahead of the unwinder by it. 0 where ribbon is left over.
+    pub missing: f64,
+    /// Loop capacity for all ribbon that one product with one interruption may lay down:
+    /// `C ≥ |start| + |run| + |stop| + interruption`. The signs differ, and an operator may interrupt at any moment, so that the sizes
+    /// add up. An emergency stop ends the product in the place of the stop, and lays what a hold lays, less than a stop: M5 waits
+    /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
+    pub loop_needed: f64,
+    /// Time (s) in which the rate fills or empties the loop.
+    pub loop_time: f64,
+}
+
+impl Slack {
+    pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, feeds: &LineFeeds, timing: &LineTiming) -> Slack {
+        let (line_speed, error) = (feeds.line_speed, unwinder.error);
+        // Ribbon unwound per minute, with the exact π; a dancer trims it to the program's.
+        let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * unwinder.actual;
+        let unwound = |error: f64| if p.dancer { line_speed } else { unwound * (1.0 + error) };
+        // A feed per revolution follows the measured speed of the unwinder.
+        let in_step = p.feeds_per_revolution();
+        let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
+        let rate = |error: f64, kept: f64| unwound(error) - pulled(error) * kept;
+        let (rate, rate_rated) = (rate(error, timing.kept), rate(unwinder.error_rated, timing.kept_rated));
+        // Slip acts all the time; losses by exact stops and starved blocks only from the first pass to the last.
+        let slip = unwound(error) - pulled(error);
+        let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
+        let second = line_speed / 60.0;
+        let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
+        let started = unwinder.actual > 0.0;
+        // A running axis lags its command by v / K.
+        let lag = second / p.position_gain_x;
+        // Each exact stop has its ramps and the lag in its time.
+        let stops = p.path_mode == PathMode::ExactStop;
+        let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };
+        let start = if started { laid_at_start(p, second, feed_ramp, edge) + edge_lag } else { 0.0 };
+        // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
+        // at the start.
+        let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
+        let resume = if in_step { second * tau / 2.0 + lag } else { laid_at_start(p, second, feed_ramp, tau) + lag };
+        let resume = if started { resume } else { 0.0 };
+        let timed = p.wait == Wait::Dwell && !in_step;
+        let short = if timed { web::slack_of_short_stop(second, feed_ramp, wait(p, started)) } else { 0.0 };
+        let run = if started { run } else { 0.0 };
+        // M5 follows the last move and is read when both axes have stopped.
+        let stop = web::slack_after_stop(second, feed_ramp, edge, rest) - edge_lag;
+        let interruption = (hold.abs() + resume.abs()).max(short);
+        let worst = rate.abs().max(rate_rated.abs());
+        Slack {
+            start,
+            rate,
+            rate_rated,
+            run,
+            stop,
+            hold,
+            resume,
+            interruption,
+            missing: (-start.min(resume)).max(0.0),
+            loop_needed: start.abs() + run.abs() + stop.abs() + interruption,
+            loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! The start of the line: how long X waits for the unwinder, and the ribbon laid meanwhile.
+
+use crate::drives::web;
+use crate::machines::ribbon_line::params::{FeedForm, Params, Wait};
+
+/// Seconds from a strobe to FIN where the PLC waits for nothing: a few scans of the ladder.
+pub(in crate::machines::ribbon_line) const FIN_DELAY: f64 = crate::machines::ladder::plc::ANSWER;
+
+/// Share of the commanded speed from which the PLC reports the spindle at speed.
+pub(in crate::machines::ribbon_line) const AT_SPEED: f64 = 0.95;
+
+/// Time from M3 to the first pull, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
+pub(super) fn wait(p: &Params, moves: bool) -> f64 {
+    match p.wait {
+        _ if !moves => 0.0,
+        Wait::Dwell => FIN_DELAY + p.dwell,
+        Wait::Fin => (ramp(p) * AT_SPEED).max(FIN_DELAY),
+    }
+}
+
+/// Time that a feed per revolution loses on the rest of the spindle ramp after the wait, s: `(t_ramp - t_wait)² / (2 t_ramp)`.
+pub(super) fn still_to_ramp(p: &Params, wait: f64) -> f64 {
+    let (ramp, left) = (ramp(p), ramp(p) - wait);
+    if p.feed_form == FeedForm::PerRevolution && left > 0.0 { left * left / (2.0 * ramp) } else { 0.0 }
+}
+
+/// Time of the inverter from standstill to the actual speed n, s: `t_ramp = t_10 · n / n10`, with its ramp t_10 for the speed n10 at 10 V.
+pub(super) fn ramp(p: &Params) -> f64 {
+    p.inverter_ramp * p.speed_at(p.override_stepped()) / p.speed_at_10v
+}
+
+/// Ribbon unwound at a start before X pulls at the same speed, mm. With F per revolution and a wait t_w shorter than the spindle ramp t_r:
+/// `s = v · (t_w² / (2 t_r) + τ / 2)`, with ribbon speed v [mm/s] and time constant τ of X [s]; else [`web::slack_after_start`].
+/// Source: sizing facts 2.6.
+pub(super) fn laid_at_start(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
+    let wait = wait(p, true);
+    if p.feed_form == FeedForm::PerRevolution && wait < ramp {
+        speed * (wait * wait / (2.0 * ramp) + tau / 2.0)
+    } else {
+        web::slack_after_start(speed, ramp, tau, wait)
+    }
+}

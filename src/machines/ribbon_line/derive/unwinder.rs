@@ -1,0 +1,106 @@
+//! The unwinder: its speed by S and the override, the command at the analog output, and what motor and inverter miss of it.
+
+use crate::controls::AnalogOutput;
+use crate::drives::induction::Induction;
+use crate::machines::ribbon_line::params::{KnobUse, Params};
+
+/// Speed of the unwinder's motor and its command. Speeds in r/min.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::machines::ribbon_line) struct UnwinderSpeed {
+    /// Speed by S and the override.
+    pub commanded: f64,
+    /// Highest speed.
+    pub greatest: f64,
+    /// Speed, at most the highest.
+    pub actual: f64,
+    /// Override (%) from which the highest speed binds.
+    pub override_limit: f64,
+    /// Override (%) with which the motor really turns: at most that of its speed clamp.
+    pub effective_override: f64,
+    /// Error of the speed at the running load and at rated load, as parts.
+    pub error: f64,
+    pub error_rated: f64,
+    /// Analog command, V: by the value of S, as the converter puts it out, and at the highest speed.
+    pub volts_command: f64,
+    pub volts: f64,
+    pub greatest_volts: f64,
+    /// Speed of one step of the converter.
+    pub analog_step: f64,
+    /// Frequency of the inverter, Hz.
+    pub frequency: f64,
+}
+
+impl UnwinderSpeed {
+    /// Equation (1), and the clamp of control and program.
+    pub(super) fn new(p: &Params, output: &AnalogOutput) -> UnwinderSpeed {
+        let greatest = p.top_speed();
+        let actual = p.speed_at(p.override_stepped());
+        let (error, error_rated) = p.speed_errors(actual);
+        let analog = output.with_speed(p.speed_at_10v);
+        UnwinderSpeed {
+            commanded: p.commanded_speed_at(p.override_stepped()),
+            greatest,
+            actual,
+            override_limit: greatest / p.spindle_speed * 100.0,
+            effective_override: 100.0 * actual / p.spindle_speed,
+            error,
+            error_rated,
+            volts_command: analog.command(actual),
+            volts: analog.output(actual),
+            greatest_volts: analog.output(greatest),
+            analog_step: p.speed_at_10v / f64::from(analog.steps()),
+            frequency: p.frequency_at_10v * actual / p.speed_at_10v,
+        }
+    }
+}
+
+impl Params {
+    /// The PLC holds the spindle override at 100 % in automatic, and the program scales S by the typed one.
+    pub(in crate::machines::ribbon_line) fn knob_is_locked(&self) -> bool {
+        self.typed_override && self.knob_use == KnobUse::Locked
+    }
+
+    /// The knob turns the unwinder and the axes stay: they neither read the knob nor follow the measured speed.
+    pub(in crate::machines::ribbon_line) fn knob_turns_alone(&self) -> bool {
+        let follows = self.feeds_per_revolution() && self.spindle_encoder;
+        self.typed_override && self.knob_use == KnobUse::Free && !follows
+    }
+
+    /// Override (%) that the PLC puts out: the knob rounded to its step.
+    pub(in crate::machines::ribbon_line) fn override_stepped(&self) -> f64 {
+        let step = self.knob_step.percent();
+        (self.override_percent / step).round() * step
+    }
+
+    /// Highest speed in r/min that the analog output can give: the clamp, or 10 V.
+    pub(in crate::machines::ribbon_line) fn top_speed(&self) -> f64 {
+        self.speed_clamp.min(self.speed_at_10v)
+    }
+
+    /// Speed (r/min) that an override of `percent` commands of the unwinder's motor: `S · percent / 100`.
+    pub(super) fn commanded_speed_at(&self, percent: f64) -> f64 {
+        self.spindle_speed * percent / 100.0
+    }
+
+    /// Speed (r/min) of the unwinder's motor at an override of `percent`: the commanded one, at most the highest.
+    pub(in crate::machines::ribbon_line) fn speed_at(&self, percent: f64) -> f64 {
+        self.commanded_speed_at(percent).min(self.top_speed())
+    }
+
+    /// The unwinder's motor and inverter. With a dancer they follow the pull.
+    pub(in crate::machines::ribbon_line) fn induction(&self) -> Induction {
+        Induction {
+            full_command: self.speed_at_10v,
+            no_load: self.no_load_speed,
+            rated: self.rated_load_speed,
+            load: self.unwinder_load / 100.0,
+        }
+    }
+
+    /// Errors of the unwinder's speed at its running load and at rated load, as parts; a dancer trims them away.
+    pub(super) fn speed_errors(&self, speed: f64) -> (f64, f64) {
+        let motor = self.induction();
+        let loaded = Induction { load: 1.0, ..motor };
+        if self.dancer { (0.0, 0.0) } else { (motor.error(speed), loaded.error(speed)) }
+    }
+}
