@@ -50,10 +50,10 @@ fn same(name: &str, own: f64, other: f64, within: f64) {
     assert!(difference <= within * other.abs().max(1e-12), "{name}: {own} here, {other} there");
 }
 
-/// The ribbon line with these entries of its form.
+/// The ribbon line with these entries of its form, and with the brake before the pull rollers that the facts assume: 15 N.
 fn line(entries: &[(&str, f64)]) -> Project {
     let mut project = Project::named("ribbon-line", None, None).unwrap();
-    for (id, number) in entries {
+    for (id, number) in [("tension-before", 15.0)].iter().chain(entries) {
         assert!(project.machine.fields().iter().any(|field| field.id == *id), "{id}");
         project.values.insert((*id).to_owned(), form::Value::Number(*number));
     }

@@ -96,8 +96,9 @@ impl ErrorSource {
     }
 }
 
-/// Strain of the ribbon at the print contact.
+/// Strain with which the pull rollers draw the ribbon: that of the tension before them. A turn of theirs passes on as much of it, whatever
+/// the tension behind, so that the dots stand closer by it when the ribbon is slack again. Source: sizing facts 2.6, `v₁T₁ - v₂T₂`.
 pub(super) fn strain(line: &RibbonLine) -> f64 {
     let p = &line.p;
-    p.web.tension_behind / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)
+    p.web.tension_before / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)
 }

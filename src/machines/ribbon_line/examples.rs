@@ -21,6 +21,8 @@ macro_rules! matched {
             ("gear-x", "50"),
             ("gear-y", "50"),
             ("motor-max-y", "5000"),
+            // A soft ribbon is drawn with the strain of its tension, and the dots stand closer by it.
+            ("tension-before", "0.5"),
             // Without current the unwinder stops about as fast as over its ramp.
             ("unwinder-motor-brake", "0.5"),
             $($own),*

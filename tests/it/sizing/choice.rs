@@ -715,7 +715,8 @@ fn spindle_encoder_is_an_open_row_or_one_of_the_users_table() {
 /// A line on a FANUC control whose pull roller has so much friction that its motor of 0.16 Nm is used to three quarters.
 fn used_to_three_quarters(motor: &str) -> Project {
     let project = Project::named("ribbon-line", Some("fanuc-0i-mf"), None).unwrap();
-    let sets = [("pitch-count", "100".to_owned()), ("friction-x", "5.4".to_owned())];
+    let sets =
+        [("pitch-count", "100".to_owned()), ("friction-x", "5.4".to_owned()), ("tension-before", "15".to_owned())];
     let project = project.with_entries(&sets).unwrap();
     let sizing = sized(&project);
     let found = candidates(&sizing, "x").iter().find(|candidate| candidate.part.model == motor);

@@ -10,7 +10,7 @@ use crate::queries::readout;
 #[test]
 fn parts_of_the_dot_error_follow_the_formulas() {
     // 6 N on 0.5 mm · 20 mm of 20 N/mm² strain it by 3 %: 0.3 mm of a pitch of 10 mm, 30 mm of a metre.
-    let stretched = line(&[("tension-behind", 6.0)]);
+    let stretched = line(&[("tension-before", 6.0), ("tension-behind", 3.0)]);
     same("strain", readout(&stretched, "dot-strain").value, 0.3, 1e-9);
     same("shortening", readout(&stretched, "strain-per-metre").value, 30.0, 1e-9);
     // Half of 0.04 mm at each of two rollers.
@@ -38,8 +38,9 @@ fn backlash_counts_only_where_the_torque_changes_its_sign() {
 
 #[test]
 fn dot_error_is_judged_by_the_tolerance() {
-    assert_eq!(readout(&line(&[]), "dot-error").verdict, Verdict::Ok);
-    let worn = line(&[("roller-run-out", 0.2)]);
+    let slack = ("tension-before", 0.5);
+    assert_eq!(readout(&line(&[slack]), "dot-error").verdict, Verdict::Ok);
+    let worn = line(&[slack, ("roller-run-out", 0.2)]);
     let row = readout(&worn, "dot-error");
     assert_eq!(row.verdict, Verdict::Warn);
     let sets = row.advice[0].entries.clone();
@@ -54,7 +55,7 @@ proptest! {
         run_out in 0.0..0.5, tension in 0.0..300.0, backlash in 0.0..30.0, pulses in 100.0f64..1e6, gain in 10.0..60.0,
     ) {
         let line = line(&[
-            ("roller-run-out", run_out), ("tension-behind", tension), ("gear-backlash", backlash),
+            ("roller-run-out", run_out), ("tension-before", tension), ("gear-backlash", backlash),
             ("encoder-resolution-x", pulses.round()), ("encoder-resolution-y", pulses.round()), ("position-gain-y", gain),
         ]);
         let part = |id: &str| readout(&line, id).value;

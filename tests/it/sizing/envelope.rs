@@ -264,6 +264,7 @@ fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
         ("tensile-strength", 150.0),
         ("pinch-force", 1000.0),
         ("dwell", 0.3),
+        ("tension-before", 15.0),
     ] {
         project.values.insert(field.to_owned(), Value::Number(value));
     }

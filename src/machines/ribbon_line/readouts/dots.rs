@@ -54,7 +54,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         label: "ribbon.readout.dot-strain",
         unit: "mm",
         decimals: 4,
-        formula: "#107 · T2 / (E · width · thickness)",
+        formula: "#107 · T1 / (E · width · thickness)",
         cite: BUDGET,
         value: |line| DotError::of(line).strain,
         ..ReadoutRow::BASE
@@ -64,7 +64,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         label: "ribbon.readout.strain-per-metre",
         unit: "mm/m",
         decimals: 3,
-        formula: "1000 · T2 / (E · width · thickness)",
+        formula: "1000 · T1 / (E · width · thickness)",
         cite: BUDGET,
         value: |line| 1e3 * strain(line),
         ..ReadoutRow::BASE

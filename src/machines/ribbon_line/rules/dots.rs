@@ -52,8 +52,8 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
             at_most(FIELDS, "gear-backlash", p.gear_backlash * share),
         ),
         ErrorSource::Strain => one(
-            |force| msg!("advice.set-tension-behind", force),
-            at_most(FIELDS, "tension-behind", p.web.tension_behind * share),
+            |force| msg!("advice.set-tension-before", force),
+            at_most(FIELDS, "tension-before", p.web.tension_before * share),
         ),
         ErrorSource::Lag => (msg!("advice.make-equal"), equal_entries(p)),
     };
