@@ -125,17 +125,29 @@ pub struct OperatorVariable {
     pub number: u32,
     /// Only whole numbers are valid.
     pub is_whole: bool,
+    /// Variable to which the program copies the entry before it checks the copy, and by which it works.
+    pub copy: Option<u32>,
 }
 
 impl OperatorVariable {
     /// A variable for which every number above zero is valid.
     pub const fn any(number: u32) -> OperatorVariable {
-        OperatorVariable { number, is_whole: false }
+        OperatorVariable { number, is_whole: false, copy: None }
     }
 
     /// A variable for which only whole numbers above zero are valid.
     pub const fn whole(number: u32) -> OperatorVariable {
-        OperatorVariable { number, is_whole: true }
+        OperatorVariable { number, is_whole: true, copy: None }
+    }
+
+    /// The same variable, of which the program checks and uses a copy.
+    pub const fn copied_to(self, copy: u32) -> OperatorVariable {
+        OperatorVariable { copy: Some(copy), ..self }
+    }
+
+    /// The variable that the program checks.
+    fn checked(self) -> u32 {
+        self.copy.unwrap_or(self.number)
     }
 }
 
@@ -145,21 +157,27 @@ pub const fn alarm_block(alarm: u32) -> u32 {
 }
 
 /// Numbers of the alarms of entries with the variable of each: first those not above zero, then those not whole.
-fn entry_alarms(entries: &[OperatorVariable]) -> [Vec<(u32, u32)>; 2] {
+fn entry_alarms(entries: &[OperatorVariable]) -> [Vec<(u32, OperatorVariable)>; 2] {
     let whole = entries.iter().filter(|entry| entry.is_whole);
-    let above_zero = (1..).zip(entries).map(|(alarm, entry)| (alarm, entry.number)).collect();
-    let whole = (entries.len() as u32 + 1..).zip(whole).map(|(alarm, entry)| (alarm, entry.number)).collect();
+    let above_zero = (1..).zip(entries.iter().copied()).collect();
+    let whole = (entries.len() as u32 + 1..).zip(whole.copied()).collect();
     [above_zero, whole]
 }
 
-/// Checks that every entry is above zero, and whole where required; else jumps to [`alarms`]. Each check has the number of its alarm.
+/// Checks that every entry, or its copy, is above zero, and whole where required; else jumps to [`alarms`]. Each check has the number of its
+/// alarm, and is preceded by the copy.
 pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
     let [above_zero, whole] = entry_alarms(entries);
     for (alarm, entry) in above_zero {
-        b.n(alarm).if_goto(v(entry).le(0), alarm_block(alarm));
+        b.n(alarm);
+        if let Some(copy) = entry.copy {
+            b.assign(copy, v(entry.number));
+        }
+        b.if_goto(v(entry.checked()).le(0), alarm_block(alarm));
     }
     for (alarm, entry) in whole {
-        b.n(alarm).if_goto((v(entry) - v(entry).round()).abs().gt(real(0.0001, 4)), alarm_block(alarm));
+        let value = || v(entry.checked());
+        b.n(alarm).if_goto((value() - value().round()).abs().gt(real(0.0001, 4)), alarm_block(alarm));
     }
 }
 
@@ -167,10 +185,16 @@ pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
 pub fn alarms(b: &mut Builder, control: &Control, entries: &[OperatorVariable]) {
     let [above_zero, whole] = entry_alarms(entries);
     for (alarm, entry) in above_zero {
-        alarm_until_cleared(b, control, alarm, &format!("{} MUST BE ABOVE ZERO", control.variable(entry)), 1);
+        alarm_until_cleared(b, control, alarm, &format!("{} MUST BE ABOVE ZERO", control.variable(entry.number)), 1);
     }
     for (alarm, entry) in whole {
-        alarm_until_cleared(b, control, alarm, &format!("{} MUST BE A WHOLE NUMBER", control.variable(entry)), 1);
+        alarm_until_cleared(
+            b,
+            control,
+            alarm,
+            &format!("{} MUST BE A WHOLE NUMBER", control.variable(entry.number)),
+            1,
+        );
     }
 }
 

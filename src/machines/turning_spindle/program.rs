@@ -1,14 +1,15 @@
 //! The program of the turning spindle: O9201 cuts pass by pass, O9202 sets the project's values once.
 //!
 //! Written with the words and codes of the control: diameters or radii, surface speed or a fixed one, gear stages or none. O9201 never
-//! writes the operator's variables, so that parts are changed by variables alone.
+//! writes the operator's variables, so that parts are changed by variables alone. It copies them at its start and checks and cuts by the
+//! copies: an entry that the operator changes while a part is cut passes the checks of the next start.
 
 use super::params::{Direction, Path};
 use super::resolved::TurningSpindle;
 use super::variables::{
     ALLOWANCE, ANGLE, BEGUN, CHUCK_LIMIT, CLEARANCE, CUTTING_SPEED, DEPTH, DRIVEN_SPEED, FEED, FINISHED, KEYWAY_DEPTH,
     KEYWAY_FEED, KEYWAY_INFEED, KEYWAY_LENGTH, KEYWAY_START, KEYWAY_WIDTH, LEFT, LENGTH, LOWEST_SPEED, REACH, ROOM,
-    SPEED, SPEED_LIMIT, START_X, START_Z, STOCK, TAPER_END,
+    SPEED, SPEED_LIMIT, START_X, START_Z, STOCK, TAPER_END, copy,
 };
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
@@ -40,7 +41,13 @@ fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
     let keyway =
         lathe.keyway().map(|_| [KEYWAY_DEPTH, KEYWAY_LENGTH, KEYWAY_WIDTH, DRIVEN_SPEED, KEYWAY_FEED, KEYWAY_INFEED]);
     let keyway = keyway.into_iter().flatten();
-    all.chain(limits).chain(keyway).chain([ROOM]).map(OperatorVariable::any).collect()
+    let all = all.chain(limits).chain(keyway).chain([ROOM]);
+    all.map(|number| OperatorVariable::any(number).copied_to(copy(number))).collect()
+}
+
+/// An entry of the operator as the program copied it at its start.
+fn entry(number: u32) -> Formula {
+    v(copy(number))
 }
 
 /// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
@@ -97,6 +104,7 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<MachineVariable> {
     all.push(variable(REACH, "turning.variable.reach", "mm"));
     all.push(variable(ROOM, "lathe.turret-room", "mm"));
     all.push(variable(SPEED, "turning.variable.speed", "r/min"));
+    all.push(variable(copy(CUTTING_SPEED), "turning.variable.copies", ""));
     if has_flag(lathe) {
         all.push(variable(BEGUN, "turning.variable.begun", ""));
     }
@@ -132,7 +140,7 @@ fn block(lathe: &TurningSpindle, code: Code, words: impl IntoIterator<Item = New
 
 /// Diameter at which the tool is clear of the stock.
 fn clear() -> Formula {
-    v(STOCK) + v(CLEARANCE) * 2
+    entry(STOCK) + entry(CLEARANCE) * 2
 }
 
 /// O9201.
@@ -142,12 +150,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if lathe.p.tailstock {
         b.comment("THE TAILSTOCK HOLDS THE WORK");
     }
+    b.comment("CHANGED VARIABLES ACT FROM THE NEXT START");
     guards(b, lathe);
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     call_tool(b, lathe);
     // Setting data of the control, in force beyond the program's end; each takes a block of its own.
     for (at, (code, number)) in (19..).zip(speed_limits(lathe).into_iter().flatten()) {
-        b.n(at).words(block(lathe, code, [s(v(number))]));
+        b.n(at).words(block(lathe, code, [s(entry(number))]));
     }
     if lathe.surface() && lathe.control.can(Code::SetCoordinates) {
         b.n(20).words(block(lathe, Code::SetCoordinates, limit(lathe)));
@@ -158,7 +167,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
-    b.words([z(v(CLEARANCE))]);
+    b.words([z(entry(CLEARANCE))]);
     // A reset at the angle leaves the spindle locked.
     release_spindle(b, lathe);
     start(b, lathe);
@@ -167,14 +176,14 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     let face = lathe.p.path == Path::Facing;
     let (whole, step) = match lathe.p.path {
-        Path::Facing => (v(way(lathe)), v(DEPTH)),
-        Path::Turning => (v(STOCK) - v(FINISHED), v(DEPTH) * 2),
-        Path::Taper => (v(STOCK) - v(FINISHED), v(DEPTH) * 2),
+        Path::Facing => (entry(way(lathe)), entry(DEPTH)),
+        Path::Turning => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
+        Path::Taper => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
     };
     b.n(30).assign(LEFT, whole).note(if face { "LEFT TO CUT, Z" } else { "LEFT TO CUT, DIAMETER" });
     if lathe.p.path == Path::Taper {
-        b.if_goto(v(FINISHED).le(v(TAPER_END)), 31);
-        b.assign(LEFT, v(STOCK) - v(TAPER_END)).note("SMALL AT THE END");
+        b.if_goto(entry(FINISHED).le(entry(TAPER_END)), 31);
+        b.assign(LEFT, entry(STOCK) - entry(TAPER_END)).note("SMALL AT THE END");
     }
     b.n(31).while_do(v(LEFT).gt(0), 1);
     b.n(32).assign(LEFT, v(LEFT) - step);
@@ -182,13 +191,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(34).assign(LEFT, 0).note("LAST PASS TAKES LESS");
     pass(b, lathe);
     b.n(44).end_do(1);
-    b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, v(START_X)), z(v(START_Z))]));
+    b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, entry(START_X)), z(entry(START_Z))]));
     b.n(51).words([m(5)]);
     if lathe.surface() {
         b.n(52).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]));
     }
     if lathe.positions() {
-        b.n(53).words([word(Address::Spos, v(ANGLE))]).note("FOR THE KEYWAY");
+        b.n(53).words([word(Address::Spos, entry(ANGLE))]).note("FOR THE KEYWAY");
         let lock = lathe.p.lock_code as u32;
         if lock > 0 {
             b.words([m(lock)]).note("LOCKS THE SPINDLE");
@@ -230,13 +239,18 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
 }
 
-/// Alarms of values that the operator must not set.
+/// Copies the operator's variables, and jumps to the alarms of values that the operator must not set.
 fn guards(b: &mut Builder, lathe: &TurningSpindle) {
     writing::guards(b, &entries(lathe));
+    let angle = lathe.positions().then_some(ANGLE);
+    let keyway = lathe.keyway().map(|_| KEYWAY_START);
+    for number in [FINISHED, REACH].into_iter().chain(angle).chain(keyway) {
+        b.assign(copy(number), v(number));
+    }
     if let Some((guard, _)) = core_guard(lathe) {
         b.if_goto(guard, alarm_block(core_alarm(lathe)));
     }
-    b.if_goto(v(way(lathe)).gt(v(REACH)), alarm_block(length_alarm(lathe)));
+    b.if_goto(entry(way(lathe)).gt(entry(REACH)), alarm_block(length_alarm(lathe)));
     for (at, (guard, _)) in (keyway_alarm(lathe)..).zip(keyway_guards(lathe)) {
         b.if_goto(guard, alarm_block(at));
     }
@@ -247,9 +261,9 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
     match place(lathe) {
         Some(place) => {
             writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
-            let beside = size(lathe, v(STOCK) + v(ROOM) * 2);
+            let beside = size(lathe, entry(STOCK) + entry(ROOM) * 2);
             // The stock of a face stands out in front of it.
-            let before = if lathe.p.path == Path::Facing { v(ROOM) + v(ALLOWANCE) } else { v(ROOM) };
+            let before = if lathe.p.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
             if lathe.p.tailstock {
                 // In front of the work is the tailstock.
                 b.if_goto(v(place.0).lt(beside), alarm_block(away_alarm(lathe)));
@@ -290,30 +304,31 @@ fn no_keyway(lathe: &TurningSpindle) -> &'static str {
 /// The keyway: the driven tool goes into the work at feed, along it, and back. The spindle is locked at its angle, by a code or by hand.
 fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
     let p = &lathe.p;
-    let surface = || v(if p.path == Path::Facing { STOCK } else { FINISHED });
-    let clear = || surface() + v(CLEARANCE) * 2;
+    let surface = || entry(if p.path == Path::Facing { STOCK } else { FINISHED });
+    let clear = || surface() + entry(CLEARANCE) * 2;
     let (start, stop) = (p.driven_code as u32, p.driven_stop as u32);
     let driven = |own: u32, sign: u32| if own > 0 { m(own) } else { indexed(Address::M, DRIVEN, sign) };
     if p.lock_code <= 0.0 {
         b.n(54).words([m(0)]).note("LOCK THE SPINDLE BY HAND");
     }
     b.n(56).words(writing::tool(lathe.control, p.driven_number as u32)).note("DRIVEN TOOL AND ITS OFFSET");
-    b.n(57).words([indexed(Address::S, DRIVEN, v(DRIVEN_SPEED)), driven(start, 3)]);
+    b.n(57).words([indexed(Address::S, DRIVEN, entry(DRIVEN_SPEED)), driven(start, 3)]);
     b.n(58).words(
         codes(lathe, [Code::FeedPerMinute, Code::Rapid])
             .into_iter()
-            .chain([z(-(v(KEYWAY_START) + v(KEYWAY_WIDTH) / 2))]),
+            .chain([z(-(entry(KEYWAY_START) + entry(KEYWAY_WIDTH) / 2))]),
     );
     b.n(59).words([cross(lathe, clear())]);
     b.n(KEYWAY[0]).words(block(
         lathe,
         Code::Linear,
-        [cross(lathe, surface() - v(KEYWAY_DEPTH) * 2), f(v(KEYWAY_INFEED))],
+        [cross(lathe, surface() - entry(KEYWAY_DEPTH) * 2), f(entry(KEYWAY_INFEED))],
     ));
-    b.n(KEYWAY[1]).words([z(-(v(KEYWAY_START) + v(KEYWAY_LENGTH) - v(KEYWAY_WIDTH) / 2)), f(v(KEYWAY_FEED))]);
+    b.n(KEYWAY[1])
+        .words([z(-(entry(KEYWAY_START) + entry(KEYWAY_LENGTH) - entry(KEYWAY_WIDTH) / 2)), f(entry(KEYWAY_FEED))]);
     b.n(62).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
-    b.n(63).words([cross(lathe, v(START_X))]);
-    b.n(64).words([z(v(START_Z))]);
+    b.n(63).words([cross(lathe, entry(START_X))]);
+    b.n(64).words([z(entry(START_Z))]);
     if start == 0 || stop > 0 {
         b.n(65).words([driven(stop, 5)]);
     }
@@ -373,9 +388,12 @@ fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     let [start, length, width, depth, end_name, surface_name] =
         [KEYWAY_START, KEYWAY_LENGTH, KEYWAY_WIDTH, KEYWAY_DEPTH, end, surface].map(|at| lathe.control.variable(at));
     vec![
-        ((v(KEYWAY_START) + v(KEYWAY_LENGTH)).gt(v(end)), format!("{start}+{length} IS MORE THAN {end_name}")),
-        (v(KEYWAY_LENGTH).lt(v(KEYWAY_WIDTH)), format!("{length} IS LESS THAN {width}")),
-        ((v(KEYWAY_DEPTH) * 2).ge(v(surface)), format!("{depth}*2 IS NOT BELOW {surface_name}")),
+        (
+            (entry(KEYWAY_START) + entry(KEYWAY_LENGTH)).gt(entry(end)),
+            format!("{start}+{length} IS MORE THAN {end_name}"),
+        ),
+        (entry(KEYWAY_LENGTH).lt(entry(KEYWAY_WIDTH)), format!("{length} IS LESS THAN {width}")),
+        ((entry(KEYWAY_DEPTH) * 2).ge(entry(surface)), format!("{depth}*2 IS NOT BELOW {surface_name}")),
     ]
 }
 
@@ -385,8 +403,8 @@ fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
     let name = lathe.control.variable(FINISHED);
     match lathe.p.path {
         Path::Facing => None,
-        Path::Turning => Some((v(FINISHED).le(0), format!("{name} MUST BE ABOVE ZERO"))),
-        Path::Taper => Some((v(FINISHED).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
+        Path::Turning => Some((entry(FINISHED).le(0), format!("{name} MUST BE ABOVE ZERO"))),
+        Path::Taper => Some((entry(FINISHED).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
     }
 }
 
@@ -395,7 +413,7 @@ fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
 fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
     let at = place(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
     let held = at.into_iter().flat_map(|(across, along)| [x(v(across)), z(v(along))]);
-    held.chain([s(v(SPEED_LIMIT))]).collect()
+    held.chain([s(entry(SPEED_LIMIT))]).collect()
 }
 
 /// The code of the gear stage, if there are several.
@@ -409,16 +427,16 @@ fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
 fn start(b: &mut Builder, lathe: &TurningSpindle) {
     let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
-    b.n(24).assign(SPEED, (v(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * v(STOCK))).fix());
-    b.n(25).if_goto(v(SPEED).le(v(SPEED_LIMIT)), 27);
-    b.n(26).assign(SPEED, v(SPEED_LIMIT).fix()).note("AT MOST THE LIMIT");
+    b.n(24).assign(SPEED, (entry(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * entry(STOCK))).fix());
+    b.n(25).if_goto(v(SPEED).le(entry(SPEED_LIMIT)), 27);
+    b.n(26).assign(SPEED, entry(SPEED_LIMIT).fix()).note("AT MOST THE LIMIT");
     let mut words = if lathe.surface() {
-        block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))])
+        block(lathe, Code::SurfaceSpeed, [s(entry(CUTTING_SPEED))])
     } else {
         block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))])
     };
     // The speed limit as a word of its own, where no block before sets it.
-    words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(SPEED_LIMIT))));
+    words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, entry(SPEED_LIMIT))));
     words.push(turn);
     b.n(27).words(words);
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
@@ -440,8 +458,8 @@ fn comes_to_speed(b: &mut Builder, lathe: &TurningSpindle, seconds: Formula) {
 /// and would begin this one with the highest speed of the one before.
 fn wait(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(per_speed) = lathe.dwell_of_passes() {
-        b.words(block(lathe, Code::SurfaceSpeed, [s(v(CUTTING_SPEED))]));
-        comes_to_speed(b, lathe, v(SPEED_LIMIT) * real((1e6 * per_speed).ceil() / 1e6, 6));
+        b.words(block(lathe, Code::SurfaceSpeed, [s(entry(CUTTING_SPEED))]));
+        comes_to_speed(b, lathe, entry(SPEED_LIMIT) * real((1e6 * per_speed).ceil() / 1e6, 6));
     }
 }
 
@@ -450,30 +468,30 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
     // The tool leaves the shoulder at feed, out to where the pass before ended: the edge may leave a wedge there.
-    let shoulder = |diameter: Formula| diameter + v(LEFT) + v(DEPTH) * 2;
+    let shoulder = |diameter: Formula| diameter + v(LEFT) + entry(DEPTH) * 2;
     match lathe.p.path {
         Path::Facing => {
             b.n(35);
             wait(b, lathe);
             b.words(rapid(vec![z(v(LEFT))]));
-            b.n(PASS_BEGIN).words(cut(vec![cross(lathe, v(FINISHED)), f(v(FEED))]));
-            b.n(37).words(rapid(vec![z(v(LEFT) + v(DEPTH))]));
+            b.n(PASS_BEGIN).words(cut(vec![cross(lathe, entry(FINISHED)), f(entry(FEED))]));
+            b.n(37).words(rapid(vec![z(v(LEFT) + entry(DEPTH))]));
             b.n(38).words([cross(lathe, clear())]);
         }
         Path::Turning => {
-            b.n(35).words(rapid(vec![cross(lathe, v(FINISHED) + v(LEFT))]));
-            b.n(PASS_BEGIN).words(cut(vec![z(-v(LENGTH)), f(v(FEED))]));
-            b.n(37).words([cross(lathe, shoulder(v(FINISHED)))]);
-            b.n(38).words(rapid(vec![z(v(CLEARANCE))]));
+            b.n(35).words(rapid(vec![cross(lathe, entry(FINISHED) + v(LEFT))]));
+            b.n(PASS_BEGIN).words(cut(vec![z(-entry(LENGTH)), f(entry(FEED))]));
+            b.n(37).words([cross(lathe, shoulder(entry(FINISHED)))]);
+            b.n(38).words(rapid(vec![z(entry(CLEARANCE))]));
         }
         Path::Taper => {
-            b.n(35).words(rapid(vec![cross(lathe, v(FINISHED) + v(LEFT))]));
+            b.n(35).words(rapid(vec![cross(lathe, entry(FINISHED) + v(LEFT))]));
             wait(b, lathe);
-            b.n(PASS_BEGIN).words(cut(vec![z(real(0.0, 0)), f(v(FEED))]));
-            b.n(cut_block(Path::Taper)).words([cross(lathe, v(TAPER_END) + v(LEFT)), z(-v(LENGTH))]);
-            b.n(38).words([cross(lathe, shoulder(v(TAPER_END)))]);
+            b.n(PASS_BEGIN).words(cut(vec![z(real(0.0, 0)), f(entry(FEED))]));
+            b.n(cut_block(Path::Taper)).words([cross(lathe, entry(TAPER_END) + v(LEFT)), z(-entry(LENGTH))]);
+            b.n(38).words([cross(lathe, shoulder(entry(TAPER_END)))]);
             b.n(39).words(rapid(vec![cross(lathe, clear())]));
-            b.n(40).words([z(v(CLEARANCE))]);
+            b.n(40).words([z(entry(CLEARANCE))]);
         }
     }
 }

@@ -1,5 +1,11 @@
 //! Variables of the turning spindle's programs.
 
+/// Variable to which the program copies an entry before it checks it: it cuts by the copy, so that an entry that changes meanwhile acts from
+/// the next start. They are local variables 1 to 27, or R1 to R27.
+pub(super) const fn copy(entry: u32) -> u32 {
+    entry - 99
+}
+
 /// Surface speed of the cut, m/min.
 pub(super) const CUTTING_SPEED: u32 = 100;
 

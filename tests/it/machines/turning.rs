@@ -5,6 +5,7 @@ mod cooling;
 mod demand;
 mod drawing;
 mod each_control;
+mod entries;
 mod gears;
 mod guards;
 mod knobs;

@@ -118,8 +118,8 @@ fn programmed_s_stays_under_limits() {
 fn programs_write_their_limit() {
     let lathe = machine("turning-spindle", SIEMENS, &[("chuck-limit", "2200")]);
     let text: String = lathe.written().files.0.iter().map(|file| file.text.as_str()).collect();
-    assert!(text.lines().any(|line| line.trim_start_matches(|c| c != 'G') == "G26 S=R115"), "{text}");
-    assert!(text.contains("R115=2200"));
+    assert!(text.lines().any(|line| line.trim_start_matches(|c| c != 'G') == "G26 S=R16"), "{text}");
+    assert!(text.contains("R16=R115") && text.contains("R115=2200"));
 }
 
 fn machine_data_limit_the_speed() {

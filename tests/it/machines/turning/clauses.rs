@@ -30,13 +30,13 @@ fn top<P: macroline::motion::RunningProgram>(planner: &Planner<P>) -> f64 {
 fn program_limits_the_speed_by_the_machine_data() {
     for control in NAMED {
         let limited = text(&project(control, &[("chuck-limit", "2200"), ("lower-limit", "40")]));
-        for line in ["G26 S=R115", "G25 S=R116"] {
+        for line in ["G26 S=R16", "G25 S=R17"] {
             // Each in a block of its own.
             assert!(limited.lines().any(|written| written.trim_start_matches(|c| c != 'G') == line), "{limited}");
         }
         assert!(limited.contains("R115=2200 ") && limited.contains("R116=40 "), "{limited}");
         let alone = text(&project(control, &[("chuck-limit", "2200")]));
-        assert!(alone.contains("G26 S=R115") && !alone.contains("G25"), "{alone}");
+        assert!(alone.contains("G26 S=R16") && !alone.contains("G25"), "{alone}");
         // The operator lowers the limit of the chuck for an unbalanced part.
         let part = ideal(control, &[("upper-limit", "1500")]);
         let mut planner = run_set(&part, 115, 900.0);
@@ -194,7 +194,7 @@ fn keyway_that_cannot_be_cut_is_an_error() {
     assert_eq!(finding_ids(&shaft(&[("keyway-width", "4")])), ["turning.keyway-deeper-than-wide"]);
     // The builder's own codes start and stop the tool.
     let own = shaft(&[("driven-code", "24"), ("driven-stop", "25")]);
-    assert!(text(&own).contains("S2=R121 M24") && text(&own).contains("N65 M25"));
+    assert!(text(&own).contains("S2=R22 M24") && text(&own).contains("N65 M25"));
     assert_eq!(finding_ids(&own), [""; 0]);
 }
 

@@ -181,11 +181,11 @@ fn differences_between_controls_match_the_table() {
     }
     expect![[r#"
         surface speed
-            gsk-980tdc      N27 G96 S#100 M3
-            sinumerik-802d  N27 LB27: G96 S=R100 LIMS=R107 M3
-            sinumerik-808d  N27 LB27: G96 S=R100 LIMS=R107 M3
-            knd-k2000t      N27 G96 S#100 M3
-            fanuc-0i-tf     N27 G96 S#100 M3
+            gsk-980tdc      N27 G96 S#1 M3
+            sinumerik-802d  N27 LB27: G96 S=R1 LIMS=R8 M3
+            sinumerik-808d  N27 LB27: G96 S=R1 LIMS=R8 M3
+            knd-k2000t      N27 G96 S#1 M3
+            fanuc-0i-tf     N27 G96 S#1 M3
             mitsubishi-e60  N27 G97 S#109 M3
         fixed speed
             gsk-980tdc      N27 G97 S#109 M3
@@ -195,11 +195,11 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     N27 G97 S#109 M3
             mitsubishi-e60  N27 G97 S#109 M3
         limit
-            gsk-980tdc      N20 G50 S#107
+            gsk-980tdc      N20 G50 S#8
             sinumerik-802d  -
             sinumerik-808d  -
-            knd-k2000t      N20 G50 S#107
-            fanuc-0i-tf     N20 G50 S#107
+            knd-k2000t      N20 G50 S#8
+            fanuc-0i-tf     N20 G50 S#8
             mitsubishi-e60  -
         feed and path
             gsk-980tdc      N21 G99
@@ -217,18 +217,18 @@ fn differences_between_controls_match_the_table() {
             mitsubishi-e60  -
         angle
             gsk-980tdc      -
-            sinumerik-802d  N53 SPOS=R113 ;FOR THE KEYWAY
-            sinumerik-808d  N53 SPOS=R113 ;FOR THE KEYWAY
+            sinumerik-802d  N53 SPOS=R14 ;FOR THE KEYWAY
+            sinumerik-808d  N53 SPOS=R14 ;FOR THE KEYWAY
             knd-k2000t      -
             fanuc-0i-tf     -
             mitsubishi-e60  -
         X of a face
-            gsk-980tdc      N36 G01 X#103 F#101
-            sinumerik-802d  N36 G1 X=R103 F=R101
-            sinumerik-808d  N36 G1 X=R103 F=R101
-            knd-k2000t      N36 G01 X#103 F#101
-            fanuc-0i-tf     N36 G01 X#103 F#101
-            mitsubishi-e60  N36 G01 X[#103/2] F#101
+            gsk-980tdc      N36 G01 X#4 F#2
+            sinumerik-802d  N36 G1 X=R4 F=R2
+            sinumerik-808d  N36 G1 X=R4 F=R2
+            knd-k2000t      N36 G01 X#4 F#2
+            fanuc-0i-tf     N36 G01 X#4 F#2
+            mitsubishi-e60  N36 G01 X[#4/2] F#2
         jump of the loop
             gsk-980tdc      N31 WHILE[#110 GT 0]DO1
             sinumerik-802d  N31 LB31: IF R110<=0 GOTOF LB50

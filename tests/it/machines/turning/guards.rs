@@ -374,7 +374,7 @@ fn turret_turns_beside_work_that_a_tailstock_holds() {
     assert_eq!(found("139", "true"), [("start-x", "lathe.turret-hits-tailstock")]);
     assert_eq!(found("140", "true"), []);
     let text = &project("fanuc-0i-tf", &entries("145", "true")).written().files.0[0].text;
-    assert!(!text.contains("GE #102+#126*2]GOTO18") && text.contains("LT #102+#126*2]GOTO"), "{text}");
+    assert!(!text.contains("GE #3+#27*2]GOTO18") && text.contains("LT #3+#27*2]GOTO"), "{text}");
 }
 
 /// The speed limit holds the work below the cutting speed of the form: the advice names one that is below it.
