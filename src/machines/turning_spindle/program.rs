@@ -226,12 +226,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         None => "RETRACT THE TOOL BY HAND".to_owned(),
     };
     writing::alarm(b, lathe.control, away_alarm(lathe), &text);
-    if let Some((_, text)) = core_guard(lathe) {
-        writing::alarm(b, lathe.control, core_alarm(lathe), &text);
-    }
-    let [way, reach] = [way(lathe), REACH].map(|number| lathe.control.variable(number));
-    writing::alarm(b, lathe.control, length_alarm(lathe), &format!("{way} IS MORE THAN {reach}"));
-    for (at, (_, text)) in (keyway_alarm(lathe)..).zip(keyway_guards(lathe)) {
+    for (at, (_, text)) in (away_alarm(lathe) + 1..).zip(refusals(lathe)) {
         writing::alarm(b, lathe.control, at, &text);
     }
     if writing::has_alarms(lathe.control) {
@@ -247,12 +242,8 @@ fn guards(b: &mut Builder, lathe: &TurningSpindle) {
     for number in [FINISHED, REACH].into_iter().chain(angle).chain(keyway) {
         b.assign(copy(number), v(number));
     }
-    if let Some((guard, _)) = core_guard(lathe) {
-        b.if_goto(guard, alarm_block(core_alarm(lathe)));
-    }
-    b.if_goto(entry(way(lathe)).gt(entry(REACH)), alarm_block(length_alarm(lathe)));
-    for (at, (guard, _)) in (keyway_alarm(lathe)..).zip(keyway_guards(lathe)) {
-        b.if_goto(guard, alarm_block(at));
+    for (at, (condition, _)) in (away_alarm(lathe) + 1..).zip(refusals(lathe)) {
+        b.if_goto(condition, alarm_block(at));
     }
 }
 
@@ -363,19 +354,16 @@ fn away_alarm(lathe: &TurningSpindle) -> u32 {
     entries(lathe).len() as u32 + 1
 }
 
-/// Number of the alarm of a diameter that leaves nothing of the work.
-fn core_alarm(lathe: &TurningSpindle) -> u32 {
-    away_alarm(lathe) + 1
-}
-
-/// Number of the alarm of a cut that is longer than the work.
-fn length_alarm(lathe: &TurningSpindle) -> u32 {
-    away_alarm(lathe) + 2
-}
-
-/// Number of the first alarm of a keyway.
-fn keyway_alarm(lathe: &TurningSpindle) -> u32 {
-    away_alarm(lathe) + 3
+/// Conditions of entries that the program refuses beside those that are not above zero, with the texts of their alarms: nothing of the work is
+/// left, nothing is cut, the cut is longer than the work, the keyway does not fit. Their alarms follow that of a tool that is not clear.
+fn refusals(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
+    let name = |number: u32| lathe.control.variable(number);
+    let ends = if lathe.p.path == Path::Taper { &[FINISHED, TAPER_END][..] } else { &[FINISHED] };
+    let nothing_to_cut =
+        ends.iter().map(|end| (entry(*end).ge(entry(STOCK)), format!("{} IS NOT BELOW {}", name(*end), name(STOCK))));
+    let [way_name, reach] = [way(lathe), REACH].map(name);
+    let too_long = (entry(way(lathe)).gt(entry(REACH)), format!("{way_name} IS MORE THAN {reach}"));
+    core_guard(lathe).into_iter().chain(nothing_to_cut).chain([too_long]).chain(keyway_guards(lathe)).collect()
 }
 
 /// Conditions of a keyway that the work or its tool does not have, with the texts of their alarms: beyond its cylinder, shorter than the tool,

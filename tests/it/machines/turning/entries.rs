@@ -3,7 +3,7 @@
 use macroline::motion::{Action, RunEnd};
 use macroline::project::Project;
 
-use super::{machine, project};
+use super::{machine, project, run_set};
 use crate::machines::every_machine::restart::within;
 
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
@@ -61,4 +61,33 @@ fn entry_changed_in_a_cut_acts_at_the_next_start() {
     let cuts =
         |word: &str| shorter.iter().filter(|(_, canon)| canon.starts_with("linear") && canon.contains(word)).count();
     assert!(cuts("Z-60") > 1 && cuts("Z-60") == cuts("Z-40"), "{shorter:?}");
+}
+
+/// A part as thick as its stock is no part: form and program refuse it alike, and nothing moves.
+#[test]
+fn entries_with_nothing_to_cut_raise_an_alarm() {
+    for control in machine().controls() {
+        for (path, number, field, value) in [
+            ("facing", 103, "finished-diameter", 100.0),
+            ("turning", 103, "finished-diameter", 100.0),
+            ("turning", 103, "finished-diameter", 120.0),
+            ("taper", 103, "finished-diameter", 100.0),
+            ("taper", 104, "large-diameter", 100.0),
+        ] {
+            let plain = [("path", path), ("depth", "5"), ("stock-diameter", "100"), ("start-x", "180")];
+            let text = value.to_string();
+            let design = project(control, &[&plain[..], &[(field, text.as_str())]].concat()).design();
+            assert!(
+                design.diagnostics.iter().any(|found| found.message.id == "turning.nothing-to-cut"),
+                "{path} {field}"
+            );
+            let mut planner = run_set(&project(control, &plain), number, value);
+            let before = planner.timeline().words_at(0.0);
+            let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+            let end = planner.timeline().end();
+            let ending = format!("{ended:?} {}", planner.timeline().message_at(end).unwrap_or_default());
+            assert!(ending.contains("IS NOT BELOW"), "{control} {path} {number}: {ending}");
+            assert_eq!(before, planner.timeline().words_at(end), "{control} {path}: it moved");
+        }
+    }
 }
