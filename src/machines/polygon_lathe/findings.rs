@@ -7,6 +7,8 @@ use super::params::TurnedEnd;
 use super::passes::PASSES;
 use super::program;
 use super::resolved::PolygonLathe;
+use crate::controls::ParamRole;
+use crate::machines::sheets;
 use crate::machines::turret;
 use crate::msg;
 use crate::text::{Diagnostic, Message};
@@ -233,6 +235,13 @@ fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
     found.map(|found| if most >= p.clear_diameter() { found.mended_by(most.floor()) } else { found })
 }
 
+/// A time constant of the slides that a parameter of the control does not take: the sheet has it for rapid traverse and for cutting feed.
+fn beyond_ramp_range(lathe: &PolygonLathe) -> Option<Diagnostic> {
+    let roles = [ParamRole::RapidTimeConstant, ParamRole::AxisTimeConstant];
+    let ranges = roles.into_iter().filter_map(|role| lathe.control.param(role)).map(|row| row.range);
+    ranges.filter_map(|range| sheets::beyond_range("time-constant", lathe.p.slides.time_constant, "ms", range)).next()
+}
+
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     let p = &lathe.p;
@@ -259,6 +268,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
         }
     }
     found.extend(start_beyond_slide(lathe));
+    found.extend(beyond_ramp_range(lathe));
     found.extend(turned_corners(lathe));
     let bends = bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS);
     found.extend(bends.filter_map(|(bends, fields)| Some(bends?.about(fields.depth))));

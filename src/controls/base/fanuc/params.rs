@@ -22,8 +22,10 @@ pub const LATHE: &[ParamDef] = &[
     param(AxisClamp, "1430", "", MmPerMinute, "upper limit of the cutting feed of an axis", MEMORY),
     param(ExactStopCheck, "1601#5", "NCI", Plain, "0: in-position check at deceleration, 1: none", MEMORY),
     param(AxisAcceleration, "1610#0", "CTL", Plain, "acceleration of cutting feed: 0 exponential, 1 linear", MEMORY),
-    param(RapidTimeConstant, "1620", "", Milliseconds, "time constant of acceleration, rapid traverse", MEMORY),
-    param(AxisTimeConstant, "1622", "", Milliseconds, "time constant of acceleration, cutting feed", MEMORY),
+    param(RapidTimeConstant, "1620", "", Milliseconds, "time constant of acceleration, rapid traverse", MEMORY)
+        .within(0.0, 4000.0),
+    param(AxisTimeConstant, "1622", "", Milliseconds, "time constant of acceleration, cutting feed", MEMORY)
+        .within(0.0, 4000.0),
     param(CommandMultiplier, "1820", "CMR", Plain, "command to detection units: 2 is 1, 102 is 1/2 (diameters)", CMR),
     param(ReferenceCounts, "1821", "", Plain, "reference counter: detection units per turn of the motor", MEMORY),
     param(AxisPositionGain, "1825", "", HundredthPerSecond, "servo loop gain", MEMORY),

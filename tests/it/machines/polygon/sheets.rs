@@ -251,3 +251,14 @@ fn own_code_checks_the_tool_at_its_start_and_after_each_tool() {
         assert!(alarm.contains("#3000=11") && end.starts_with("M30"), "{rows}");
     }
 }
+
+/// The sheet has the time constant of the slides as 1620 and 1622, which take 4000 ms at most.
+#[test]
+fn time_constant_beyond_its_parameter_is_refused() {
+    let found = |typed: &'static str| {
+        let design = project(&[("time-constant", typed)]).design();
+        let errors = design.diagnostics.into_iter().filter(|found| found.message.id == "form.parameter-range");
+        errors.map(|found| found.field).collect::<Vec<_>>()
+    };
+    assert_eq!([found("4000"), found("4001")], [vec![], vec![Some("time-constant")]]);
+}
