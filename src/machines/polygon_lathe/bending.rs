@@ -1,6 +1,6 @@
 //! Bending of the work between jaws and cutter, under the force of an insert or of the tool that turns an end.
 
-use super::params::{FIELDS, Params};
+use super::params::{FIELDS, Params, TurnedEnd};
 use super::resolved::PolygonLathe;
 use crate::drives::bending::{NOTABLE, cantilever};
 use crate::drives::cutting::LEAST_DEPTH;
@@ -13,42 +13,68 @@ use crate::text::Diagnostic;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
+/// A part of the bar that is thinner than its stock: distances of both ends from the face, and its diameter, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Thinner {
+    from: f64,
+    to: f64,
+    diameter: f64,
+}
+
+impl TurnedEnd {
+    /// The end as a thinner part of the bar, where it is turned.
+    fn thinner(&self) -> Option<Thinner> {
+        self.on.then_some(Thinner { from: 0.0, to: self.length, diameter: self.diameter })
+    }
+}
+
 impl PolygonLathe {
     /// Length (mm) of the bar from face to jaws: that of the form, or the least for the cutter.
     fn free_length(&self) -> f64 {
         if self.p.free_length > 0.0 { self.p.free_length } else { self.length_to_jaws() }
     }
 
-    /// Deflection (mm) under a force (N) across the work at a distance from the face, of a bar that is free up to the jaws: the bar has the
-    /// width across flats where a polygon is, which is less than its stiffness.
-    fn deflection(&self, force: f64, behind: f64, free: f64) -> f64 {
-        let mut flats: Vec<&Params> = self.polygons().map(|lathe| &lathe.p).filter(|p| p.far_end() > behind).collect();
-        flats.sort_by(|a, b| a.from_face.total_cmp(&b.from_face));
-        let mut at = behind;
-        let mut steps = Vec::new();
-        for p in flats {
-            let (begin, end) = (p.from_face.max(at), p.far_end().min(free).max(at));
-            let begin = begin.min(end);
-            steps.extend([(begin - at, self.p.stock_diameter), (end - begin, p.across_flats)]);
-            at = end;
-        }
-        steps.push((free - at, self.p.stock_diameter));
+    /// Deflection (mm) under a force (N) across the work at a distance from the face, of a bar that is free up to the jaws, with the parts of
+    /// it that are thinner.
+    fn deflection(&self, force: f64, behind: f64, free: f64, thinner: &[Thinner]) -> f64 {
+        let ends = thinner.iter().flat_map(|part| [part.from, part.to]).filter(|end| (behind..free).contains(end));
+        let mut places: Vec<f64> = ends.chain([behind, free.max(behind)]).collect();
+        places.sort_by(f64::total_cmp);
+        let steps = places.windows(2).filter_map(|pair| {
+            let [from, to] = pair else { return None };
+            let here = thinner.iter().filter(|part| part.from <= *from && *to <= part.to);
+            Some((to - from, here.map(|part| part.diameter).fold(self.p.stock_diameter, f64::min)))
+        });
         cantilever(force, self.p.material.elasticity(), steps)
+    }
+
+    /// The polygons as thinner parts of the bar: with the width across flats, which is less than their stiffness.
+    fn flats(&self) -> impl Iterator<Item = Thinner> {
+        let part = |p: &Params| Thinner { from: p.from_face, to: p.far_end(), diameter: p.across_flats };
+        self.polygons().map(move |lathe| part(&lathe.p))
+    }
+
+    /// The thinner parts of the bar while a polygon is cut: all flats, and the end turned before them.
+    fn thinner_in_flats(&self) -> Vec<Thinner> {
+        let [before, _] = &self.p.turned_ends;
+        self.flats().chain(before.thinner()).collect()
     }
 
     /// Greatest deflection (mm) of the work under its forces, at the end of each polygon towards the face, with this free length (mm).
     fn bending_of(&self, free: f64) -> f64 {
+        let thinner = self.thinner_in_flats();
         let cuts = self.polygons().map(|lathe| {
             let force = lathe.d.load.cuts.iter().map(|cut| cut.force).fold(0.0, f64::max);
-            self.deflection(force, lathe.p.from_face, free)
+            self.deflection(force, lathe.p.from_face, free, &thinner)
         });
         cuts.fold(0.0, f64::max)
     }
 
     /// Greatest force (N) of an insert with which no polygon bends the work by more than a deflection (mm); infinite without force.
     fn force_bending_by(&self, most: f64) -> f64 {
-        let free = self.free_length();
-        self.polygons().map(|lathe| most / self.deflection(1.0, lathe.p.from_face, free)).fold(f64::INFINITY, f64::min)
+        let (free, thinner) = (self.free_length(), self.thinner_in_flats());
+        let force = |lathe: &PolygonLathe| most / self.deflection(1.0, lathe.p.from_face, free, &thinner);
+        self.polygons().map(force).fold(f64::INFINITY, f64::min)
     }
 
     /// Greatest deflection (mm) of the work under the force of an insert.
@@ -75,13 +101,15 @@ impl PolygonLathe {
     }
 }
 
-/// What the force of the cut does to each turned end, as a bar of its diameter from its shoulder to the face: an error where the end gives way
-/// by more than the cut is deep, `None` where it is stiff enough.
+/// What the force of the cut does to each turned end, as a bar of its diameter from its shoulder to the face, behind it the bar, with the flats
+/// and the other end where they are cut before: an error where the end gives way by more than the cut is deep, `None` where it is stiff enough.
 pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
     let p = &lathe.p;
-    p.turned_ends.each_ref().map(|end| {
-        let steps = [(end.length, end.diameter), (lathe.free_length() - end.length, p.stock_diameter)];
-        let bending = cantilever(lathe.end_force(end), p.material.elasticity(), steps);
+    let [before, after] = &p.turned_ends;
+    let flats = lathe.thinner_in_flats();
+    [(before, Vec::new()), (after, flats)].map(|(end, cut_before)| {
+        let thinner: Vec<Thinner> = cut_before.into_iter().chain(end.thinner()).collect();
+        let bending = lathe.deflection(lathe.end_force(end), 0.0, lathe.free_length(), &thinner);
         if !end.on || bending <= NOTABLE {
             return None;
         }

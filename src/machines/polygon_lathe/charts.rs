@@ -75,7 +75,7 @@ pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> 
     let radius = |at: usize| from + (to - from) * at as f64 / (count - 1) as f64;
     let side = |radius: f64| {
         let setup = CutterSetup::even(p.across_flats, radius, ratio, p.inserts as u32);
-        let side = Section::new(&setup, 0.5 * p.stock_diameter)?.side(0)?;
+        let side = Section::new(&setup, 0.5 * p.blank())?.side(0)?;
         Some((radius, 1000.0 * side.low, 1000.0 * side.high))
     };
     let sides: Vec<(f64, f64, f64)> = (0..count).map(radius).filter_map(side).collect();

@@ -137,7 +137,7 @@ impl Derived {
         let (depth, turn) = (worst(|error| error.0), worst(|error| error.1));
         let even = setup.is_even();
         let in_place = (!even).then(|| CutterSetup::even(p.across_flats, p.tip_radius, setup.ratio, setup.inserts()));
-        let in_place = in_place.and_then(|setup| Section::new(&setup, 0.5 * p.stock_diameter)?.side(0));
+        let in_place = in_place.and_then(|setup| Section::new(&setup, 0.5 * p.blank())?.side(0));
         let twists = p.lead != 0.0;
         let twist_speed = cut::helical_tool_speed(setup.ratio, self.work_speed, -self.finish_feed, p.lead);
         Derived {

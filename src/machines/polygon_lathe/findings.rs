@@ -209,7 +209,13 @@ fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> 
 /// Polygons whose corners an end turned before them takes, with the diameter that it leaves.
 fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let [end, _] = &lathe.p.turned_ends;
-    let cuts = |polygon: &PolygonLathe| (polygon.p.across_flats..2.0 * polygon.d.corner).contains(&end.diameter);
+    let corner = |polygon: &PolygonLathe| {
+        let corners = polygon.p.section_in(0.5 * polygon.p.stock_diameter)?.corners();
+        Some(2.0 * corners.iter().map(|corner| corner.radius).fold(0.0, f64::max))
+    };
+    let cuts = |polygon: &PolygonLathe| {
+        end.diameter >= polygon.p.across_flats && corner(polygon).is_some_and(|corner| end.diameter < corner)
+    };
     let (number, _) = within(lathe, end).find(|(_, polygon)| end.on && cuts(polygon))?;
     let message = msg!("polygon.corners-turned", number, diameter = (end.diameter, 3));
     Some(Diagnostic::warning(message).about(TURNED_ENDS[0].diameter))
@@ -238,8 +244,8 @@ fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
 /// A time constant of the slides that a parameter of the control does not take: the sheet has it for rapid traverse and for cutting feed.
 fn beyond_ramp_range(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let roles = [ParamRole::RapidTimeConstant, ParamRole::AxisTimeConstant];
-    let ranges = roles.into_iter().filter_map(|role| lathe.control.param(role)).map(|row| row.range);
-    ranges.filter_map(|range| sheets::beyond_range("time-constant", lathe.p.slides.time_constant, "ms", range)).next()
+    let mut ranges = roles.into_iter().filter_map(|role| lathe.control.param(role)).map(|row| row.range);
+    ranges.find_map(|range| sheets::beyond_range("time-constant", lathe.p.slides.time_constant, "ms", range))
 }
 
 /// Errors that refuse the export, and notes for the operator.

@@ -51,14 +51,19 @@ impl Params {
 
     /// Relief and cutting speed that every pass needs, with its number from 1. `sizes` are across flats of the passes.
     pub(super) fn cuts(&self, setup: &CutterSetup, sizes: &[f64]) -> Vec<(f64, InsertLoad)> {
-        let cuts = cut::passes(sizes, self.tip_radius, setup.ratio, setup.sides(), 0.5 * self.stock_diameter);
+        let cuts = cut::passes(sizes, self.tip_radius, setup.ratio, setup.sides(), 0.5 * self.blank());
         (1_u32..).map(f64::from).zip(cuts).collect()
     }
 
     /// The finished section. The last ones are kept, because the search for repairs and sensitivities designs the same sections with other
     /// machine data hundreds of times.
     pub(super) fn section(&self) -> Option<Section> {
-        let (setup, stock) = (self.setup(self.across_flats)?, 0.5 * self.stock_diameter);
+        self.section_in(0.5 * self.blank())
+    }
+
+    /// The section out of a stock of this radius, mm.
+    pub(super) fn section_in(&self, stock: f64) -> Option<Section> {
+        let setup = self.setup(self.across_flats)?;
         LAST_SECTIONS.with_borrow_mut(|last| {
             if let Some((.., known)) = last.iter().find(|(of, radius, _)| *of == setup && *radius == stock) {
                 return known.clone();
@@ -75,7 +80,7 @@ impl Params {
         Wanted {
             sides: self.sides as u32,
             sizes,
-            stock: 0.5 * self.stock_diameter,
+            stock: 0.5 * self.blank(),
             flatness: self.flatness,
             hollow: self.hollow,
         }

@@ -86,7 +86,7 @@ impl Params {
         };
         let down = if self.is_behind_face() { force(self.insert_width, self.infeed, 90.0) } else { 0.0 };
         let mut all = PolygonLoad::default();
-        let loads = load::passes(sizes, self.tip_radius, ratio, inserts, 0.5 * self.stock_diameter);
+        let loads = load::passes(sizes, self.tip_radius, ratio, inserts, 0.5 * self.blank());
         for (at, pass) in loads.enumerate() {
             let last = at + 1 == sizes.len();
             let along = force(1.0, if last { self.finish_feed } else { self.feed }, self.edge_angle);
@@ -99,7 +99,7 @@ impl Params {
                 mean: pass.engaged * down * lever / 1000.0,
             };
             let cut = CutLoad { force: along * pass.depth, torque: [torque(pass.work), torque(pass.tool)] };
-            let plunge = CutLoad { force: down, torque: [lever(0.5 * self.stock_diameter), lever(self.tip_radius)] };
+            let plunge = CutLoad { force: down, torque: [lever(0.5 * self.blank()), lever(self.tip_radius)] };
             let own = usize::from(last);
             all.cuts[own] = all.cuts[own].worst(cut);
             all.cuts[2] = all.cuts[2].worst(plunge);

@@ -12,7 +12,7 @@ impl Params {
         if n > 2.0 {
             return 2.0 * n * (d + 0.5 * mill) * math::tan(PI / n);
         }
-        let stock = 0.5 * self.stock_diameter;
+        let stock = 0.5 * self.blank();
         n * (2.0 * (stock * stock - d * d).max(0.0).sqrt() + mill)
     }
 

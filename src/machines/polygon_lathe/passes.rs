@@ -7,16 +7,28 @@ use crate::math;
 pub(super) const PASSES: f64 = 60.0;
 
 impl Params {
+    /// Distance of the far end of the polygon from the face, mm.
+    pub(super) fn far_end(&self) -> f64 {
+        self.from_face + self.length
+    }
+
+    /// Diameter (mm) of the stock of the polygon: that of the end turned before it where the polygon lies on it, else that of the bar.
+    pub(super) fn blank(&self) -> f64 {
+        let [before, _] = &self.turned_ends;
+        let lies_on_it = before.on && self.far_end() <= before.length && before.diameter > self.across_flats;
+        if lies_on_it { before.diameter.min(self.stock_diameter) } else { self.stock_diameter }
+    }
+
     /// Depth of all roughing passes, on the radius.
     fn rough(&self) -> f64 {
-        (0.5 * (self.stock_diameter - self.across_flats) - self.allowance).max(0.0)
+        (0.5 * (self.blank() - self.across_flats) - self.allowance).max(0.0)
     }
 
     /// How far the tips go into the stock, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the tips, touches stock beside the
     /// polygon if this reach is more than `h`. Source: mechanics, with the distance of the axes a = AF/2 + r and a body of the radius r -
     /// h.
     pub(super) fn reach(&self) -> f64 {
-        (0.5 * (self.stock_diameter - self.across_flats)).max(0.0)
+        (0.5 * (self.blank() - self.across_flats)).max(0.0)
     }
 
     /// Number of passes; the last one finishes.
@@ -28,11 +40,7 @@ impl Params {
     /// Across flats after a pass (from 1).
     pub(super) fn size(&self, pass: f64) -> f64 {
         let rough = self.across_flats + 2.0 * self.allowance;
-        if pass >= self.passes() {
-            self.across_flats
-        } else {
-            (self.stock_diameter - 2.0 * pass * self.depth).max(rough)
-        }
+        if pass >= self.passes() { self.across_flats } else { (self.blank() - 2.0 * pass * self.depth).max(rough) }
     }
 
     /// Feed of a pass in mm for each turn of the work.

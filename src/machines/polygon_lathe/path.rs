@@ -48,11 +48,6 @@ impl PassStep {
 const MAX_DWELL: f64 = 9_999.0;
 
 impl Params {
-    /// Distance of the far end of the polygon from the face, mm.
-    pub(super) fn far_end(&self) -> f64 {
-        self.from_face + self.length
-    }
-
     /// Diameter at which the cutter is clear of the stock, mm.
     pub(super) fn clear_diameter(&self) -> f64 {
         self.stock_diameter + 2.0 * self.clearance

@@ -230,7 +230,7 @@ fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.meets || p.sides <= 2.0 {
         return ok(None);
     }
-    Some(Judgement { advice: vec![msg!("polygon.round-corners", stock = (p.stock_diameter, 3)).into()], ..ok(None)? })
+    Some(Judgement { advice: vec![msg!("polygon.round-corners", stock = (p.blank(), 3)).into()], ..ok(None)? })
 }
 
 fn relief(lathe: &PolygonLathe) -> Option<Judgement> {

@@ -555,3 +555,36 @@ fn thin_end_that_gives_way_is_refused() {
     assert!(end("6").contains(&("polygon.end-bends", Some("before-depth"))));
     assert!(end("12").iter().all(|(id, _)| !id.starts_with("polygon.end")));
 }
+
+/// On an end of Ø 22 that is turned before it, a square of 20 mm has 1 mm less of stock all round than on the bar of Ø 25: two passes, none of
+/// them in the air.
+#[test]
+fn polygon_on_a_turned_end_is_cut_from_that_end() {
+    let end = [("before", "true"), ("before-length", "20"), ("before-diameter", "22")];
+    let cut = |end: &[(&'static str, &'static str)]| project(&[&[("material", "c45")], end].concat());
+    let [bar, turned] = [&[][..], &end].map(cut);
+    assert_eq!([&bar, &turned].map(|lathe| value(lathe, "passes")), [4.0, 2.0]);
+    let torque = |lathe: &Project| value(lathe, "work-torque");
+    assert!(torque(&turned) < torque(&bar), "{} {}", torque(&turned), torque(&bar));
+    let text = |lathe: &Project| lathe.written().files.0[0].text.clone();
+    let flats = |lathe: &Project| text(lathe).split("POLYGON TURNING ON").nth(1).unwrap().to_owned();
+    assert!(flats(&bar).contains("G00 X23.") && !flats(&turned).contains("G00 X23."), "{}", flats(&turned));
+    assert!(flats(&turned).contains("G00 X20.4") && flats(&turned).contains("G00 X20."), "{}", flats(&turned));
+    // An end that is shorter than the polygon leaves stock of the bar at its far end.
+    let short = cut(&[end[0], ("before-length", "14"), end[2]]);
+    assert_eq!(value(&short, "passes"), 4.0);
+}
+
+/// Flats of 10 mm over 80 mm behind an end bend with it: 900 N over 92 mm, of a bar of Ø 25 less than 0.1 mm.
+#[test]
+fn end_turned_after_slender_flats_gives_way() {
+    let slender =
+        [("material", "c45"), ("from-face", "12"), ("length", "80"), ("across-flats", "10"), ("free-length", "100")];
+    let found = |place: &'static str, depth: &'static str| {
+        let end = [(place, "true")];
+        let design = project(&[&slender[..], &end].concat()).design();
+        design.diagnostics.iter().any(|found| found.message.id == "polygon.end-gives-way" && found.field == Some(depth))
+    };
+    assert!(found("after", "after-depth"));
+    assert!(!found("before", "before-depth"), "the flats are cut after it");
+}
