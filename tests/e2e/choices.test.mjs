@@ -137,9 +137,9 @@ test('impossible value is counted and leads to its field', () =>
 test('the 802D is debugged and edited in its own words', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Turning spindle' }).click();
-    await line(page, 'G96 S#100 M3').waitFor();
+    await line(page, 'G96 S#1 M3').waitFor();
     await choose(page);
-    await line(page, 'G96 S=R100 LIMS=R107 M3').waitFor();
+    await line(page, 'G96 S=R1 LIMS=R8 M3').waitFor();
     await page.locator('.listing li', { hasText: 'LB31: IF' }).click();
     await showSteps(page);
     await enter(page.getByPlaceholder('Break if R1<3'), 'R110<2');
@@ -183,7 +183,7 @@ test('another machine is opened fresh, and undo goes back', () =>
     assert.deepEqual(await page.locator('select.control option').allTextContents(), ['KND K2000T']);
     await machine(page, 'Turning spindle').click();
     await choose(page, 'knd-k2000t');
-    await line(page, 'G96 S#100 M3').waitFor();
+    await line(page, 'G96 S#1 M3').waitFor();
     assert.equal(await machine(page, 'Turning spindle').getAttribute('aria-pressed'), 'true');
     await page.locator('h1').click();
     for (const _ of ['control', 'turning spindle', 'polygon lathe']) await page.keyboard.press('Control+z');

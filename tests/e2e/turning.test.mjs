@@ -12,7 +12,7 @@ const card = async (page, label) =>
 const lathe = (act) =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Turning spindle' }).click();
-    await page.locator('.listing li', { hasText: 'G96 S#100 M3' }).waitFor();
+    await page.locator('.listing li', { hasText: 'G96 S#1 M3' }).waitFor();
     await act(page);
   });
 
