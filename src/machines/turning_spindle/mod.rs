@@ -26,6 +26,8 @@ mod variables;
 
 mod program;
 
+mod full_output;
+
 mod gears;
 
 mod keyway;

@@ -4,6 +4,7 @@ use super::bending;
 use super::cooling;
 use super::demand::CutPoint;
 use super::derive::Derived;
+use super::full_output;
 use super::gears::{gear_times, judge_delay};
 use super::keyway;
 use super::params::{FIELDS, Gear, Params, Path};
@@ -136,7 +137,7 @@ fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
         let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
         let advice =
             msg!("turning.output-full", stage = f64::from(d.stage), full = (d.stage_top, 0), speed = (asked, 0));
-        return fail(None, [with_best_stage(lathe, advice)]);
+        return fail(None, [full_output::remedy(lathe, advice)]);
     }
     if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
         let advice = msg!(

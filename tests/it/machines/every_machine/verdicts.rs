@@ -177,6 +177,12 @@ const RARE: &[Entered] = &[
     // Cuts that the drives carry but for the feed override at its highest position.
     ("polygon-lathe", "knd-k2000t", &[("feed", "0.95"), ("tool-power", "5.5")]),
     ("polygon-lathe", "knd-k2000t", &[("feed", "0.5"), ("tool-power", "2")]),
+    // A fixed speed beyond the only stage.
+    (
+        "turning-spindle",
+        "gsk-980tdc",
+        &[("speed-mode", "fixed"), ("stage-1", "500"), ("stage-2", "0"), ("cutting-speed", "200")],
+    ),
     // A fixed speed beyond the chosen stage, and a faster stage beside it.
     (
         "turning-spindle",

@@ -135,3 +135,29 @@ fn sheet_has_the_speed_of_a_gear_change() {
         }
     }
 }
+
+/// An output that is full in the only stage has a remedy in one entry: the cutting speed, the speed limit that an override lifts, or the lower
+/// limit.
+#[test]
+fn full_output_in_the_only_stage_has_a_remedy() {
+    let alone = [("stage-1", "500"), ("stage-2", "0"), ("stage-3", "0"), ("stage-4", "0")];
+    let mut fields = std::collections::BTreeSet::new();
+    for control in super::machine().controls() {
+        for entries in [
+            &[("speed-mode", "fixed"), ("cutting-speed", "200")][..],
+            &[("speed-mode", "fixed"), ("cutting-speed", "50"), ("lower-limit", "600")],
+            &[("speed-mode", "surface"), ("override", "120"), ("upper-limit", "490")],
+        ] {
+            let lathe = project(control, &[&alone[..], entries].concat());
+            let row = crate::queries::readout(&lathe, "stage-speed");
+            if row.verdict != Verdict::Fail {
+                continue;
+            }
+            let [entry] = &row.advice[0].entries[..] else { panic!("{control} {entries:?}: {:?}", row.advice) };
+            fields.insert(entry.field);
+            let after = crate::queries::readout(&lathe.with_entries(&row.advice[0].entries).unwrap(), "stage-speed");
+            assert_ne!(after.verdict, Verdict::Fail, "{control} {entries:?}: {entry:?}");
+        }
+    }
+    assert!(fields.contains("cutting-speed") && fields.contains("lower-limit"), "{fields:?}");
+}
