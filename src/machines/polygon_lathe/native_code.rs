@@ -1,8 +1,10 @@
-//! The part for controls with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
+//! The part for a control with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
+//!
+//! The rest of the program is that of a control whose rows document the code, with its opening, its variables of the position, and its dwell.
 
 use super::program::{self, PART, TurnedEndPlace};
 use super::resolved::PolygonLathe;
-use crate::controls::{Address, Code};
+use crate::controls::{self, Address, Code, CodeId, Control};
 use crate::machines::sheets::{row, say};
 use crate::machines::slides::{ALONG, CROSS};
 use crate::machines::writing;
@@ -16,6 +18,16 @@ use crate::view::{Column, Sheet, SheetKind};
 const NUMBER: u32 = PART + 1;
 
 const MANUAL: Citation = Citation::new("maker's manual on G51.2", Grade::Sister);
+
+/// Code of polygon turning.
+const CODE: CodeId = CodeId::g_dot(51, 2);
+
+/// The lathe on the control that the program is for: the first whose code of polygon turning has a document.
+fn on_its_control(lathe: &PolygonLathe) -> Option<PolygonLathe> {
+    let documented = |control: &&&Control| control.code(CODE).is_some_and(|row| row.cite.grade != Grade::Open);
+    let control = controls::ALL.iter().find(documented)?;
+    Some(lathe.on_control(control))
+}
 
 /// R of G51.2: `R = A - E / k` [°, 0 to 360), with start angles A of the work and E of the tool, and the ratio k = tool to work speed. The
 /// code has no start angle of the tool: E is that of the work by the ratio.
@@ -85,6 +97,8 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let cross = |size: f64| x(real(lathe.x_of(size), 3));
     let along = |length: f64| z(real(length, 3));
     let clear = p.clear_diameter();
+    b.builder.n(10);
+    b.add(writing::opening(lathe.control), "polygon.other.opening");
     // A start after a reset may begin in the work.
     b.check();
     b.check_turret();
@@ -150,7 +164,8 @@ fn turn(lathe: &PolygonLathe, b: &mut Blocks<'_>) -> Option<()> {
 
 /// The program as text, and each block with its note.
 fn written(lathe: &PolygonLathe) -> Option<(File, Vec<(String, &'static str)>)> {
-    let (deck, notes) = deck(lathe)?;
+    let lathe = on_its_control(lathe)?;
+    let (deck, notes) = deck(&lathe)?;
     let emitted = nc::emit(&deck, lathe.control);
     let text = emitted.files.0.into_iter().next()?.text;
     let block = |place: &crate::text::Place| {

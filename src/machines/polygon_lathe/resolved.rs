@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use super::derive::Derived;
 use super::params::Params;
-use crate::controls::{Control, Dialect};
+use crate::controls::{Control, Dialect, Switches};
 use crate::drives::polygon::Ratio;
 use crate::machines::knobs;
 use crate::machines::machine::ControlContext;
@@ -47,6 +47,11 @@ impl PolygonLathe {
     /// Fits the form to the control and computes the formulas.
     pub(super) fn resolve(form: Params, on: ControlContext) -> PolygonLathe {
         PolygonLathe::on(form, on.control, on.dialect())
+    }
+
+    /// The same form on another control, with the settings that it has at first.
+    pub(super) fn on_control(&self, control: &'static Control) -> PolygonLathe {
+        PolygonLathe::on(self.form.clone(), control, Dialect::resolve(control, &Switches::default()))
     }
 
     fn on(form: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {

@@ -26,17 +26,18 @@ fn machine_sheets_have_the_expected_rows() {
         "{all}"
     );
     expect![[r#"
+        N10 G21 G18 G40 G97 G54 | metric words, plane Z-X, cancellations, first work zero
         IF[#5041 LT 29.]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
-        IF[#5042 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
+        IF[#5043 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
         IF[#5041 GE 85.]GOTO12 | an alarm unless the turret has room to turn
-        IF[#5042 LT 30.]GOTO911 | an alarm unless the turret has room to turn
+        IF[#5043 LT 30.]GOTO911 | an alarm unless the turret has room to turn
         N12 G98 | feed per minute
         T101 | 
         IF[#5041 LT 29.]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
-        IF[#5042 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
+        IF[#5043 LT 0]GOTO911 | the tool is clear of the work: a start after a reset may begin anywhere
         G00 X29. | 
         Z2. | 
-        G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work, A the lead of a twist
+        G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work, A the lead of a twist. FANUC controls take P and Q from 1 to 9 and begin with the spindle turned by M3
         S200 | speed of the work; the tool follows
         G00 X23. | 
         G01 Z-15. F100. | 
@@ -242,7 +243,7 @@ fn own_code_checks_the_tool_at_its_start_and_after_each_tool() {
         let rows: String = sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect();
         let blocks: Vec<&str> = rows.lines().collect();
         let checked = |at: usize| blocks[at..at + 2].iter().all(|block| block.starts_with("IF["));
-        assert!(checked(0), "{rows}");
+        assert!(blocks[0].starts_with("N10 G21 G18 G40 G97 G54") && checked(1), "{rows}");
         assert!(blocks.iter().any(|block| block.starts_with('T')), "{rows}");
         for (at, _) in blocks.iter().enumerate().filter(|(_, block)| block.starts_with('T')) {
             assert!(checked(at + 1), "{rows}");
