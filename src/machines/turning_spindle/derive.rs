@@ -188,8 +188,12 @@ impl Params {
             Path::Turning => [Some(along(self.finished_diameter + self.left(pass), self.length + clear)), None],
             Path::Taper => {
                 let offset = self.left(pass);
-                let (from, to) = (self.finished_diameter + offset, self.large_diameter + offset);
-                let length = math::hypot(self.length, 0.5 * (to - from));
+                let (face, end) = (self.finished_diameter + offset, self.large_diameter + offset);
+                // A pass begins and ends where its line is clear of the stock.
+                let most = self.stock_diameter + 2.0 * clear;
+                let (from, to) = (face.min(most), end.min(most));
+                let share = if face == end { 1.0 } else { (to - from) / (end - face) };
+                let length = share * math::hypot(self.length, 0.5 * (end - face));
                 [Some(along(from, clear)), Some(Cut { diameters: (from, to), length, feed })]
             }
         };

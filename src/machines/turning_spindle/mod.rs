@@ -16,6 +16,8 @@ mod resolved;
 
 mod readouts;
 
+mod travel;
+
 mod rules;
 
 mod run_up;

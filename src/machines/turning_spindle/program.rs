@@ -7,9 +7,9 @@
 use super::params::{Direction, Path};
 use super::resolved::TurningSpindle;
 use super::variables::{
-    ALLOWANCE, ANGLE, BEGUN, CHUCK_LIMIT, CLEARANCE, CUTTING_SPEED, DEPTH, DRIVEN_SPEED, FEED, FINISHED, KEYWAY_DEPTH,
-    KEYWAY_FEED, KEYWAY_INFEED, KEYWAY_LENGTH, KEYWAY_START, KEYWAY_WIDTH, LEFT, LENGTH, LOWEST_SPEED, REACH, ROOM,
-    SPEED, SPEED_LIMIT, START_X, START_Z, STOCK, TAPER_END, copy,
+    ALLOWANCE, ANGLE, BEGIN_X, BEGIN_Z, BEGUN, CHUCK_LIMIT, CLEARANCE, CUTTING_SPEED, DEPTH, DRIVEN_SPEED, END_X, FEED,
+    FINISHED, KEYWAY_DEPTH, KEYWAY_FEED, KEYWAY_INFEED, KEYWAY_LENGTH, KEYWAY_START, KEYWAY_WIDTH, LEFT, LENGTH,
+    LOWEST_SPEED, REACH, ROOM, SLOPE, SPEED, SPEED_LIMIT, START_X, START_Z, STOCK, TAPER_END, copy,
 };
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
@@ -143,6 +143,11 @@ fn clear() -> Formula {
     entry(STOCK) + entry(CLEARANCE) * 2
 }
 
+/// The smaller of two formulas: `(a + b - |a - b|) / 2`.
+fn smaller(a: impl Fn() -> Formula, b: impl Fn() -> Formula) -> Formula {
+    (a() + b() - (a() - b()).abs()) / 2
+}
+
 /// O9201.
 fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(RUN, "TURNING - RUN");
@@ -180,6 +185,11 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         Path::Turning => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
         Path::Taper => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
     };
+    if lathe.p.path == Path::Taper {
+        b.n(29).assign(SLOPE, 0);
+        b.if_goto(entry(FINISHED).eq(entry(TAPER_END)), 30);
+        b.assign(SLOPE, entry(LENGTH) / (entry(TAPER_END) - entry(FINISHED))).note("Z PER DIAMETER OF THE TAPER");
+    }
     b.n(30).assign(LEFT, whole).note(if face { "LEFT TO CUT, Z" } else { "LEFT TO CUT, DIAMETER" });
     if lathe.p.path == Path::Taper {
         b.if_goto(entry(FINISHED).le(entry(TAPER_END)), 31);
@@ -456,7 +466,6 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
     // The tool leaves the shoulder at feed, out to where the pass before ended: the edge may leave a wedge there.
-    let shoulder = |diameter: Formula| diameter + v(LEFT) + entry(DEPTH) * 2;
     match lathe.p.path {
         Path::Facing => {
             b.n(35);
@@ -469,15 +478,23 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
         Path::Turning => {
             b.n(35).words(rapid(vec![cross(lathe, entry(FINISHED) + v(LEFT))]));
             b.n(PASS_BEGIN).words(cut(vec![z(-entry(LENGTH)), f(entry(FEED))]));
-            b.n(37).words([cross(lathe, shoulder(entry(FINISHED)))]);
+            b.n(37).words([cross(lathe, entry(FINISHED) + v(LEFT) + entry(DEPTH) * 2)]);
             b.n(38).words(rapid(vec![z(entry(CLEARANCE))]));
         }
         Path::Taper => {
-            b.n(35).words(rapid(vec![cross(lathe, entry(FINISHED) + v(LEFT))]));
+            // A pass begins and ends where its line is clear of the stock, not at a diameter far outside of it.
+            let at_face = || entry(FINISHED) + v(LEFT);
+            let at_end = || entry(TAPER_END) + v(LEFT);
+            b.n(35).assign(BEGIN_X, smaller(at_face, clear)).note("PASS BEGINS, DIAMETER");
+            b.assign(BEGIN_Z, (v(BEGIN_X) - at_face()) * v(SLOPE)).note("PASS BEGINS, Z");
+            b.assign(END_X, smaller(at_end, clear)).note("PASS ENDS, DIAMETER");
+            b.words(rapid(vec![cross(lathe, v(BEGIN_X))]));
+            b.words([z(v(BEGIN_Z) + entry(CLEARANCE))]);
             wait(b, lathe);
-            b.n(PASS_BEGIN).words(cut(vec![z(real(0.0, 0)), f(entry(FEED))]));
-            b.n(cut_block(Path::Taper)).words([cross(lathe, entry(TAPER_END) + v(LEFT)), z(-entry(LENGTH))]);
-            b.n(38).words([cross(lathe, shoulder(entry(TAPER_END)))]);
+            b.n(PASS_BEGIN).words(cut(vec![z(v(BEGIN_Z)), f(entry(FEED))]));
+            let end_z = (at_end() - v(END_X)) * v(SLOPE) - entry(LENGTH);
+            b.n(cut_block(Path::Taper)).words([cross(lathe, v(END_X)), z(end_z)]);
+            b.n(38).words([cross(lathe, v(END_X) + entry(DEPTH) * 2)]);
             b.n(39).words(rapid(vec![cross(lathe, clear())]));
             b.n(40).words([z(entry(CLEARANCE))]);
         }

@@ -5,6 +5,7 @@ use super::gears;
 use super::keyway;
 use super::resolved::TurningSpindle;
 use super::run_up::{engaged, positioning_torque, programmed_speed};
+use super::travel;
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
@@ -181,6 +182,14 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "driven-cutting-speed", label: "turning.readout.driven-cutting-speed", unit: "m/min", decimals: 1,
         formula: "v = π w n / 1000", cite: MECHANICS, value: |lathe| keyway::cutting_speed(&lathe.p), shown: |lathe| lathe.keyway().is_some(), ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "x-travel", label: "turning.readout.x-travel", unit: "mm", decimals: 1,
+        formula: "(start or farthest way out - smallest diameter) / 2", cite: MECHANICS, value: |lathe| travel::needed(lathe)[0], ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "z-travel", label: "turning.readout.z-travel", unit: "mm", decimals: 1,
+        formula: "start + length", cite: MECHANICS, value: |lathe| travel::needed(lathe)[1], ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-scaling-drift", label: "scaling.x-drift", unit: "µm/m", decimals: 4,

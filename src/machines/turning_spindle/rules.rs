@@ -11,6 +11,7 @@ use super::params::{FIELDS, Gear, Params, Path};
 use super::program;
 use super::resolved::{CutAtKnobs, TurningSpindle};
 use super::run_up;
+use super::travel;
 use crate::controls::ParamRole;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::analog::FEW_VOLTS;
@@ -49,6 +50,8 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
         run_up::judge_positioning,
         Citation::new("turning spindle facts, 5", Grade::Inferred),
     ),
+    Rule::new("x-travel", travel::judge_x, Citation::new("travel of the slide", Grade::Manual)),
+    Rule::new("z-travel", travel::judge_z, Citation::new("travel of the slide", Grade::Manual)),
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
     Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),
@@ -191,8 +194,9 @@ fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
     fail(AtMost(clamp), [with_feed(lathe, clamp / d.feed_top, advice)])
 }
 
-/// Macro blocks between two passes.
+/// Macro blocks between two passes, and how many more a taper has.
 const BLOCKS_BETWEEN_PASSES: f64 = 5.0;
+const BLOCKS_OF_TAPER: f64 = 3.0;
 
 /// Blocks that are read while the cut lasts.
 fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -201,7 +205,8 @@ fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
     let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
-    let needed = p.block_time + BLOCKS_BETWEEN_PASSES * p.macro_time;
+    let blocks = BLOCKS_BETWEEN_PASSES + if p.path == Path::Taper { BLOCKS_OF_TAPER } else { 0.0 };
+    let needed = p.block_time + blocks * p.macro_time;
     // The block of a taper is read while the tool goes to its begin, over the clearance.
     let approach = if p.path == Path::Taper { 60_000.0 * p.clearance / (p.feed * d.high) } else { f64::INFINITY };
     let worse = lasts * p.block_time > approach * needed;
@@ -498,27 +503,6 @@ fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
     found.map(|((number, _), _)| number)
 }
 
-/// Travels of the slides: from the start of the tool to its last cut.
-fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let p = &lathe.p;
-    let keyway = lathe.keyway().map(|surface| surface - 2.0 * p.keyway_depth);
-    let smallest = keyway.map_or(lathe.d.smallest, |bottom| lathe.d.smallest.min(bottom));
-    // The first passes of a taper end outside of the stock.
-    let outermost =
-        if p.path == Path::Taper { p.stock_diameter + (p.large_diameter - p.finished_diameter).abs() } else { 0.0 };
-    let (cross, along) =
-        (0.5 * (p.start_x.max(outermost) - smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
-    let along = along.max(if lathe.keyway().is_some() { p.start_z + p.keyway_start + p.keyway_length } else { 0.0 });
-    for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
-        if travel > 0.0 && needed > travel {
-            found.push(
-                Diagnostic::error(msg!("turning.beyond-travel", needed = (needed, 3), travel = (travel, 3)))
-                    .about(field),
-            );
-        }
-    }
-}
-
 /// Parameters out of the control's range: of the analog output, and those of its sheet.
 fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let TurningSpindle { p, .. } = lathe;
@@ -540,7 +524,7 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
     let p = &lathe.p;
     let mut found = Vec::new();
     check_diameters(p, &mut found);
-    travels(lathe, &mut found);
+    travel::findings(lathe, &mut found);
     check_words(lathe, &mut found);
     ranges(lathe, &mut found);
     if lathe.form.speed_mode != p.speed_mode {

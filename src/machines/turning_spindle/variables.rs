@@ -86,3 +86,15 @@ pub(super) const REACH: u32 = 125;
 
 /// Room that the turret needs beside the work to turn, mm.
 pub(super) const ROOM: u32 = 126;
+
+/// Length of a taper per diameter; 0 for a cylinder. Local, as all of the program's own below.
+pub(super) const SLOPE: u32 = 28;
+
+/// Diameter at which a pass of a taper begins, mm.
+pub(super) const BEGIN_X: u32 = 29;
+
+/// Z at which it begins, mm.
+pub(super) const BEGIN_Z: u32 = 30;
+
+/// Diameter at which it ends, mm.
+pub(super) const END_X: u32 = 31;

@@ -357,6 +357,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),
     ("turning.held-work-gives-way", "a deed: work clamped shorter, or a steady rest"),
     ("turning.limited", "a fact about the limit that the form asks for"),
+    ("turning.screw-too-short", "a deed: another screw, or a start nearer to the work"),
     ("turning.overload", "a fact: the share of time is the operator's"),
     ("ribbon.range-roll-over-in-radius", "the words of X are a setting of the control, no field"),
 ];

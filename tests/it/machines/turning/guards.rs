@@ -1,6 +1,6 @@
 //! Where the turning spindle would hurt chuck, turret or operator: the form refuses it, and the program stops at variables that ask for it.
 
-use macroline::controls;
+use macroline::controls::{self, Address};
 use macroline::machines::devices::BillItem;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::motion::{Budget, Retention, RunEnd};
@@ -11,7 +11,7 @@ use macroline::text::Severity;
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
-use super::{machine, project};
+use super::{cuts, ideal, machine, over_time, project};
 use crate::machines::ladder::{at_rest, ladder, put_out, reset, settle};
 use crate::queries::{near, readout, sized_without_envelope, value};
 
@@ -162,7 +162,8 @@ fn taper_by_variables_takes_one_depth_in_a_pass() {
             let cuts = log.iter().filter(|line| line.starts_with("linear X") && line.contains(" Z"));
             let diameters: Vec<f64> = cuts.map(|line| line[8..].split(' ').next().unwrap().parse().unwrap()).collect();
             // The diameters at the end of the passes: each at most two depths of 2 mm below the one before, and the last one is the part's.
-            let mut before = 60.0 + (end - face).max(0.0);
+            // A pass ends where it is clear of the stock.
+            let mut before = (60.0 + (end - face).max(0.0)).min(64.0);
             for diameter in &diameters {
                 assert!(before - diameter < 4.0 + 1e-6, "{control}, {face} to {end}: {diameters:?}");
                 before = *diameter;
@@ -273,11 +274,47 @@ fn tool_leaves_the_shoulder_of_a_cone_at_feed() {
         let (ended, log) = with_variables(&project(control, &cone), &[]);
         assert_eq!(ended, Some(RunEnd::ProgramEnd), "{control}");
         let ends: Vec<_> =
-            (0..log.len()).filter(|&at| log[at].starts_with("linear") && log[at].contains("Z-")).collect();
+            (0..log.len()).filter(|&at| log[at].starts_with("linear X") && log[at].contains("Z-")).collect();
         assert!(ends.len() > 2, "{control} {log:#?}");
         for at in ends {
             let next = &log[at + 1..=at + 2];
             assert!(next[0].starts_with("linear X") && next[1].starts_with("rapid X"), "{control} {next:?}");
+        }
+    }
+}
+
+/// Each pass of a taper begins and ends at the stock or its clearance beside it, at Ø 84, and the last one is that of the part.
+#[test]
+fn passes_of_a_taper_stay_at_the_stock() {
+    for control in machine().controls() {
+        for (face, end) in [(20.0, 60.0), (60.0, 20.0), (10.0, 76.0), (76.0, 10.0), (40.0, 40.0)] {
+            let [face_text, end_text] = [face, end].map(|diameter: f64| diameter.to_string());
+            let entries = [
+                ("path", "taper"),
+                ("stock-diameter", "80"),
+                ("finished-diameter", face_text.as_str()),
+                ("large-diameter", end_text.as_str()),
+                ("length", "60"),
+                ("depth", "3"),
+            ];
+            let lathe = ideal(control, &entries);
+            let planner = over_time(&lathe);
+            let cuts = cuts(&lathe, &planner);
+            let place = |t: f64| {
+                let axes = planner.timeline().at(t).axes;
+                (
+                    2.0 * axes[lathe.control.axis(Address::X).unwrap()].position,
+                    axes[lathe.control.axis(Address::Z).unwrap()].position,
+                )
+            };
+            for t in cuts.iter().flat_map(|(from, to)| [*from, *to]) {
+                assert!(place(t).0 < 84.001, "{control} {face} to {end}: {:?} at {t}", place(t));
+            }
+            // Every second of these blocks goes along the cone.
+            let last = cuts.last().map(|(from, to)| (place(*from), place(*to))).unwrap();
+            let wanted = ((face, 0.0), (end, -60.0));
+            let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-3 && (a.1 - b.1).abs() < 1e-3;
+            assert!(near(last.0, wanted.0) && near(last.1, wanted.1), "{control} {face} to {end}: {last:?}");
         }
     }
 }
@@ -402,4 +439,16 @@ fn cutting_speed_of_an_advice_suffices() {
     assert_eq!(row.verdict, Verdict::Fail);
     let slower = lathe.with_entries(&row.advice[0].entries).unwrap();
     assert_ne!(readout(&slower, "power").verdict, Verdict::Fail, "{:?}", row.advice);
+}
+
+/// From X 150 to the centre, and from Z 100 over 60 mm of cut: a slide moves along its screw alone.
+#[test]
+fn travel_beyond_the_screw_fails() {
+    let verdicts = |entries: &[(&str, &str)]| {
+        let lathe = project("gsk-980tdc", &[&[("path", "turning"), ("finished-diameter", "20")], entries].concat());
+        ["x-travel", "z-travel"].map(|id| (readout(&lathe, id).value, readout(&lathe, id).verdict))
+    };
+    assert_eq!(verdicts(&[]), [(65.0, Verdict::Ok), (160.0, Verdict::Ok)]);
+    let short = [("screw-length-x", "64"), ("screw-length-z", "159")];
+    assert_eq!(verdicts(&short), [(65.0, Verdict::Fail), (160.0, Verdict::Fail)]);
 }
