@@ -102,7 +102,6 @@ fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16
         (node::STAGE, format!("{} {}", say("turning.scene.gear"), gear(lathe, spindle.stage))),
         (node::STAGE_SPEED, format!("{} r/min", figure(stage, 0))),
         (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),
-        (node::PASS, pass(lathe, progress)),
         (node::BOUND, bound(spindle.bound).map(say).unwrap_or_default()),
         (node::LEFT, units::text(p.left(f64::from(progress.done)), 3, "mm")),
         (node::X, format!("X {}", figure(across, 3))),

@@ -126,12 +126,18 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     );
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
     callout(d, allowance, (LEFT, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
-    callout(d, "depth", (RIGHT, ROW), Anchor::End, "turning.scene.pass", &[(Some(node::PASS), "")], None);
-    let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, ROW + BLOCK), Anchor::End, "turning.scene.start", &[(None, &start)], None);
-    let clearance = mm(p.clearance);
-    let values = [(None, clearance.as_str())];
-    callout(d, "clearance", (RIGHT, ROW + 2.0 * BLOCK), Anchor::End, "turning.clearance", &values, None);
+    let start = format!(
+        "{} X{} Z{}",
+        say("turning.scene.start"),
+        show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3),
+        show(p.start_z, 3)
+    );
+    let clearance = format!("{} {}", say("turning.clearance"), mm(p.clearance));
+    for (field, x, text) in [("start-x", STOCK, &start), ("clearance", CLEARANCE, &clearance)] {
+        d.showing(field, |d| {
+            d.text((x, TOP_ROW), Anchor::Start, text, Font::Label, Paint::Dim);
+        });
+    }
     let (name, values) = (say("turning.scene.slides"), [(Some(node::X), ""), (Some(node::Z), "")]);
     d.callout_with(
         &Callout { at: SLIDES, anchor: Anchor::Start, name: &name, values: &values, part: None },
@@ -161,9 +167,9 @@ const STOCK: f64 = 291.0;
 const FINISHED: f64 = 403.0;
 const TOOL: f64 = 515.0;
 const LEFT: f64 = 688.0;
-/// Right end of the column at the right, and height of a label in it.
-const RIGHT: f64 = 1036.0;
-const BLOCK: f64 = 70.0;
+/// The row of one line above it, and the left end of its second label.
+const TOP_ROW: f64 = 20.0;
+const CLEARANCE: f64 = 515.0;
 /// The figures of the slides, which never come between instruments and chuck themselves, and their most letters: `X -5 999.999`.
 const SLIDES: (f64, f64) = (236.0, 104.0);
 const SLIDE_LETTERS: usize = 12;
@@ -200,8 +206,8 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
         d.path([arrows, ends].concat(), Look::LEAD);
         let text = format!("{} {}", say(id), units::text(to - from, 3, "mm"));
         let width = LETTER_BOX.width * LETTER * UNIT * columns(&text) as f64;
-        // At the left, where the carriage leaves it free, if there is room beside the chuck.
-        let (at, anchor) = if right - left > width + 20.0 {
+        // Between its lines, else at the left if there is room beside the chuck: the carriage stands at the right.
+        let (at, anchor) = if right - left >= width {
             ((0.5 * (left + right), y - 6.0), Anchor::Middle)
         } else if left - 26.0 - width > layout.chuck.base_front() {
             ((left - 26.0, y + 5.0), Anchor::End)

@@ -34,7 +34,8 @@ const STRIP: f64 = 40.0;
 struct Group {
     parts: Vec<Element>,
     rest: SceneGroup,
-    transform: String,
+    /// Transform at present; none where a change of the drawing has put only some of its parts at rest.
+    transform: Option<String>,
     /// Opacity at present, once it is known.
     opacity: Option<f64>,
 }
@@ -53,17 +54,14 @@ struct Part {
 impl Drawn {
     /// Finds the parts of a drawing in `host`.
     pub(super) fn new(host: &Element, scene: &Scene) -> Drawn {
-        let group = |rest: &SceneGroup| Group {
-            parts: Vec::new(),
-            rest: rest.clone(),
-            transform: String::new(),
-            opacity: None,
-        };
+        let group = |rest: &SceneGroup| Group { parts: Vec::new(), rest: rest.clone(), transform: None, opacity: None };
         let mut groups: Vec<Group> = scene.groups.iter().map(group).collect();
         for part in dom::all(host, "[data-g]") {
             let number = part.get_attribute("data-g").and_then(|n| n.parse::<usize>().ok());
             if let Some(group) = number.and_then(|n| groups.get_mut(n)) {
-                group.transform = part.get_attribute("transform").unwrap_or_default();
+                let transform = part.get_attribute("transform").unwrap_or_default();
+                let is_as_others = group.parts.is_empty() || group.transform.as_ref() == Some(&transform);
+                group.transform = is_as_others.then_some(transform);
                 group.parts.push(part);
             }
         }
@@ -124,9 +122,9 @@ impl Drawn {
             let Some(group) = self.groups.get_mut(place.group as usize) else { continue };
             text.clear();
             transform(&mut text, &group.rest, place);
-            if text != group.transform {
+            if group.transform.as_ref() != Some(&text) {
                 group.parts.iter().for_each(|part| dom::set(part, "transform", &text));
-                group.transform.clone_from(&text);
+                group.transform.get_or_insert_default().clone_from(&text);
             }
             if group.opacity != Some(place.opacity) {
                 group.opacity = Some(place.opacity);

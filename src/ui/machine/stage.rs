@@ -220,6 +220,24 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn parts_of_a_group_stay_together_after_a_change() {
+        let bench = stage().await;
+        bench.seek(3.0).await;
+        // The face of the dancer is drawn anew, its body is not.
+        bench.page.set("heads", crate::machines::form::Value::Number(7.0));
+        bench.run().await;
+        bench.seek(0.0).await;
+        let mut groups = std::collections::BTreeMap::<String, Vec<String>>::new();
+        for part in bench.all("[data-g]") {
+            let group = part.get_attribute("data-g").unwrap_or_default();
+            groups.entry(group).or_default().push(part.get_attribute("transform").unwrap_or_default());
+        }
+        assert!(groups.values().filter(|parts| parts.len() > 1).count() > 1);
+        let apart: Vec<_> = groups.iter().filter(|(_, parts)| parts.iter().any(|part| *part != parts[0])).collect();
+        assert!(apart.is_empty(), "{apart:?}");
+    }
+
+    #[wasm_bindgen_test]
     async fn state_is_ready_until_the_run_begins() {
         let bench = stage().await;
         assert_eq!(bench.text(".mode"), t("page.mode-ready"));

@@ -150,10 +150,10 @@ fn reveal(row: &Element) {
     let finding = row.next_element_sibling().filter(|next| next.class_list().contains("says"));
     let bottom = finding.map_or(line.bottom(), |finding| finding.get_bounding_client_rect().bottom());
     let room = 40.0;
-    if line.top() < area.top() + room {
-        list.set_scroll_top(list.scroll_top() - (area.top() + room - line.top()) as i32);
-    } else if bottom > area.bottom() - room {
-        list.set_scroll_top(list.scroll_top() + (bottom - area.bottom() + room) as i32);
+    if line.top() < area.top() + room || bottom > area.bottom() - room {
+        // At a third of the height, so that the lines to come are in view, but above the end of its finding.
+        let place = (area.height() / 3.0).min(area.height() - room - (bottom - line.top())).max(room);
+        list.set_scroll_top(list.scroll_top() + (line.top() - area.top() - place) as i32);
     }
 }
 

@@ -1,8 +1,13 @@
 //! Messages to the user: notices until they are dismissed, and sentences for screen readers.
 
+use std::time::Duration;
+
 use leptos::prelude::*;
 
 use crate::ui::words::Tone;
+
+/// Time after which a confirmation without a button leaves the drawing free again; it was announced, and what it says is on the page.
+const CONFIRMED: Duration = Duration::from_secs(8);
 
 /// A button of a notice: catalog id of its words, and its action.
 pub(crate) type NoticeAction = (&'static str, Callback<()>);
@@ -39,7 +44,7 @@ impl Notice {
 /// The messages. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Notices {
-    /// Shown until they are dismissed.
+    /// Shown until they are dismissed; a confirmation goes by itself.
     pub list: RwSignal<Vec<Notice>>,
     /// The last sentence for screen readers.
     pub announcement: RwSignal<String>,
@@ -69,6 +74,10 @@ impl Notices {
     /// Shows a notice with its file and its button.
     pub(crate) fn show(self, shown: Notice) {
         self.announcement.set(shown.text.clone());
+        if shown.confirms && shown.offer.is_none() && shown.file.is_none() {
+            let (list, text) = (self.list, shown.text.clone());
+            set_timeout(move || drop(list.try_update(|list| list.retain(|notice| notice.text != text))), CONFIRMED);
+        }
         self.list.update(|list| {
             list.retain(|notice| notice.text != shown.text && !(notice.confirms && shown.confirms));
             list.push(shown);

@@ -169,13 +169,19 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Pr
     let (scale, face) = (layout.side, layout.face);
     let stock = 0.5 * lathe.p.stock_diameter;
     // From the face to the jaws.
-    let mut upper = vec![(face, stock)];
+    let mut upper = Vec::new();
     let polygons = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size));
     let cut: Vec<_> = polygons.chain(progress.turned_stretches.iter().copied()).collect();
-    for (near, far, size) in stretches(lathe, &cut) {
+    let cut = stretches(lathe, &cut);
+    if cut.first().is_none_or(|(near, ..)| *near > 0.0) {
+        upper.push((face, stock));
+    }
+    for (near, far, size) in cut {
+        let edge = (near > 0.0).then_some(stock);
         let [near, far] = [near, far].map(|at| (face - at * scale).max(LEFT + 38.0));
         let half = 0.5 * size;
-        upper.extend([(near, stock), (near, half), (far, half), (far, stock)]);
+        upper.extend(edge.map(|stock| (near, stock)));
+        upper.extend([(near, half), (far, half), (far, stock)]);
     }
     upper.push((LEFT + 38.0, stock));
     let lower = upper.iter().rev().map(|(x, half)| (*x, -half)).collect::<Vec<_>>();

@@ -26,6 +26,9 @@ fn slip(line: &RibbonLine) -> Verdict {
 /// Difference of surface ratio and 1 beyond which roller and ribbon do not match, however short the contact is. Source: sizing facts 3.4.
 const MATCH_TOLERANCE: f64 = 0.025;
 
+/// Factor of the diameter beyond which other heads on the roller come before another roller. Engineering choice.
+const OTHER_ROLLER: f64 = 2.0;
+
 pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let slips = slip(line);
@@ -52,25 +55,21 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
             |advice: Message| Advice::from(advice).setting(msg!("advice.set-heads", count = heads), [count.clone()]);
         let heads_matched =
             more_heads(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)));
-        // A roller thinner than its two walls is another one than the machine has.
-        let walls = 2.0 * p.print.wall;
-        let matched = if d.surface.matching_diameter > walls {
-            let set = msg!("ribbon.match-diameter", diameter = (d.surface.matching_diameter, 2), heads = (p.heads, 0));
-            let short = msg!("ribbon.slips-short", diameter = (d.surface.matching_diameter, 2), heads = (heads, 0));
-            vec![diameter(short), cause.into(), diameter(set), heads_matched]
+        let (walls, matching) = (2.0 * p.print.wall, (d.surface.matching_diameter, 2));
+        let other_roller = if d.surface.matching_diameter > walls {
+            diameter(msg!("ribbon.match-diameter", diameter = matching, heads = (p.heads, 0)))
         } else {
-            let thin = msg!(
-                "ribbon.match-diameter-thin",
-                diameter = (d.surface.matching_diameter, 2),
-                heads = (p.heads, 0),
-                walls = (walls, 2)
-            );
-            vec![
-                more_heads(msg!("ribbon.slips-short-heads", heads = (heads, 0))),
-                cause.into(),
-                heads_matched,
-                thin.into(),
-            ]
+            // A roller thinner than its two walls is another one than the machine has.
+            msg!("ribbon.match-diameter-thin", diameter = matching, heads = (p.heads, 0), walls = (walls, 2)).into()
+        };
+        let change = d.surface.matching_diameter / p.print_roller_diameter;
+        let is_like = d.surface.matching_diameter > walls && (1.0 / OTHER_ROLLER..=OTHER_ROLLER).contains(&change);
+        let matched = if is_like {
+            let short = msg!("ribbon.slips-short", diameter = matching, heads = (heads, 0));
+            [diameter(short), cause.into(), other_roller, heads_matched]
+        } else {
+            let short = msg!("ribbon.slips-short-heads", heads = (heads, 0));
+            [more_heads(short), cause.into(), heads_matched, other_roller]
         };
         matched
             .into_iter()

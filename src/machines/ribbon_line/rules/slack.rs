@@ -96,9 +96,12 @@ fn taking(advice: Advice, changes: Vec<FormChange>) -> Advice {
     advice.setting(button, changes.into_iter().flat_map(|change| change.entries).collect::<Vec<_>>())
 }
 
+/// A loop is built to centimetres.
+const LOOP_STEP: f64 = 10.0;
+
 /// The loop that holds `needed` mm.
 fn longer_loop(needed: f64) -> FormChange {
-    let set = at_least(FIELDS, "loop-capacity", needed);
+    let set = at_least(FIELDS, "loop-capacity", LOOP_STEP * (needed / LOOP_STEP).ceil());
     FormChange { button: msg!("advice.set-loop", capacity = set.text.as_str()), entries: vec![set.into()] }
 }
 

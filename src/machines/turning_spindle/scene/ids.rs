@@ -39,7 +39,6 @@ pub(in super::super) mod node {
     pub(in crate::machines::turning_spindle) const SURFACE: u16 = 11;
     pub(in crate::machines::turning_spindle) const STAGE: u16 = 13;
     pub(in crate::machines::turning_spindle) const VOLTS: u16 = 14;
-    pub(in crate::machines::turning_spindle) const PASS: u16 = 15;
     pub(in crate::machines::turning_spindle) const BOUND: u16 = 16;
     pub(in crate::machines::turning_spindle) const LEFT: u16 = 17;
     pub(in crate::machines::turning_spindle) const X: u16 = 18;

@@ -9,8 +9,6 @@ use crate::view::drawing::Drawing;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Placement, SceneGroup};
 
-/// Opacity of the carriage's column, so that labels over it can be read.
-const QUIET: f64 = 0.55;
 /// Top of the column, below the row of labels.
 const TOP: f64 = 134.0;
 /// Chips in the air, and how long one falls, s.
@@ -35,15 +33,17 @@ pub(super) fn draw_way(d: &mut Drawing, p: &Params, layout: &Layout) {
 
 /// The carriage on the ways of the bed with its column, which goes along the bed with the turret; its origin is above the tip of the tool.
 pub(super) fn draw_carriage(d: &mut Drawing) {
-    let quiet = |paint: Paint| Look::fill(paint).faint(QUIET);
     let (foot, saddle) = (BED - 9.0, BED - 33.0);
     d.within(group::CARRIAGE, |d| {
-        d.path(filled("M106 #V#h66V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), quiet(Paint::CabinetFront));
-        d.path(filled("M172 #V#l12 7V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), quiet(Paint::SteelShade));
+        d.path(
+            filled("M106 #V#h66V#Z", &[saddle - 6.0, TOP, saddle - 6.0]),
+            Look::fill(Paint::CabinetFront).thin(Paint::Edge, 0.8),
+        );
+        d.path(filled("M172 #V#l12 7V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), Look::fill(Paint::SteelShade));
         // Ways of the cross slide.
         d.path(
             filled("M116 #V#h10V#ZM152 #V#h10V#Z", &[saddle - 6.0, TOP, saddle - 6.0].repeat(2)),
-            quiet(Paint::Steel),
+            Look::fill(Paint::Steel),
         );
         d.path(filled("M72 #l14 -8h116l14 8Z", &[saddle]), Look::fill(Paint::DarkLight));
         d.rect([72.0, saddle, 144.0, foot - saddle, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
