@@ -1,6 +1,6 @@
 //! Charts over time as rows.
 
-use super::samples::Samples;
+use super::machine::Samples;
 use crate::controls::Address;
 use crate::motion::Snapshot;
 use crate::view::{Chart, ChartLimit, Series};

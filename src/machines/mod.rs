@@ -2,19 +2,7 @@
 
 pub mod form;
 
-pub mod examples;
-
-mod samples;
-
-mod drawn_machine;
-
-mod driven_machine;
-
 pub mod machine;
-
-pub mod driven;
-
-pub mod devices;
 
 pub mod verdict;
 
@@ -24,31 +12,13 @@ pub mod sheets;
 
 pub mod stops;
 
-pub mod scaling;
-
-pub mod site;
-
-mod materials;
-
-mod slides;
-
-mod main_spindle;
-
-mod knobs;
-
-mod spindle_encoder;
-
-mod turret;
-
 pub mod ladder;
 
-pub mod header;
+pub mod driven;
 
-pub mod left_out;
+pub mod program;
 
-pub mod comments;
-
-pub mod writing;
+mod lathe;
 
 mod ribbon_line;
 
@@ -58,15 +28,10 @@ mod polygon_lathe;
 
 mod list;
 
-pub mod settings;
-
 pub mod report;
 
-pub use drawn_machine::{DrawnMachine, Frame};
-pub use driven_machine::DrivenMachine;
 pub use list::{ALL, find};
 pub use machine::{
-    AnyMachine, ControlContext, Defaults, Design, Erased, Machine, MachineFile, MachineInfo, MachineProgram,
-    MachineVariable, PanelSetup, Prepared, PreparedMachine,
+    AnyMachine, ControlContext, Defaults, Design, DrawnMachine, DrivenMachine, Erased, Executions, Frame, Machine,
+    MachineFile, MachineInfo, MachineProgram, MachineVariable, PanelSetup, Prepared, PreparedMachine, Samples,
 };
-pub use samples::{Executions, Samples};

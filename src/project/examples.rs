@@ -2,8 +2,8 @@
 
 use super::Project;
 use crate::controls::{self, Control};
-use crate::machines::examples::{Example, KnownFault};
 use crate::machines::form::Values;
+use crate::machines::machine::{Example, KnownFault};
 use crate::machines::{self, AnyMachine};
 use crate::msg;
 use crate::text::{Message, listed};

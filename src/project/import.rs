@@ -2,7 +2,8 @@
 
 use super::Project;
 use crate::controls::{self, Control};
-use crate::machines::{self, settings};
+use crate::machines;
+use crate::machines::program::settings;
 use crate::msg;
 use crate::nc::{self, File, Files, Stmt};
 use crate::text::Diagnostic;

@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use crate::controls;
 use crate::controls::options::SwitchOption;
 use crate::machines;
-use crate::machines::examples::Example;
+use crate::machines::machine::Example;
 use crate::msg;
 use crate::text::catalog::{number_text, sentence, words};
 use crate::text::columns::{columns, left, right};

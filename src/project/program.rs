@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::Project;
 use crate::controls::options::CommentCharacters;
-use crate::machines::comments;
+use crate::machines::program::comments;
 use crate::nc::{self, Files, Parsed};
 use crate::text::Diagnostic;
 use crate::text::catalog::Language;

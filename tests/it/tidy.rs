@@ -220,7 +220,7 @@ fn no_code_steers_by_the_id_of_a_message() {
     // Readers of ids: silencing, output as text and JSON, the help.
     let readers = [
         "src/bin/macroline/lsp/findings.rs",
-        "src/project/findings/render.rs",
+        "src/project/findings/render/mod.rs",
         "src/project/findings/render/sarif.rs",
         "src/project/findings/silence.rs",
         "src/text/diagnostic.rs",

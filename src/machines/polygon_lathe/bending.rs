@@ -5,7 +5,7 @@ use super::resolved::PolygonLathe;
 use crate::drives::bending::{NOTABLE, cantilever};
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::machines::form::entry::{at_least, at_most};
-use crate::machines::knobs;
+use crate::machines::lathe::knobs;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math;
 use crate::msg;

@@ -1,6 +1,6 @@
 //! Examples of the polygon lathe: the parts that the paper names.
 
-use crate::machines::examples::{Example, KnownFault};
+use crate::machines::machine::{Example, KnownFault};
 
 /// All examples, the first that of a new project.
 pub(super) const EXAMPLES: &[Example] = &[

@@ -8,8 +8,8 @@ use super::passes::PASSES;
 use super::program;
 use super::resolved::PolygonLathe;
 use crate::controls::ParamRole;
+use crate::machines::lathe::turret;
 use crate::machines::sheets;
-use crate::machines::turret;
 use crate::msg;
 use crate::text::{Diagnostic, Message};
 

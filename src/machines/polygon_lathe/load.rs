@@ -4,7 +4,7 @@ use super::params::Params;
 use crate::drives::cutting::kienzle;
 use crate::drives::polygon::{cut, load};
 use crate::drives::spindle_motor::{MotorCurve, shortest_ramp};
-use crate::machines::materials::Kienzle;
+use crate::machines::lathe::materials::Kienzle;
 
 /// Work axis or tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -79,19 +79,19 @@ pub(crate) use resolved::PolygonLathe;
 use resolved::WORK;
 
 use crate::machines::chart_rows;
-use crate::machines::devices::AskedDevice;
-use crate::machines::drawn_machine::{DrawnMachine, Frame};
+use crate::machines::driven::devices::AskedDevice;
+use crate::machines::driven::site::SevereSite;
 use crate::machines::driven::{
     CoastedAxes, DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read,
 };
-use crate::machines::driven_machine::DrivenMachine;
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
+use crate::machines::machine::DrivenMachine;
+use crate::machines::machine::Samples;
 use crate::machines::machine::{
     ControlContext, Design, Machine, MachineFile, MachineInfo, MachineProgram, MachineVariable, Prepared,
 };
-use crate::machines::samples::Samples;
-use crate::machines::site::SevereSite;
+use crate::machines::machine::{DrawnMachine, Frame};
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
 use crate::text::{Message, units};

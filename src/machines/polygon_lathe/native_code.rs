@@ -5,9 +5,9 @@
 use super::program::{self, PART, TurnedEndPlace};
 use super::resolved::PolygonLathe;
 use crate::controls::{self, Address, Code, CodeId, Control};
+use crate::machines::lathe::slides::{ALONG, CROSS};
+use crate::machines::program::writing;
 use crate::machines::sheets::{row, say};
-use crate::machines::slides::{ALONG, CROSS};
-use crate::machines::writing;
 use crate::math;
 use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z};
 use crate::nc::{self, Deck, File};

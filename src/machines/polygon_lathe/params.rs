@@ -1,14 +1,14 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
 use crate::controls::Control;
+use crate::machines::driven::scaling;
+use crate::machines::driven::site;
+use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, pause, text};
-use crate::machines::main_spindle::{self, SpindleDrive};
-use crate::machines::materials::Material;
-use crate::machines::scaling;
-use crate::machines::site;
-use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
-use crate::machines::spindle_encoder::{self, EncoderParams};
+use crate::machines::lathe::main_spindle::{self, SpindleDrive};
+use crate::machines::lathe::materials::Material;
+use crate::machines::lathe::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::{member, options};
 
 options! {

@@ -4,7 +4,7 @@ use super::main_spindle;
 use super::resolved::PolygonLathe;
 use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
-use crate::machines::slides;
+use crate::machines::lathe::slides;
 use crate::view::DrawnPart;
 
 /// The motors that the form describes.

@@ -7,7 +7,7 @@
 use super::program;
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::polygon::{Curve, CutterSetup};
-use crate::machines::samples::Samples;
+use crate::machines::machine::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::motion::timeline::Visit;

@@ -5,7 +5,7 @@ use super::demand::DemandKind;
 use super::load::PolygonAxis;
 use super::main_spindle;
 use super::resolved::PolygonLathe;
-use crate::machines::scaling;
+use crate::machines::driven::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 

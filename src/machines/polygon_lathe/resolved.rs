@@ -6,10 +6,10 @@ use super::derive::Derived;
 use super::params::Params;
 use crate::controls::{Control, Dialect, Switches};
 use crate::drives::polygon::Ratio;
-use crate::machines::knobs;
+use crate::machines::driven::scaling::AxisDrive;
+use crate::machines::lathe::knobs;
+use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::machine::ControlContext;
-use crate::machines::scaling::AxisDrive;
-use crate::machines::slides::{ALONG, CROSS};
 use crate::motion::Snapshot;
 
 /// Index of the PMC axis of the work, and of the tool.

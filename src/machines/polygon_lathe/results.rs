@@ -4,7 +4,7 @@ use super::further::field;
 use super::readouts::ROWS;
 use super::resolved::PolygonLathe;
 use super::rules::RULES;
-use crate::machines::slides;
+use crate::machines::lathe::slides;
 use crate::machines::verdict::{self, judge};
 use crate::text::Phrase;
 use crate::view::{Advice, FieldEntry, Readout};

@@ -9,7 +9,7 @@ use super::stops::reactions;
 use super::{ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
-use crate::machines::scaling;
+use crate::machines::driven::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::machines::stops;
 use crate::math::{self, PI};

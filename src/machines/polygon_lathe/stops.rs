@@ -6,7 +6,7 @@ use super::params::TurnedEnd;
 use super::resolved::PolygonLathe;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
-use crate::machines::slides;
+use crate::machines::lathe::slides;
 use crate::machines::stops::{
     Interruption, Reaction, SpindleReaction, slides_at_emergency_stop, slides_without_supply,
 };

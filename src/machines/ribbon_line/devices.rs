@@ -3,7 +3,7 @@
 use super::contacts::{RibbonContacts, left_at_reel_end, room_below_sensor};
 use super::resolved::RibbonLine;
 use super::tension_switch::TensionSwitch;
-use crate::machines::devices::{AskedDevice, BillItem};
+use crate::machines::driven::devices::{AskedDevice, BillItem};
 use crate::msg;
 
 /// Catalog id of the name of the drive with dancer and fan.

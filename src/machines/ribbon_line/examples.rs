@@ -1,6 +1,6 @@
 //! Examples of the ribbon line. The form's own defaults are the values of the paper, as far as it gives any.
 
-use crate::machines::examples::{Example, KnownFault};
+use crate::machines::machine::{Example, KnownFault};
 
 /// A print roller whose heads are a pitch apart, and rollers, gears and speeds that every control of the list can drive.
 ///

@@ -61,18 +61,18 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::{Diameter, SpeedReached};
 use crate::machines::chart_rows;
-use crate::machines::devices::AskedDevice;
-use crate::machines::drawn_machine::{DrawnMachine, Frame};
+use crate::machines::driven::devices::AskedDevice;
+use crate::machines::driven::site::SevereSite;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, read};
-use crate::machines::driven_machine::DrivenMachine;
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
-use crate::machines::left_out::LeftOut;
+use crate::machines::machine::DrivenMachine;
+use crate::machines::machine::LeftOut;
+use crate::machines::machine::Samples;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup, Prepared,
 };
-use crate::machines::samples::Samples;
-use crate::machines::site::SevereSite;
+use crate::machines::machine::{DrawnMachine, Frame};
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;
 use crate::text::number::four_digits;

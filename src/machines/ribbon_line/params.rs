@@ -4,10 +4,10 @@ use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
 use crate::drives::derating::Site;
+use crate::machines::driven::site;
+use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, pause, text};
-use crate::machines::site;
-use crate::machines::spindle_encoder::{self, EncoderParams};
 use crate::{member, options};
 
 /// The axis that pulls the ribbon.

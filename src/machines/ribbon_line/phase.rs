@@ -6,7 +6,7 @@
 use super::resolved::RibbonLine;
 use super::variables::{PHASE, PRINT_TRAVEL, REMAINDER, STROKE};
 use crate::controls::Code;
-use crate::machines::writing;
+use crate::machines::program::writing;
 use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
 
 /// Number of the alarm after a product that was broken off.

@@ -7,7 +7,7 @@ use super::scene::lens::Lens;
 use super::scene::parts::group::{self, Station as Part};
 use super::scene::parts::node;
 use super::scene::{self, band, dancer};
-use crate::machines::drawn_machine::Frame;
+use crate::machines::machine::Frame;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;

@@ -11,9 +11,9 @@ use crate::controls::interface::SignalRole;
 use crate::controls::{AnalogOutput, Control, Dialect};
 use crate::drives::speed::Steps;
 use crate::drives::web;
+use crate::machines::driven::scaling::AxisDrive;
 use crate::machines::machine::ControlContext;
-use crate::machines::scaling::AxisDrive;
-use crate::machines::writing;
+use crate::machines::program::writing;
 use crate::math::PI;
 use crate::text::columns;
 

@@ -6,7 +6,7 @@ use super::resolved::RibbonLine;
 use super::stops::reactions;
 use crate::controls::ParamRole;
 use crate::drives::block::{greatest_acceleration, ramp};
-use crate::machines::scaling;
+use crate::machines::driven::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue};
 use crate::machines::stops;
 use crate::math;

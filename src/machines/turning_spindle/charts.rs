@@ -4,7 +4,7 @@ use super::resolved::TurningSpindle;
 use crate::controls::Address;
 use crate::drives::speed::surface_speed;
 use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
-use crate::machines::main_spindle::{self, SpeedCurves};
+use crate::machines::lathe::main_spindle::{self, SpeedCurves};
 use crate::view::{Chart, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.

@@ -10,7 +10,7 @@ use crate::drives::load::through_gear;
 use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::driven::{SpindleRun, speed_segments};
-use crate::machines::samples::Samples;
+use crate::machines::machine::Samples;
 use crate::math::{self, RPM};
 use crate::motion::Stretch;
 

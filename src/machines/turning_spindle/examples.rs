@@ -1,6 +1,6 @@
 //! Examples of the turning spindle. The pages that it comes from describe words and parameters, and print no worked example.
 
-use crate::machines::examples::Example;
+use crate::machines::machine::Example;
 
 /// All examples, the first that of a new project.
 ///

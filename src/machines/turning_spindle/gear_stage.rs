@@ -4,7 +4,7 @@ use super::params::{Params, Path};
 use crate::drives::MainSpindle;
 use crate::drives::inertia::Cylinder;
 use crate::drives::spindle_motor::MotorCurve;
-use crate::machines::main_spindle::SpindleGear;
+use crate::machines::lathe::main_spindle::SpindleGear;
 
 impl Params {
     /// The gear of the stage of `stage_speed` r/min at 10 V.

@@ -57,18 +57,18 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
-use crate::machines::devices::AskedDevice;
-use crate::machines::drawn_machine::{DrawnMachine, Frame};
+use crate::machines::driven::devices::AskedDevice;
+use crate::machines::driven::site::SevereSite;
 use crate::machines::driven::{DrivenAxis, Gauge, InverterDrive, ResistorDemand, SpindleEncoder, SpindleRun, read};
-use crate::machines::driven_machine::DrivenMachine;
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
+use crate::machines::lathe::slides;
+use crate::machines::machine::DrivenMachine;
+use crate::machines::machine::Samples;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup, Prepared,
 };
-use crate::machines::samples::Samples;
-use crate::machines::site::SevereSite;
-use crate::machines::slides;
+use crate::machines::machine::{DrawnMachine, Frame};
 use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, Snapshot, Stretch};
 use crate::msg;

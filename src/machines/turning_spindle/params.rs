@@ -3,13 +3,13 @@
 use crate::controls::Address;
 use crate::controls::{Code, Control};
 use crate::drives::inertia::STEEL;
+use crate::machines::driven::site;
+use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, pause, text};
-use crate::machines::main_spindle::{self, SpindleDrive};
-use crate::machines::materials::Material;
-use crate::machines::site;
-use crate::machines::slides::{self, LatheSlides, SlideForm, XDefaults};
-use crate::machines::spindle_encoder::{self, EncoderParams};
+use crate::machines::lathe::main_spindle::{self, SpindleDrive};
+use crate::machines::lathe::materials::Material;
+use crate::machines::lathe::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::{member, options};
 
 options! {

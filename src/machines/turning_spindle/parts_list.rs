@@ -3,7 +3,7 @@
 use super::resolved::TurningSpindle;
 use super::scene::{Layout, group};
 use crate::machines::driven::FormMotor;
-use crate::machines::slides;
+use crate::machines::lathe::slides;
 use crate::view::DrawnPart;
 
 /// The motors that the form describes.

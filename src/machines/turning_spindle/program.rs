@@ -13,9 +13,9 @@ use super::variables::{
 };
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
+use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::machine::MachineVariable;
-use crate::machines::slides::{ALONG, CROSS};
-use crate::machines::writing::{self, OperatorVariable, alarm_block};
+use crate::machines::program::writing::{self, OperatorVariable, alarm_block};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Condition, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
 

@@ -3,7 +3,7 @@
 use super::params::Path;
 use super::program::{PASS_BEGIN, cut_block};
 use super::resolved::TurningSpindle;
-use crate::machines::samples::{Executions, Samples};
+use crate::machines::machine::{Executions, Samples};
 use crate::math;
 use crate::motion::Snapshot;
 

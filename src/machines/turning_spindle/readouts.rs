@@ -6,7 +6,7 @@ use super::keyway;
 use super::resolved::TurningSpindle;
 use super::run_up::{engaged, positioning_torque, programmed_speed};
 use super::travel;
-use crate::machines::scaling;
+use crate::machines::driven::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 

@@ -7,10 +7,10 @@ use super::params::{self, Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::{Positioning, Stage, cutting};
-use crate::machines::knobs::{self, KnobPositions};
+use crate::machines::driven::scaling::AxisDrive;
+use crate::machines::lathe::knobs::{self, KnobPositions};
+use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::machine::ControlContext;
-use crate::machines::scaling::AxisDrive;
-use crate::machines::slides::{ALONG, CROSS};
 use crate::motion::Snapshot;
 
 /// The cut at positions of the knobs: the form, and the results there.

@@ -6,7 +6,7 @@ use super::params::FIELDS;
 use super::resolved::TurningSpindle;
 use crate::drives::MainSpindle;
 use crate::machines::form::entry::at_most;
-use crate::machines::main_spindle;
+use crate::machines::lathe::main_spindle;
 use crate::machines::verdict::{Judgement, fail, ok};
 use crate::math::RPM;
 use crate::msg;

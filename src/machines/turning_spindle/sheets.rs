@@ -7,7 +7,7 @@ use super::plant::SHIFT_VOLTS;
 use super::resolved::TurningSpindle;
 use super::stops::reactions;
 use crate::controls::{ParamRole, ParamUnit};
-use crate::machines::scaling;
+use crate::machines::driven::scaling;
 use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
 use crate::machines::stops;
 use crate::math;

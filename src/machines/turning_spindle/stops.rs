@@ -7,7 +7,7 @@ use super::run_up;
 use crate::controls::interface::SignalRole;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
-use crate::machines::slides;
+use crate::machines::lathe::slides;
 use crate::machines::stops::{
     Interruption, Reaction, SpindleReaction, slides_at_emergency_stop, slides_without_supply,
 };

@@ -11,7 +11,7 @@ use crate::drives::parts::{Part, PartGrade, Ratings, Status};
 use crate::drives::servo::MotorDemand;
 use crate::drives::shaft_motion::ResistorLoad;
 use crate::machines::PreparedMachine;
-use crate::machines::devices::{BillItem, wired};
+use crate::machines::driven::devices::{BillItem, wired};
 use crate::machines::driven::{FormMotor, ResistorDemand, SpindleEncoder};
 use crate::machines::report::inputs;
 use crate::machines::sheets::say;

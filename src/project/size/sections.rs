@@ -3,7 +3,7 @@
 use super::envelope::EnvelopeRow;
 use super::{BillRow, Cycle, Growth, SizedAxis, Sizing};
 use crate::drives::parts::Part;
-use crate::machines::devices::BillItem;
+use crate::machines::driven::devices::BillItem;
 use crate::machines::sheets::say;
 use crate::msg;
 use crate::text::catalog::sentence;

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::bill::BillRow;
 use crate::machines::PreparedMachine;
-use crate::machines::devices::{BillItem, wired};
+use crate::machines::driven::devices::{BillItem, wired};
 use crate::machines::ladder::{ContactKind, Device, Ladder, PlcSide};
 use crate::machines::sheets::say;
 use crate::motion::Mover;

@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use crate::machines::examples::{Example, KnownFault};
+use crate::machines::machine::{Example, KnownFault};
 use crate::machines::{self, AnyMachine};
 use crate::project::Project;
 use crate::ui::dom;

@@ -3,7 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use crate::machines::examples::Example;
+use crate::machines::machine::Example;
 use crate::machines::{self, AnyMachine};
 use crate::project::{Project, drawing};
 use crate::view::svg::{Theme, picture};

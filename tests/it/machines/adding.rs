@@ -5,7 +5,8 @@ use std::sync::atomic::Ordering;
 
 use macroline::controls;
 use macroline::machines::form::Value;
-use macroline::machines::{AnyMachine, Erased, Frame, Samples, settings};
+use macroline::machines::program::settings;
+use macroline::machines::{AnyMachine, Erased, Frame, Samples};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};

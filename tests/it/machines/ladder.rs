@@ -636,7 +636,7 @@ fn every_output_to_the_machine_has_its_wire() {
     for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
         let outputs = ladder.bits.iter().filter(|row| matches!(row.0, Bit::Output(output) if !output.is_message()));
-        let wired = macroline::machines::devices::wired(Some(&ladder));
+        let wired = macroline::machines::driven::devices::wired(Some(&ladder));
         for (bit, device) in outputs {
             assert!(wired.iter().any(|(_, of)| of.name == device.name), "{name}: nothing at {bit:?}");
         }

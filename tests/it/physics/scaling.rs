@@ -2,7 +2,7 @@
 
 use macroline::controls::{Control, ParamRole, find};
 use macroline::drives::scaling::Fraction;
-use macroline::machines::scaling::{AxisDrive, parameters};
+use macroline::machines::driven::scaling::{AxisDrive, parameters};
 use macroline::machines::sheets::ParamValue;
 use macroline::math::{self, PI};
 

@@ -3,7 +3,7 @@
 use macroline::drives::parts::{Part, PartGrade, Ratings, Status};
 use macroline::drives::servo::Acceptance;
 use macroline::machines::ALL;
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::machines::ladder::Bit;
 use macroline::project::size::{BillRow, Candidate, Sizing};

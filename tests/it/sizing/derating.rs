@@ -2,7 +2,7 @@
 
 use macroline::drives::derating::Site;
 use macroline::drives::servo::{Acceptance, Servo};
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::size::{BillRow, Candidate, SizedAxis, SizingRuns, size, size_without_envelope};
 use macroline::project::{Project, parts};

@@ -4,7 +4,7 @@ use macroline::drives::gear::{GearDuty, GearRefusal};
 use macroline::drives::load::Load;
 use macroline::drives::parts::GearRatings;
 use macroline::drives::shaft_motion::{Motion, SpeedSegment};
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::math::{self, PI, RPM};
 use macroline::project::size::{BillRow, GearCandidate, SizedGear, Sizing};

@@ -1,7 +1,7 @@
 //! The inverter beside an induction motor: its current for a short time carries the torque of run-up and cut.
 
 use macroline::drives::parts::Ratings;
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::project::size::{Candidate, Sizing, size};
 use macroline::project::{Project, parts};
 use macroline::text::catalog::sentence;

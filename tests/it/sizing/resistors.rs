@@ -3,7 +3,7 @@
 use macroline::drives::load::{Load, Regeneration};
 use macroline::drives::parts::{PartGrade, ResistorRatings};
 use macroline::drives::shaft_motion::{Motion, ResistorLoad, SpeedSegment};
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::size::{Candidate, Sizing};
 use macroline::project::{Project, parts};

@@ -1,7 +1,7 @@
 //! Drives of the slides of lathes: the demand of the run equals the formulas, and list, bill and envelope include them.
 
 use macroline::machines;
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::math;
 use macroline::project::Project;
 use macroline::project::size::{SizedAxis, Sizing, TerminalRow};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::form::Value;
 use macroline::project::Project;
 use macroline::project::size::{Candidate, Sizing, SizingRuns, size_without_envelope};

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use macroline::drives::parts::PartGrade;
 use macroline::machines::ALL;
-use macroline::machines::devices::{BillItem, item_of_contact, item_of_output};
+use macroline::machines::driven::devices::{BillItem, item_of_contact, item_of_output};
 use macroline::machines::form::Value;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::project::Project;

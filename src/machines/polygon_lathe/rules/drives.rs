@@ -2,7 +2,7 @@
 
 use crate::drives::cutting;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max};
-use crate::machines::knobs;
+use crate::machines::lathe::knobs;
 use crate::machines::polygon_lathe::demand::DemandKind;
 use crate::machines::polygon_lathe::load::{END_FEEDS, FEEDS, PolygonAxis};
 use crate::machines::polygon_lathe::params::FIELDS;

@@ -2,11 +2,11 @@
 
 use super::formulas::feed;
 use crate::controls::{Address, Code, VarKind};
+use crate::machines::program::writing;
 use crate::machines::ribbon_line::params::{Endless, OverrideForm, PathMode, Wait};
 use crate::machines::ribbon_line::phase;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{ACTUAL_SPEED, PRINT_TRAVEL, SPEED};
-use crate::machines::writing;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
 
 pub(super) fn header(b: &mut Builder, line: &RibbonLine) {

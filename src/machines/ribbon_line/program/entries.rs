@@ -1,13 +1,13 @@
 //! The operator's variables of the ribbon line: those that a program checks, and those that the page lists.
 
 use crate::machines::machine::MachineVariable;
+use crate::machines::program::writing::OperatorVariable;
 use crate::machines::ribbon_line::params::Variant;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
     ACTUAL_SPEED, BLOCK_PITCHES, BLOCK_SIZE, COUNT, FEED_LIMIT, FEED_PER_TURN, HEADS, LEFT, LENGTH, LINE_SPEED, PITCH,
     PRESS_ROLLER, PRINT_ROLLER, REDUCTION, REMAINDER, RIBBON_PER_TURN, SPEED, SPEED_CLAMP, STROKE, VECTOR_FEED,
 };
-use crate::machines::writing::OperatorVariable;
 
 /// The operator's variables.
 pub(super) const ENTRIES: [OperatorVariable; 10] = [

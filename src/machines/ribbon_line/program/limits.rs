@@ -3,9 +3,9 @@
 use super::blocks::codes;
 use super::formulas::feed;
 use crate::controls::Code;
+use crate::machines::program::writing::{self, alarm_block};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{FEED_LIMIT, LINE_SPEED, PITCH, STROKE};
-use crate::machines::writing::{self, alarm_block};
 use crate::nc::build::{Builder, real, v};
 
 /// Number of the alarm of an F above the limit.

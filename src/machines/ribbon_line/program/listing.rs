@@ -5,11 +5,11 @@ use super::entries::{entries, is_length};
 use super::formulas::print_stroke;
 use super::numbers::RUN;
 use super::product_length::{SHORT_ALARM, last_pitch, length_alarms, pitches_left};
+use crate::machines::program::writing::{self, alarm_block};
 use crate::machines::ribbon_line::params::Variant;
 use crate::machines::ribbon_line::phase;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{COUNT, LEFT, LENGTH, PITCH, PITCH_COPY, RUNNING_SPEED, STROKE};
-use crate::machines::writing::{self, alarm_block};
 use crate::nc::build::{Builder, m, v};
 
 /// The main program of a listing: the blocks before its passes, the passes (from a block on), the last pitch and the alarms.

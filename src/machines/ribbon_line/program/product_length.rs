@@ -3,13 +3,13 @@
 use super::blocks::{about, move_block, pull_words};
 use super::entries::is_length;
 use super::numbers::COMPUTE;
+use crate::machines::program::writing::{self, alarm_block};
 use crate::machines::ribbon_line::derive::{PITCH_TOLERANCE, SHORTEST};
 use crate::machines::ribbon_line::params::Rest;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
     LAST, LEFT, LENGTH, LENGTH_LEFT, PITCH, PITCH_COPY, PRINT_TRAVEL, REMAINDER, STROKE,
 };
-use crate::machines::writing::{self, alarm_block};
 use crate::nc::build::{Builder, Formula, m, real, v};
 
 /// Number of the alarm of a length below a pitch.

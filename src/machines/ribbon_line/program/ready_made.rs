@@ -10,6 +10,7 @@ use super::limits::{clamp_guards, limit_alarms, limit_guards};
 use super::numbers::{COMPUTE, RUN};
 use super::product_length::{SHORT_ALARM, compute_again, last_pitch, length_alarms, pitches_left};
 use crate::controls::Code;
+use crate::machines::program::writing::{self, alarm_block};
 use crate::machines::ribbon_line::phase;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
@@ -18,7 +19,6 @@ use crate::machines::ribbon_line::variables::{
     PRINT_TRAVEL, PULL, REDUCTION, REDUCTION_COPY, REMAINDER, RIBBON_PER_TURN, RUNNING_SPEED, SPEED, SPEED_CLAMP,
     SPEED_COPY, STROKE, VECTOR_FEED,
 };
-use crate::machines::writing::{self, alarm_block};
 use crate::nc::build::{Builder, s, v};
 
 /// Entries that change the motion of a running line, each with the variable of its copy.

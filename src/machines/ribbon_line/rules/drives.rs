@@ -5,7 +5,7 @@
 use super::slack;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
-use crate::machines::devices::forced_cooling_advice;
+use crate::machines::driven::devices::forced_cooling_advice;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max, nearest};
 use crate::machines::ribbon_line::mechanics::{GRIP, ServoAxis};
 use crate::machines::ribbon_line::params::FIELDS;

@@ -18,11 +18,6 @@ fn centre(layout: &Layout, slack: f64) -> (f64, f64) {
     (layout.unwinder.x + x, y - 0.5 * layout.thickness - radius(layout))
 }
 
-/// Height of the roller with its depth above a tight ribbon, mm of the drawing.
-pub(super) fn height(layout: &Layout) -> f64 {
-    2.0 * radius(layout) + layout.depth.1.abs()
-}
-
 /// The body of the roller, behind the ribbon.
 pub(super) fn behind(drawing: &mut Drawing, line: &RibbonLine) {
     let layout = line.layout();

@@ -1,7 +1,6 @@
 //! Names and live values of the ribbon line, the ruler of the loop, and the figures of the lens.
 
 use super::captions::{distance, names};
-use super::dancer;
 use super::layout::{Layout, Station, round_step};
 use super::parts::{group, node};
 use crate::machines::ribbon_line::params::Params;
@@ -87,7 +86,6 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     for (station, id, field, ratio) in [
         (&layout.unwinder, "ribbon.scene.inverter", "reduction-ratio", p.reduction_ratio),
         (&layout.pull, "ribbon.scene.servo", "gear-x", p.gear_x),
-        (&layout.print, "ribbon.scene.servo", "gear-y", p.gear_y),
     ] {
         let text = format!("{}, {} : 1", say(id), show(ratio, 2));
         // In the middle below the cabinet, or beside the text before.
@@ -99,12 +97,10 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
         end = middle + half + gap;
     }
     let note = format!("{} {}", say("ribbon.scene.thickness"), factor(layout.thickness / p.ribbon_thickness));
-    // At the right edge, away from the captions of the drives.
-    let left = (layout.view[0] + layout.view[2] - 12.0 * unit - wide(&note)).max(end);
-    drawing.text((left, y), Anchor::Start, &note, Font::Label, Paint::Dim);
+    drawing.text((end, y), Anchor::Start, &note, Font::Label, Paint::Dim);
 }
 
-/// Limits of the loop, ruler and pointer, and the slack below.
+/// Limits of the loop, ruler and pointer.
 pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (p, unit) = (&line.p, layout.unit);
     let (left, right) = (layout.unwinder.x + layout.unwinder.r, layout.pull.x - layout.pull.r);
@@ -127,13 +123,16 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
         let (a, b) = (9.0 * unit, 4.5 * unit);
         drawing.path(filled("M0 0L# #V#z", &[-a, -b, b]), Look::fill(Paint::Accent));
     });
+    drawing.text((x - 4.0 * unit, -8.0 * unit), Anchor::End, "0", Font::Label, Paint::Dim);
+}
+
+/// The slack and the state of the loop, over a dancer on a tight ribbon.
+pub(crate) fn slack(drawing: &mut Drawing, layout: &Layout) {
+    let unit = layout.unit;
     let plates = (layout.unwinder.x + 66.0 * layout.unwinder.scale, layout.pull.x - 52.0 * layout.pull.scale);
     let middle = 0.5 * (plates.0 + plates.1);
-    drawing.text((x - 4.0 * unit, -8.0 * unit), Anchor::End, "0", Font::Label, Paint::Dim);
-    // A dancer on a tight ribbon stands above it.
-    let above = if p.dancer { 26.0 * unit + dancer::height(layout) } else { 26.0 * unit };
     let callout = Callout {
-        at: (middle, -above - 2.0 * LINE * LETTER * unit),
+        at: (middle, -26.0 * unit - 2.0 * LINE * LETTER * unit),
         anchor: Anchor::Middle,
         name: &say("ribbon.scene.loop"),
         values: &[(Some(node::SLACK), ""), (Some(node::LOOP_STATE), "")],

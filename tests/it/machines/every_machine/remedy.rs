@@ -1,7 +1,7 @@
 //! Every machine on every control: its run moves, or a remedy that lets it move is offered.
 
 use macroline::controls;
-use macroline::machines::examples::Example;
+use macroline::machines::machine::Example;
 use macroline::machines::{self, AnyMachine};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;

@@ -35,7 +35,7 @@ fn repairs_of_the_published_line_change_the_machine_only() {
         assert_eq!(after.values.get(ordered), paper.values.get(ordered), "{ordered}");
     }
     let buttons = repairs(&paper).texts();
-    assert_eq!(buttons, ["Add a dancer", "Set a loop of 1773.5 mm", "Set 47 heads", "Set 2 pitches per block"]);
+    assert_eq!(buttons, ["Add a dancer", "Set a loop of 1780 mm", "Set 47 heads", "Set 2 pitches per block"]);
 }
 
 #[test]
@@ -47,7 +47,7 @@ fn answer_names_the_repairs_with_their_entries() {
     assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));
     assert_eq!(
         repairs_text(&self::repairs(&paper)),
-        "With these changes every result holds: Add a dancer; Set a loop of 1773.5 mm; Set 47 heads; Set 2 pitches per block.\n"
+        "With these changes every result holds: Add a dancer; Set a loop of 1780 mm; Set 47 heads; Set 2 pitches per block.\n"
     );
 }
 

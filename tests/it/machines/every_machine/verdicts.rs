@@ -436,9 +436,9 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
     assert_eq!(
         buttons(&line, "loop-needed"),
         [
-            "Set a loop of 1838.4 mm: loop-capacity=1838.4".to_owned(),
-            format!("Set a dwell of {dwell} s; Set a loop of 1133.5 mm: wait=dwell dwell={dwell} loop-capacity=1133.5"),
-            "Set a ramp of 0.558 s; Set a dwell of 0.149 s; Set a loop of 572 mm: inverter-ramp=0.558 wait=dwell dwell=0.149 loop-capacity=572"
+            "Set a loop of 1840 mm: loop-capacity=1840".to_owned(),
+            format!("Set a dwell of {dwell} s; Set a loop of 1140 mm: wait=dwell dwell={dwell} loop-capacity=1140"),
+            "Set a ramp of 0.558 s; Set a dwell of 0.149 s; Set a loop of 580 mm: inverter-ramp=0.558 wait=dwell dwell=0.149 loop-capacity=580"
                 .to_owned(),
         ]
     );

@@ -279,7 +279,7 @@ fn feed_override_of_the_ribbon_on_siemens_is_fixed() {
 
 #[test]
 fn valves_of_gears_and_clamp_are_ordered_for_a_power_failure() {
-    use macroline::machines::devices::BillItem;
+    use macroline::machines::driven::devices::BillItem;
     use macroline::project::size::{SizingRuns, size_without_envelope};
     let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
     let bill = size_without_envelope(&project, &SizingRuns::new(&project, &project.written())).bill;

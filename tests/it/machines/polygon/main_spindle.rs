@@ -1,6 +1,6 @@
 //! The main spindle of the polygon lathe, sized where the program turns the bar before or after the polygons.
 
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::ladder::scan::Image;
 use macroline::machines::ladder::{Bit, MachineContact};
 use macroline::motion::{Action, Event, RunEnd};

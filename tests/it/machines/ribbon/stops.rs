@@ -67,7 +67,7 @@ fn loop_is_judged_by_all_ribbon_that_a_product_lays() {
         assert_eq!(readout(&other, "loop-needed").verdict, verdict, "{mm}");
     }
     let buttons: Vec<_> = needed.advice.iter().map(|advice| advice.entries.clone()).collect();
-    assert_eq!(buttons[0], [FieldEntry::new("loop-capacity", "1212.8")]);
+    assert_eq!(buttons[0], [FieldEntry::new("loop-capacity", "1220")]);
 }
 
 /// The first example with the knob free up to 123.3 %: K = 6.314 mm, a ramp of 2 s, a dwell of 0.7 s.

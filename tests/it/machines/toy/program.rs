@@ -2,7 +2,7 @@
 
 use macroline::controls::Code;
 use macroline::machines::MachineVariable;
-use macroline::machines::writing::{self, OperatorVariable};
+use macroline::machines::program::writing::{self, OperatorVariable};
 use macroline::nc::Deck;
 use macroline::nc::build::{Builder, f, g, m, real, v, z};
 

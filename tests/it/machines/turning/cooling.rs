@@ -1,7 +1,7 @@
 //! Cooling of the turning spindle's motor: a fan on its shaft leaves less torque at low speed, forced cooling all of it.
 
 use macroline::drives::spindle_motor::MotorCurve;
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::project::Project;
 use macroline::text::catalog::sentence;
 use macroline::view::{FieldEntry, Readout, Verdict};

@@ -1,8 +1,8 @@
 //! Demand on the motor of the turning spindle: cut, friction and acceleration together, by the formulas and in the run.
 
 use macroline::drives::spindle_motor::MotorCurve;
-use macroline::machines::devices::BillItem;
 use macroline::machines::driven::SpindleRun;
+use macroline::machines::driven::devices::BillItem;
 use macroline::math;
 use macroline::motion::Mover;
 use macroline::project::Project;

@@ -1,7 +1,7 @@
 //! Where the turning spindle would hurt chuck, turret or operator: the form refuses it, and the program stops at variables that ask for it.
 
 use macroline::controls::{self, Address};
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;

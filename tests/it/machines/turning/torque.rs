@@ -1,7 +1,7 @@
 //! Torque of the turning spindle: the motor's curve in its gear stages, and the force of the cut by material.
 
 use macroline::controls::interface::SignalRole;
-use macroline::machines::devices::BillItem;
+use macroline::machines::driven::devices::BillItem;
 use macroline::machines::ladder::scan::Image;
 use macroline::machines::ladder::{Bit, MachineContact, MachineOutput};
 use macroline::math;

@@ -3,8 +3,8 @@
 use super::form::{self, SlideParams};
 use crate::controls::Address;
 use crate::drives::block;
+use crate::machines::driven::scaling::{self, AxisDrive};
 use crate::machines::form::Field;
-use crate::machines::scaling::{self, AxisDrive};
 use crate::motion::AxisPlant;
 
 /// The slide across the work, and the one along it.

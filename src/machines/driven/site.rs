@@ -1,13 +1,13 @@
 //! The site of the drives: the share of its ratings that a maker leaves a motor there, and the open points of a site beyond the data sheets.
 
-use super::form::Field;
-use super::form::rows::{Member, number};
 use crate::drives::derating::{DATA_SHEET, Site};
+use crate::machines::form::Field;
+use crate::machines::form::rows::{Member, number};
 use crate::msg;
 use crate::text::{Diagnostic, Message};
 
 /// A field for the share (%) of its rated torque and power that a motor gives continuously at its site. Short-time torque stays.
-pub(super) const fn share<P>(id: &'static str, group: &'static str, member: Member<P, f64>) -> Field<P> {
+pub(in crate::machines) const fn share<P>(id: &'static str, group: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).group(group).label("form.site-share").help("form.site-share.help").symbol("x");
     row.unit("%").range(10.0..=100.0).default(100.0).decimals(1).step(1.0).fact()
 }
@@ -25,13 +25,13 @@ pub struct SevereSite {
 
 impl SevereSite {
     /// A site by height and temperature, with the ids of their fields; none within the data sheets.
-    pub(super) fn at(site: Site, [height, temperature]: [&'static str; 2]) -> Option<SevereSite> {
+    pub(in crate::machines) fn at(site: Site, [height, temperature]: [&'static str; 2]) -> Option<SevereSite> {
         let field = if site.height > DATA_SHEET.height { height } else { temperature };
         site.is_beyond_data_sheet().then_some(SevereSite { at: Some(site), share: site.share(), field })
     }
 
     /// A site by the share (%) that it leaves a motor, with the id of its field; none for the whole.
-    pub(super) fn leaving(percent: f64, field: &'static str) -> Option<SevereSite> {
+    pub(in crate::machines) fn leaving(percent: f64, field: &'static str) -> Option<SevereSite> {
         (percent < 100.0).then_some(SevereSite { at: None, share: percent / 100.0, field })
     }
 

@@ -1,11 +1,11 @@
 //! Axis scaling of a machine on a control: its parameters from gears, leads and encoders, and the remainder that whole numbers leave.
 
-use super::form::Field;
-use super::form::rows::{Member, number};
-use super::sheets::{AxisValues, ParamValue};
-use super::verdict::{Judgement, fail, ok, warn};
 use crate::controls::{Control, ParamRole, ScalingKind};
 use crate::drives::scaling::Fraction;
+use crate::machines::form::Field;
+use crate::machines::form::rows::{Member, number};
+use crate::machines::sheets::{AxisValues, ParamValue};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::view::Limit::AtMost;
 

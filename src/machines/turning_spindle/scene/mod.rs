@@ -126,18 +126,16 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     );
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
     callout(d, allowance, (LEFT, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
-    let start = format!(
-        "{} X{} Z{}",
-        say("turning.scene.start"),
-        show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3),
-        show(p.start_z, 3)
-    );
+    let place = |at: f64| show(at, if at < 1000.0 { 3 } else { 1 });
+    let across = p.start_x * if lathe.diameters() { 1.0 } else { 0.5 };
+    let start = format!("{} X{} Z{}", say("turning.scene.start"), place(across), place(p.start_z));
     let clearance = format!("{} {}", say("turning.clearance"), mm(p.clearance));
-    for (field, x, text) in [("start-x", STOCK, &start), ("clearance", CLEARANCE, &clearance)] {
-        d.showing(field, |d| {
-            d.text((x, TOP_ROW), Anchor::Start, text, Font::Label, Paint::Dim);
-        });
-    }
+    d.showing("start-x", |d| {
+        d.text((START, TOP_ROW), Anchor::Start, &start, Font::Label, Paint::Dim);
+    });
+    d.showing("clearance", |d| {
+        d.text((CLEARANCE, TOP_ROW), Anchor::End, &clearance, Font::Label, Paint::Dim);
+    });
     let (name, values) = (say("turning.scene.slides"), [(Some(node::X), ""), (Some(node::Z), "")]);
     d.callout_with(
         &Callout { at: SLIDES, anchor: Anchor::Start, name: &name, values: &values, part: None },
@@ -167,9 +165,10 @@ const STOCK: f64 = 291.0;
 const FINISHED: f64 = 403.0;
 const TOOL: f64 = 515.0;
 const LEFT: f64 = 688.0;
-/// The row of one line above it, and the left end of its second label.
+/// The row above it, where the turret does not come, the left end of its first label, and the right end of its second.
 const TOP_ROW: f64 = 20.0;
-const CLEARANCE: f64 = 515.0;
+const START: f64 = 396.0;
+const CLEARANCE: f64 = 830.0;
 /// The figures of the slides, which never come between instruments and chuck themselves, and their most letters: `X -5 999.999`.
 const SLIDES: (f64, f64) = (236.0, 104.0);
 const SLIDE_LETTERS: usize = 12;

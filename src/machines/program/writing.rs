@@ -1,9 +1,9 @@
 //! Parts that the programs of all machines share: header, checks of the operator's variables, alarms.
 
 use super::header;
-use super::machine::Machine;
 use crate::controls::options::SwitchKind;
 use crate::controls::{Address, Code, CodeId, Control, VarKind};
+use crate::machines::machine::Machine;
 use crate::nc::build::{Builder, Formula, NewWord, g, m, real, v, word};
 
 /// Comments with the version of macroline and the settings of the form.

@@ -1,11 +1,11 @@
 //! The drives of a prepared machine as the sizing asks for them: motors and their demand in a run, devices, and the pattern of the shift.
 
-use super::devices::AskedDevice;
-use super::driven::{
+use super::samples::Samples;
+use crate::machines::driven::devices::AskedDevice;
+use crate::machines::driven::site::SevereSite;
+use crate::machines::driven::{
     CoastedAxes, DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, SpindleRun,
 };
-use super::samples::Samples;
-use super::site::SevereSite;
 use crate::motion::Stretch;
 use crate::text::Message;
 

@@ -1,23 +1,23 @@
 //! A main spindle on its inverter, for every lathe that has one: rows of the form, motor, verdict of its ramp, fan, charts over the speed.
 
-use super::devices::{AskedDevice, BillItem};
-use super::driven::SpindleRun;
-use super::form::Field;
-use super::form::entry::{at_least, field_max};
-use super::form::rows::{Member, flag, number};
-use super::verdict::{Judgement, fail, ok, warn};
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::drives::spindle_motor::{self, MotorCurve};
 use crate::drives::{MainSpindle, ShortTime};
+use crate::machines::driven::SpindleRun;
+use crate::machines::driven::devices::{AskedDevice, BillItem};
+use crate::machines::form::Field;
+use crate::machines::form::entry::{at_least, field_max};
+use crate::machines::form::rows::{Member, flag, number};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart, Series};
 
 /// Motor, ramp of the inverter and friction of a main spindle. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct SpindleDrive {
+pub(in crate::machines) struct SpindleDrive {
     pub power: f64,
     pub base: f64,
     /// Speed at 10 V.
@@ -32,34 +32,34 @@ pub(super) struct SpindleDrive {
 
 /// A gear stage of a main spindle: speed (r/min) of the spindle at 10 V, and efficiency of the gear, %.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SpindleGear {
+pub(in crate::machines) struct SpindleGear {
     pub speed_at_10v: f64,
     pub efficiency: f64,
 }
 
 impl SpindleDrive {
     /// Speed of the motor over that of the spindle.
-    pub(super) fn gear(&self, speed_at_10v: f64) -> f64 {
+    pub(in crate::machines) fn gear(&self, speed_at_10v: f64) -> f64 {
         self.top / speed_at_10v
     }
 
     /// The motor at the spindle, by its data sheet.
-    pub(super) fn motor(&self, stage: SpindleGear) -> MotorCurve {
+    pub(in crate::machines) fn motor(&self, stage: SpindleGear) -> MotorCurve {
         MotorCurve::new(self.power, stage.efficiency / 100.0, (self.base, self.top), stage.speed_at_10v)
     }
 
     /// Continuous curve of the motor at the spindle, derated for its site (`site_share`, %) and, without forced cooling, for a fan on its shaft.
-    pub(super) fn continuous(&self, stage: SpindleGear, site_share: f64) -> MotorCurve {
+    pub(in crate::machines) fn continuous(&self, stage: SpindleGear, site_share: f64) -> MotorCurve {
         self.motor(stage).share(site_share / 100.0).with_shaft_fan(!self.forced_cooling)
     }
 
     /// Moment of inertia (kg m²) of the rotor at the spindle: `J_rotor (n_m / n10)²`. Source: sizing facts 2.1.
-    pub(super) fn rotor_at_spindle(&self, speed_at_10v: f64) -> f64 {
+    pub(in crate::machines) fn rotor_at_spindle(&self, speed_at_10v: f64) -> f64 {
         inertia::through_gear(self.rotor, speed_at_10v / self.top)
     }
 
     /// The spindle with its motor. `inertia`: moment of inertia (kg m²) of all that turns with it, without the rotor.
-    pub(super) fn main_spindle(&self, stage: SpindleGear, inertia: f64) -> MainSpindle {
+    pub(in crate::machines) fn main_spindle(&self, stage: SpindleGear, inertia: f64) -> MainSpindle {
         let speed_at_10v = stage.speed_at_10v;
         MainSpindle {
             speed_at_10v,
@@ -80,7 +80,7 @@ impl SpindleDrive {
     }
 
     /// An inertia (kg m²) at the spindle as the motor has it at its shaft, against the friction of the spindle.
-    pub(super) fn load_at_motor(&self, stage: SpindleGear, inertia: f64) -> Load {
+    pub(in crate::machines) fn load_at_motor(&self, stage: SpindleGear, inertia: f64) -> Load {
         let (gear, efficiency) = (self.gear(stage.speed_at_10v), stage.efficiency / 100.0);
         Load {
             inertia: inertia::through_gear(inertia, gear),
@@ -90,7 +90,7 @@ impl SpindleDrive {
     }
 
     /// The motor in a part of a run, at its shaft.
-    pub(super) fn run(&self, name: &'static str, idle: Motion, cuts: Vec<CutSpan>) -> SpindleRun {
+    pub(in crate::machines) fn run(&self, name: &'static str, idle: Motion, cuts: Vec<CutSpan>) -> SpindleRun {
         SpindleRun {
             name,
             motion: idle.clone().with_cuts(cuts),
@@ -103,7 +103,7 @@ impl SpindleDrive {
 }
 
 /// A field for the rated power of a motor.
-pub(super) const fn power<P>(
+pub(in crate::machines) const fn power<P>(
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -114,7 +114,7 @@ pub(super) const fn power<P>(
 }
 
 /// A field for the speed up to which a motor has its rated torque.
-pub(super) const fn base_speed<P>(
+pub(in crate::machines) const fn base_speed<P>(
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -125,7 +125,7 @@ pub(super) const fn base_speed<P>(
 }
 
 /// A field for the speed of a motor at 10 V.
-pub(super) const fn top_speed<P>(
+pub(in crate::machines) const fn top_speed<P>(
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -137,24 +137,28 @@ pub(super) const fn top_speed<P>(
 }
 
 /// A field for the forced cooling of a motor.
-pub(super) const fn forced_cooling<P>(id: &'static str, label: &'static str, member: Member<P, bool>) -> Field<P> {
+pub(in crate::machines) const fn forced_cooling<P>(
+    id: &'static str,
+    label: &'static str,
+    member: Member<P, bool>,
+) -> Field<P> {
     flag(id, member).label(label).help("lathe.motor-forced-cooling.help").fact()
 }
 
 /// A field for the short-time torque of a motor.
-pub(super) const fn peak<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
+pub(in crate::machines) const fn peak<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).label(label).help("lathe.motor-peak.help");
     row.unit("%").range(100.0..=600.0).default(150.0).decimals(0).step(10.0).fact()
 }
 
 /// A field for the torque with which a motor brakes.
-pub(super) const fn braking<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
+pub(in crate::machines) const fn braking<P>(id: &'static str, label: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number(id, member).label(label).help("lathe.motor-braking.help");
     row.unit("%").range(1.0..=600.0).default(150.0).decimals(0).step(10.0).fact()
 }
 
 /// A field for the moment of inertia of a rotor.
-pub(super) const fn rotor<P>(
+pub(in crate::machines) const fn rotor<P>(
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -165,7 +169,7 @@ pub(super) const fn rotor<P>(
 }
 
 /// A field for the friction of a spindle.
-pub(super) const fn friction<P>(
+pub(in crate::machines) const fn friction<P>(
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -177,7 +181,7 @@ pub(super) const fn friction<P>(
 
 /// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min: a warning where it is long enough
 /// for that speed and not for the one at the highest position of the override knob, given with its percentage.
-pub(super) fn judge_ramp<P>(
+pub(in crate::machines) fn judge_ramp<P>(
     spindle: &MainSpindle,
     highest: f64,
     at_knob: Option<(f64, f64)>,
@@ -211,7 +215,7 @@ pub(super) fn judge_ramp<P>(
 }
 
 /// The fan with a supply of its own, where a drive has forced cooling (IC 416).
-pub(super) fn fan(drive: &'static str, is_forced: bool) -> Option<AskedDevice> {
+pub(in crate::machines) fn fan(drive: &'static str, is_forced: bool) -> Option<AskedDevice> {
     is_forced.then(|| AskedDevice { item: BillItem::Fan, drive: Some(drive), asked: msg!("lathe.device.fan") })
 }
 
@@ -220,7 +224,7 @@ const CUT: u8 = 4;
 const SHORT: u8 = 5;
 
 /// Curves of the motor over the speed of the spindle, each up to the speed (r/min) at 10 V, and the demand of the cut.
-pub(super) struct SpeedCurves {
+pub(in crate::machines) struct SpeedCurves {
     /// Continuous curve of each gear stage, with label and colour.
     pub stages: Vec<(&'static str, u8, MotorCurve, f64)>,
     /// Short-time curve in the engaged stage.
@@ -230,7 +234,7 @@ pub(super) struct SpeedCurves {
 }
 
 /// Charts over the speed of the spindle: torque and power of the motor, and the demand of the cut.
-pub(super) fn charts_by_speed(curves: SpeedCurves, points: usize) -> Vec<Chart> {
+pub(in crate::machines) fn charts_by_speed(curves: SpeedCurves, points: usize) -> Vec<Chart> {
     let points = points.max(2);
     // P = M ω: it grows with the speed below base speed.
     let lines = |of: fn(f64, f64) -> f64| -> Vec<Series> {

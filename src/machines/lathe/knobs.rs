@@ -1,8 +1,8 @@
 //! The operator's override knobs of feed and spindle: the cut of a lathe at their ends, in the same way for every lathe.
 
-use super::devices::forced_cooling_advice;
-use super::form::entry::NumberEntry;
 use crate::drives::speed::{KnobEnds, Steps};
+use crate::machines::driven::devices::forced_cooling_advice;
+use crate::machines::form::entry::NumberEntry;
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -12,19 +12,19 @@ const FULL_PERCENT: f64 = 100.0;
 
 /// Positions of the override knobs, %.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct KnobPositions {
+pub(in crate::machines) struct KnobPositions {
     pub feed: f64,
     pub spindle: f64,
 }
 
 /// Highest position (%) of the feed override above 100 %; none on a control whose knob ends there.
-pub(super) fn highest_feed(knob: Steps) -> Option<f64> {
+pub(in crate::machines) fn highest_feed(knob: Steps) -> Option<f64> {
     knob.ends(FULL_PERCENT).higher
 }
 
 /// The positions at which a cut is judged beside those of the form: each knob at its ends, and both together. Less feed asks less of every
 /// drive, so that the feed override counts at its highest position alone. `present`: position of the spindle override in the form, %.
-pub(super) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
+pub(in crate::machines) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
     let feeds = [highest_feed(feed), Some(FULL_PERCENT)].into_iter().flatten();
     let all = feeds.flat_map(|feed| {
         let spindles = [Some(present), spindle.higher, spindle.lower].into_iter().flatten();
@@ -34,7 +34,7 @@ pub(super) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<Kno
 }
 
 /// The state with the greatest demand over its limit, with both numbers; none where every state holds.
-pub(super) fn worst<T>(
+pub(in crate::machines) fn worst<T>(
     states: impl IntoIterator<Item = T>,
     demand: impl Fn(&T) -> (f64, f64),
 ) -> Option<(T, (f64, f64))> {
@@ -51,7 +51,7 @@ pub(super) fn worst<T>(
 const LEAST_FEED: f64 = 0.01;
 
 /// An advice with a button for lower feeds; without it where an edge would rub.
-pub(super) fn setting_feeds(advice: Advice, sets: Vec<NumberEntry>) -> Advice {
+pub(in crate::machines) fn setting_feeds(advice: Advice, sets: Vec<NumberEntry>) -> Advice {
     let values: Vec<&str> = sets.iter().map(|set| set.text.as_str()).collect();
     let least = sets.iter().map(|set| set.value).fold(f64::INFINITY, f64::min);
     let button = match values.as_slice() {
@@ -63,7 +63,7 @@ pub(super) fn setting_feeds(advice: Advice, sets: Vec<NumberEntry>) -> Advice {
 
 /// Torque (Nm) of cut and friction on a main spindle at positions of the knobs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct TorqueAtKnobs {
+pub(in crate::machines) struct TorqueAtKnobs {
     pub at: KnobPositions,
     pub torque: f64,
     /// Torque of the motor there.
@@ -75,7 +75,7 @@ pub(super) struct TorqueAtKnobs {
 }
 
 /// Remedy for a motor that is too weak at a position of the knobs.
-pub(super) enum TorqueRemedy {
+pub(in crate::machines) enum TorqueRemedy {
     /// Forced cooling: with it the motor suffices at every position.
     Cooling(Advice),
     /// Less feed.
@@ -84,7 +84,7 @@ pub(super) enum TorqueRemedy {
 
 /// The remedy for the position where cut and friction exceed the torque of the motor most; none where it suffices at all of them. `cooling`:
 /// field of the forced cooling; `slower`: the advice with less feed, for a sentence.
-pub(super) fn torque_remedy(
+pub(in crate::machines) fn torque_remedy(
     all: &[TorqueAtKnobs],
     cooling: &'static str,
     slower: impl FnOnce(Message) -> Advice,

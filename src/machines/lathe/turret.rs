@@ -5,12 +5,12 @@ use crate::text::Diagnostic;
 
 /// Least start in X (diameter, mm) at which the turret turns beside work of this diameter (mm); its other tools reach `room` (mm) beyond the
 /// tip of the tool.
-pub(super) fn beside(diameter: f64, room: f64) -> f64 {
+pub(in crate::machines) fn beside(diameter: f64, room: f64) -> f64 {
     diameter + 2.0 * room
 }
 
 /// The error of a turret that turns where the tailstock is: in front of work that it holds there is no room.
-pub(super) fn hits_tailstock(start_x: f64, diameter: f64, room: f64) -> Option<Diagnostic> {
+pub(in crate::machines) fn hits_tailstock(start_x: f64, diameter: f64, room: f64) -> Option<Diagnostic> {
     let least = beside(diameter, room);
     let message = msg!("lathe.turret-hits-tailstock", x = (start_x, 3), least = (least, 3));
     (start_x < least).then(|| Diagnostic::error(message).about("start-x").mended_by(least.ceil()))
@@ -18,7 +18,7 @@ pub(super) fn hits_tailstock(start_x: f64, diameter: f64, room: f64) -> Option<D
 
 /// The error of a turret that turns into the work: at `start` (X as a diameter and Z, mm) its other tools reach `room` (mm) beyond the tip
 /// of the tool, and the stock has this diameter and ends at this Z (mm). `None` where it has room beside the work or in front of it.
-pub(super) fn hits_work(start: (f64, f64), (diameter, end): (f64, f64), room: f64) -> Option<Diagnostic> {
+pub(in crate::machines) fn hits_work(start: (f64, f64), (diameter, end): (f64, f64), room: f64) -> Option<Diagnostic> {
     let (x, z) = start;
     let hits = x < beside(diameter, room) && z < end + room;
     let message = msg!("lathe.turret-hits-work", x = (x, 3), z = (z, 3), room = (room, 1));

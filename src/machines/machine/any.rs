@@ -3,194 +3,25 @@
 //! A machine is prepared once per change of a value; design, program, plant, PLC, sheets, drawing and charts are asked of the prepared
 //! machine, and every answer is total.
 
+use super::defaults::Defaults;
+use super::design::{ControlContext, Design};
+use super::prepared::Prepared;
 use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
-use super::drawn_machine::DrawnMachine;
-use super::driven::FormMotor;
-use super::driven_machine::DrivenMachine;
 use super::examples::Example;
-use super::form::fill::{assumed, defaults, fill};
-use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
-use super::ladder::Ladder;
 use super::left_out::LeftOut;
 use super::samples::Samples;
-use crate::controls::options::{CommonAtReset, SwitchChoice};
-use crate::controls::{Control, Dialect, Switches};
+use crate::controls::{Control, Switches};
+use crate::machines::driven::FormMotor;
+use crate::machines::form::fill::{assumed, defaults, fill};
+use crate::machines::form::{Field, FieldInfo, Origins, Values, with_entries};
 use crate::math;
-use crate::motion::{Plant, Plc};
 use crate::msg;
-use crate::nc::{Deck, File, Newline};
 use crate::text::catalog::words;
-use crate::text::{Diagnostic, DiagnosticKind, Message, Severity, listed};
-use crate::view::{Advice, Explorer, FieldEntry, Readout, Sheet, Verdict};
-
-/// The control of a machine, with the settings of its open points.
-#[derive(Debug, Clone, Copy)]
-pub struct ControlContext<'a> {
-    /// The control.
-    pub control: &'static Control,
-    /// Settings of its open points.
-    pub switches: &'a Switches,
-}
-
-impl ControlContext<'_> {
-    /// The rows of the control under these settings.
-    pub fn dialect(&self) -> Dialect {
-        Dialect::resolve(self.control, self.switches)
-    }
-}
-
-/// Results of a machine's formulas, and findings about its values.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Design {
-    /// Results with verdicts, in the order they are shown.
-    pub readouts: Vec<Readout>,
-    /// Invalid fields (errors) and remarks.
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// The program of a machine, before it is written.
-#[derive(Debug, Clone, Default)]
-pub struct MachineProgram {
-    /// Programs, one per file.
-    pub deck: Deck,
-    /// Program number that sets the project's values, run once before the first start; none where the run program has them.
-    pub setup: Option<u32>,
-    /// Program number that runs the machine.
-    pub main: u32,
-    /// Line end of the files.
-    pub newline: Newline,
-}
-
-/// Values and settings of a new project that differ from the defaults of form and control.
-#[derive(Debug, Clone, Default)]
-pub struct Defaults {
-    /// Values by field id.
-    pub values: Values,
-    /// Settings that the machine needs.
-    pub switches: Switches,
-}
-
-impl Defaults {
-    /// Block time and macro time (ms) and pre-read blocks of the control.
-    pub fn timing(control: &Control) -> Defaults {
-        let mut start = Defaults::default();
-        for (id, value) in [
-            ("block-time", control.timing.block * 1000.0),
-            ("macro-time", control.timing.macro_block * 1000.0),
-            ("preread", f64::from(control.timing.preread)),
-        ] {
-            start.number(id, value);
-        }
-        start
-    }
-
-    /// Sets a number of the form, rounded to thousandths.
-    pub fn number(&mut self, id: &str, value: f64) {
-        self.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
-    }
-
-    /// Keeps common variables at reset: a second start needs the values that the first one set.
-    pub fn keep_common(&mut self, control: &Control) {
-        self.set(control, CommonAtReset::Kept);
-    }
-
-    /// Sets an open point of the control, unless the setting is its default.
-    pub fn set<C: SwitchChoice>(&mut self, control: &Control, choice: C) {
-        let setting = choice.option().id;
-        if let Some(row) = control.switch(C::SWITCH).filter(|row| row.takes(setting)) {
-            self.switches.set(row, setting);
-        }
-    }
-}
-
-/// A file of an export beside programs and sheets.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MachineFile {
-    /// Its name and text.
-    pub file: File,
-    /// Catalog id of the words that say which file it is.
-    pub meaning: &'static str,
-}
-
-/// A variable that the operator reads and sets.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct MachineVariable {
-    /// Its number.
-    pub number: u32,
-    /// Catalog id of its meaning.
-    pub label: &'static str,
-    /// Its unit, or empty.
-    pub unit: &'static str,
-}
-
-impl MachineVariable {
-    /// A variable with the catalog id of its meaning and its unit.
-    pub const fn new(number: u32, label: &'static str, unit: &'static str) -> MachineVariable {
-        MachineVariable { number, label, unit }
-    }
-}
-
-/// State of the operator's panel at the start of a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PanelSetup {
-    /// Spindle override (%) at the start of a run; without one the knob is at 100 %.
-    pub spindle_override: Option<f64>,
-    /// Step (%) of the spindle override's knob.
-    pub override_step: f64,
-}
-
-impl Default for PanelSetup {
-    fn default() -> PanelSetup {
-        PanelSetup { spindle_override: None, override_step: 10.0 }
-    }
-}
-
-/// A machine with its values on a control: its results, its program and what runs it. All functions are total.
-pub trait Prepared: DrawnMachine + DrivenMachine + Send + Sync {
-    /// Results with verdicts, and the machine's own findings.
-    fn results(&self) -> Design;
-    /// Opening sentence of the report: the machine's work with these results; none if the machine does not work.
-    fn summary(&self) -> Option<Message> {
-        None
-    }
-    /// The program.
-    fn program(&self) -> MachineProgram;
-    /// The plant that runs the program.
-    fn plant(&self) -> Plant;
-    /// The builder's PLC.
-    fn plc(&self) -> Box<dyn Plc>;
-    /// Names of the axes that the PLC turns, in the order of the plant.
-    fn turned_axes(&self) -> &'static [&'static str] {
-        &[]
-    }
-    /// The ladder of the builder's PLC, if there is one.
-    fn ladder(&self) -> Option<Ladder> {
-        None
-    }
-    /// State of the operator's panel at the start of a run.
-    fn panel(&self) -> PanelSetup {
-        PanelSetup::default()
-    }
-    /// Variables that the operator reads and sets.
-    fn variables(&self) -> Vec<MachineVariable>;
-    /// Parameter sheet, interface, ladder list.
-    fn sheets(&self) -> Vec<Sheet>;
-    /// Files of an export beside programs and sheets: drawings, programs in other codes.
-    fn files(&self) -> Vec<MachineFile> {
-        Vec::new()
-    }
-    /// Catalog ids of the names of the shapes that can be explored; see [`MachineInfo::explores`].
-    fn explored(&self) -> Vec<&'static str> {
-        Vec::new()
-    }
-    /// Sliders with their drawing for the shape with this number among [`explored`](Prepared::explored).
-    fn explorer(&self, _shape: usize) -> Option<Explorer> {
-        None
-    }
-}
+use crate::text::{Diagnostic, DiagnosticKind, Severity, listed};
+use crate::view::{Advice, FieldEntry, Readout, Verdict};
 
 /// Constants of a type of machine.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Items of the bill of materials, and the devices that ladder and form of a machine ask for.
 
-use super::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput, PlcNumber};
+use crate::machines::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;

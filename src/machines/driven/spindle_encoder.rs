@@ -1,9 +1,9 @@
 //! The encoder of a spindle that the control counts turns and angle by: its lines and its ratio to the spindle, as form and parameters.
 
-use super::form::Field;
-use super::form::rows::{Member, number};
-use super::sheets::{AxisValues, ParamValue};
 use crate::controls::{Control, ParamRole};
+use crate::machines::form::Field;
+use crate::machines::form::rows::{Member, number};
+use crate::machines::sheets::{AxisValues, ParamValue};
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -28,26 +28,26 @@ impl Default for EncoderParams {
 }
 
 /// A field for the lines.
-pub(super) const fn lines<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
+pub(in crate::machines) const fn lines<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number("encoder-lines", member).group(group).label("encoder.lines").help("encoder.lines.help");
     row.range(1.0..=1_000_000.0).default(LINES).decimals(0).step(256.0).fact()
 }
 
 /// A field for the turns of the encoder in its ratio to the spindle.
-pub(super) const fn turns<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
+pub(in crate::machines) const fn turns<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number("encoder-turns", member).group(group).label("encoder.turns").help("encoder.turns.help");
     row.range(1.0..=1000.0).default(1.0).decimals(0).step(1.0).fact()
 }
 
 /// A field for the turns of the spindle in that ratio.
-pub(super) const fn spindle_turns<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
+pub(in crate::machines) const fn spindle_turns<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
     let row = number("spindle-turns", member).group(group).label("encoder.spindle-turns");
     row.help("encoder.turns.help").range(1.0..=1000.0).default(1.0).decimals(0).step(1.0).fact()
 }
 
 impl EncoderParams {
     /// Turns of the encoder per turn of the spindle.
-    pub(super) fn ratio(&self) -> f64 {
+    pub(in crate::machines) fn ratio(&self) -> f64 {
         self.turns / self.spindle_turns
     }
 
@@ -70,7 +70,7 @@ impl EncoderParams {
     }
 
     /// Rows of the parameter sheet.
-    pub(super) fn parameters(&self, control: &Control) -> Vec<(ParamRole, AxisValues<'static>)> {
+    pub(in crate::machines) fn parameters(&self, control: &Control) -> Vec<(ParamRole, AxisValues<'static>)> {
         let number = |value: f64| vec![("", ParamValue::Number(value))];
         let yes = |on: bool| vec![("", ParamValue::Answer(on))];
         let [high, low] = self.bits().unwrap_or_default();
@@ -87,7 +87,7 @@ impl EncoderParams {
 
     /// A warning about a ratio or a number of lines that no known parameter of the control has: feed per revolution, thread and angle would
     /// be wrong by it.
-    pub(super) fn finding(&self, control: &Control) -> Option<Diagnostic> {
+    pub(in crate::machines) fn finding(&self, control: &Control) -> Option<Diagnostic> {
         let powers = control.param(ParamRole::SpindleEncoderHigh).is_some();
         let ratio = (self.ratio(), 4);
         let message = if powers {

@@ -68,7 +68,10 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     dancer::behind(&mut drawing, line);
     drawing.showing("ribbon-thickness", |drawing| ribbon(drawing, line));
     dancer::before(&mut drawing, line);
-    drawing.showing("loop-capacity", |drawing| labels::limit(drawing, line, layout));
+    drawing.showing("loop-capacity", |drawing| {
+        labels::slack(drawing, layout);
+        labels::limit(drawing, line, layout);
+    });
     reels::before(&mut drawing, layout, &layout.supply, reels::SUPPLY, wound);
     reels::before(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
     stations::before(&mut drawing, layout, &layout.unwinder, group::UNWINDER, DriveKind::Inverter);

@@ -3,17 +3,17 @@
 //! The first line names machine and format (`MACROLINE RIBBON-LINE 1`), the next the control where it is not the machine's first
 //! (`CONTROL=…`), each further one a field (`PITCH=8`): the essential ones always, the others where they differ from the default.
 
-use super::form::{Field, FieldKind};
-use super::machine::Machine;
 use crate::controls::Control;
+use crate::machines::form::{Field, FieldKind};
+use crate::machines::machine::Machine;
 use crate::text::catalog::number_text;
 
 /// First word of the first line.
-pub(super) const MARK: &str = "MACROLINE";
+pub(in crate::machines) const MARK: &str = "MACROLINE";
 /// Format of the lines.
 const VERSION: &str = "1";
 /// Key of the control's line.
-pub(super) const CONTROL: &str = "control";
+pub(in crate::machines) const CONTROL: &str = "control";
 
 /// Comment lines, without brackets, that hold the parameters of a machine on a control.
 pub fn lines<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {

@@ -1,9 +1,9 @@
 //! Reading the settings in the comments of a program; see [`super::header`]. Programs are upper case, so texts come back in capitals.
 
-use super::form::{FieldInfo, Values};
 use super::header::{CONTROL, MARK};
-use super::list::ALL;
-use super::machine::AnyMachine;
+use crate::machines::form::{FieldInfo, Values};
+use crate::machines::list::ALL;
+use crate::machines::machine::AnyMachine;
 
 /// Settings found in a program.
 #[derive(Debug, Clone, PartialEq)]

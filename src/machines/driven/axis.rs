@@ -1,0 +1,80 @@
+//! The servo motor of an axis as the sizing has it: its load, and its motion in a run.
+
+use super::fields::MotorFields;
+use super::gear::{FormGear, pulled_taut};
+use crate::drives::holding_brake;
+use crate::drives::load::Load;
+use crate::drives::servo::FittedMotor;
+use crate::drives::shaft_motion::{CutSpan, Motion, SpeedSegment, Strikes};
+use crate::motion::{Mover, Stretch};
+
+/// A servo motor of a machine, and the source of its motion in a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrivenAxis {
+    /// Id, for instance `x`.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub name: &'static str,
+    /// Source of its motion in a run.
+    pub mover: Mover,
+    /// Radians of the motor per unit of the run: per millimetre or degree.
+    pub turn: f64,
+    /// Load at the motor's shaft, without the rotor.
+    pub load: Load,
+    /// Torque at standstill, Nm.
+    pub hold: f64,
+    /// Torque (Nm) of a weight that it lifts in the positive direction, besides `hold`; 0 without one.
+    pub weight: f64,
+    /// Its interrupted cut.
+    pub strikes: Strikes,
+    /// Greatest additional torque (Nm) at steady speed that no planned run shows: a web pulled taut after a start. 0 without one.
+    pub taut: f64,
+    /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none if the load's torque already includes
+    /// the work.
+    pub cut: Option<f64>,
+    /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
+    pub lasting: Option<f64>,
+    /// Starts per minute by the formulas of the form, while the work lasts; 0 where those of the run alone count.
+    pub starts_per_minute: f64,
+    /// The gear unit between motor and load, if it is a purchased part.
+    pub gear: Option<FormGear>,
+    /// The motor that the form has.
+    pub fitted: FittedMotor,
+    /// Share of its continuous torque that the site leaves a motor, 0 to 1.
+    pub site_share: f64,
+    /// Fields of the form that take another motor; none where the form has the power of the drive alone.
+    pub fields: Option<&'static MotorFields>,
+}
+
+impl DrivenAxis {
+    /// Greatest way (in units of the run) that its weight moves it from rest until the brake at its motor has closed; none without a
+    /// weight.
+    pub fn sinks(&self) -> Option<f64> {
+        let inertia = self.load.inertia + self.fitted.motor.rotor;
+        (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.turn)
+    }
+
+    /// The motion of the motor's shaft in a part of a run, under the torque of its work within these spans (s); without spans always.
+    pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
+        let motion = Motion::new(speed_segments(stretches, self.turn), self.load, self.hold)
+            .with_weight(self.weight)
+            .with_strikes(pulled_taut(self.strikes, self.taut));
+        match (works, self.cut) {
+            (None, _) => motion,
+            (Some(works), None) => motion.with_loaded_spans(works.to_vec()),
+            (Some(works), Some(torque)) => {
+                motion.with_cuts(works.iter().map(|&(begin, end)| CutSpan { begin, end, torque }).collect())
+            }
+        }
+    }
+}
+
+/// Stretches of a run as segments of the speed of a shaft, with its radians per unit of the run.
+pub fn speed_segments(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = SpeedSegment> {
+    stretches.iter().map(move |stretch| SpeedSegment {
+        t: stretch.t,
+        seconds: stretch.seconds,
+        from: stretch.from * per_unit,
+        to: stretch.to * per_unit,
+    })
+}

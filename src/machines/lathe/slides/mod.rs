@@ -1,0 +1,19 @@
+//! The slides of a lathe, on ball screws: their form, their motors, their loads, and the results that judge them.
+
+mod form;
+mod lathe;
+mod results;
+mod servo;
+
+pub(in crate::machines) use form::MOTORS;
+pub(in crate::machines) use lathe::{ALONG, CROSS, LatheSlides, SlideForm, XDefaults, rows, scaling_rows};
+pub(in crate::machines) use results::results;
+pub(in crate::machines) use servo::{HasSlides, ServoSlide, SlideDuty, starts_per_minute};
+
+use crate::machines::driven::DrivenAxis;
+
+/// The motors of the slides, for the sizing.
+pub(in crate::machines) fn axes(machine: &impl HasSlides) -> Vec<DrivenAxis> {
+    let [x, z] = machine.slides();
+    vec![x.driven("x", form::NAMES[0], &form::FIELDS[0]), z.driven("z", form::NAMES[1], &form::FIELDS[1])]
+}
