@@ -52,12 +52,12 @@ data.words = `${root.lang}.properties`;
 // The still shows a fresh project with English names in millimetres. The module draws every other one: a stored or linked project, another language, inches.
 if (kept('project') || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
 
-// Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Values
+// Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/drawing/scene_view.rs`). Values
 // wait for the page, which finds places for them, and so do names in such a drawing. The drawing is not laid out before its scale is known
 // (`#still` in `app.css`): all its labels would be twice.
 const drawing = still.querySelector('.scene');
 // Ratio of the drawing's units per pixel to those its labels are laid out for, above which it becomes wider than its room, and height in pixels
-// of the strip over it then: the same two as in `machine/scene_view.rs`, held by a test.
+// of the strip over it then: the same two as in `machine/drawing/scene_view.rs`, held by a test.
 const CROWDED = 1.35;
 const STRIP = 40;
 if (drawing) {

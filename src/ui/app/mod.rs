@@ -1,7 +1,6 @@
 //! The page: puts the features together.
 
 pub(super) mod embed;
-
 mod parts_bar;
 
 use leptos::ev::KeyboardEvent;
@@ -17,7 +16,6 @@ use super::form::Form;
 use super::form::field_help::FieldHelp;
 use super::help::tour::Tour;
 use super::help::{HelpDialog, keys};
-use super::machine::operator_panel::OperatorPanel;
 use super::machine::{CompareDialog, Machine};
 use super::parts::Later;
 use super::parts::divider::Divider;
@@ -33,6 +31,7 @@ use super::words::{sentence, t};
 use super::worker::client::Client;
 use super::worker::diagnostics;
 use crate::msg;
+use crate::ui::machine::operator::panel::OperatorPanel;
 use parts_bar::PartsBar;
 
 /// State with which the page is built: the project of the last visit, or a fresh one, with its program, its run and notices.

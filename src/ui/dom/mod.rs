@@ -1,13 +1,9 @@
 //! The browser: time, frames, storage, files, elements.
 
 pub(crate) mod children;
-
 pub(crate) mod delayed;
-
 pub(crate) mod script;
-
 pub(crate) mod tab_entry;
-
 pub(crate) mod turns;
 
 use std::cell::Cell;

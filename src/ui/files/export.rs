@@ -3,11 +3,10 @@
 use std::sync::Arc;
 
 use leptos::prelude::*;
-use leptos::wasm_bindgen;
-use leptos::wasm_bindgen::prelude::wasm_bindgen;
-use leptos::wasm_bindgen::{JsCast, JsValue};
-use web_sys::Window;
+use leptos::wasm_bindgen::JsCast;
 
+use super::print::PrintButton;
+use super::title_block::TitleBlockFields;
 use crate::nc::File;
 use crate::project::Project;
 use crate::project::export::{REPORT, SUMMARY};
@@ -18,17 +17,10 @@ use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{ExportDocuments, ExportedDocument, Range, Remark, Request, Response};
-use crate::view::report::TitleBlock;
+use crate::ui::worker::messages::{ExportedDocument, Range, Remark, Request, Response};
 
 /// The bundle that makes archives.
 const ARCHIVE: &str = "archive.js";
-
-#[wasm_bindgen(module = "/src/ui/files/tab.js")]
-extern "C" {
-    #[wasm_bindgen(catch)]
-    fn print(tab: &Window, html: &str) -> Result<(), JsValue>;
-}
 
 /// A file of the export.
 struct ExportFile {
@@ -131,65 +123,6 @@ pub(crate) fn ExportDialog() -> impl IntoView {
     }
 }
 
-/// Reads and writes an entry of the title block.
-type Entry = fn(&mut TitleBlock) -> &mut String;
-
-/// Characters that an entry of the title block takes.
-const ENTRY_LENGTH: usize = 120;
-
-/// The entries of the report's title block, which are saved with the project. A change makes the documents again.
-#[component]
-fn TitleBlockFields() -> impl IntoView {
-    let page = Page::here();
-    let entries: [(&'static str, Entry); 3] = [
-        ("form.report.author", |block| &mut block.author),
-        ("form.report.number", |block| &mut block.number),
-        ("form.report.revision", |block| &mut block.revision),
-    ];
-    let row = |(label, entry): (&'static str, Entry)| {
-        let value = move || page.project.with(|project| entry(&mut project.title_block.clone()).clone());
-        let change = move |text| page.edit(|project| *entry(&mut project.title_block) = text);
-        view! { <TitleBlockEntry label value change /> }
-    };
-    // Another machine may have no customer.
-    let has_customer = Memo::new(move |_| page.project.with(|project| project.customer().is_some()));
-    let customer = move || {
-        let value = move || page.project.with(|project| project.customer().unwrap_or_default().to_owned());
-        let change = move |text: String| page.edit(|project| project.set_customer(&text));
-        has_customer.get().then(|| view! { <TitleBlockEntry label="form.customer" value change /> })
-    };
-    let in_program = move || {
-        let short = page.project.with(|project| project.shortened_customer().map(str::to_owned))?;
-        Some(sentence(&crate::msg!("page.customer-in-program", name = short)))
-    };
-    view! {
-        <fieldset class="title-block">
-            <legend>{t("page.title-block")}</legend>
-            {customer}
-            {entries.into_iter().map(row).collect_view()}
-            <p class="in-program" role="status">{in_program}</p>
-        </fieldset>
-    }
-}
-
-/// An entry of the title block.
-#[component]
-fn TitleBlockEntry(
-    /// Catalog id of its label.
-    label: &'static str,
-    /// Its text.
-    value: impl Fn() -> String + Send + 'static,
-    /// Takes another text.
-    change: impl Fn(String) + 'static,
-) -> impl IntoView {
-    let page = Page::here();
-    let change = move |event| {
-        change(event_target_value(&event));
-        page.view.exporting.set(true);
-    };
-    view! { <label>{t(label)}<input type="text" maxlength=ENTRY_LENGTH.to_string() prop:value=value on:change=change /></label> }
-}
-
 /// Why nothing is exported.
 #[component]
 fn Refused(
@@ -219,22 +152,6 @@ fn Refused(
         <p>{t("page.refused")}</p>
         <ul class="remarks">{reasons.into_iter().map(row).collect_view()}</ul>
         {draft.map(|html| view! { <footer><PrintButton id="print-draft" words="page.print-draft" html=html /></footer> })}
-    }
-}
-
-/// A button that shows a document in a tab of its own, for print.
-#[component]
-fn PrintButton(
-    /// Its id.
-    id: &'static str,
-    /// Catalog id of its words.
-    words: &'static str,
-    /// The document.
-    html: String,
-) -> impl IntoView {
-    let page = Page::here();
-    view! {
-        <button type="button" id=id title=t("page.print-about") on:click=move |_| show(page, &html)>{t(words)}</button>
     }
 }
 
@@ -316,50 +233,6 @@ fn save_all(page: Page, files: Arc<[ExportFile]>) {
     });
 }
 
-/// A tab of its own; a notice if the browser allows none.
-fn new_tab(page: Page) -> Option<Window> {
-    let tab = window().open_with_url_and_target("", "_blank").ok().flatten();
-    if tab.is_none() {
-        page.notices.notify(Tone::Warn, t("page.no-tab").to_owned());
-    }
-    tab
-}
-
-/// The report to print, or its draft. The tab opens at once, for the browser allows it only at a press.
-pub(super) fn show_report(page: Page, worker: Client) {
-    let Some(tab) = new_tab(page) else { return };
-    let take = move |response: Option<Response>| {
-        let report = match response {
-            Some(Response::Export(ExportDocuments { files, draft, .. })) => {
-                files.into_iter().find(|file| file.name == REPORT).map(|file| file.text).or(draft)
-            }
-            _ => None,
-        };
-        match report {
-            Some(html) => show_in(page, &tab, &html),
-            None => {
-                let _ = tab.close();
-                page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
-            }
-        }
-    };
-    page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
-}
-
-/// Shows a document in a tab of its own and prints it; a notice if the browser allows neither.
-fn show(page: Page, html: &str) {
-    if let Some(tab) = new_tab(page) {
-        show_in(page, &tab, html);
-    }
-}
-
-fn show_in(page: Page, tab: &Window, html: &str) {
-    if let Err(error) = print(tab, html) {
-        let _ = tab.close();
-        page.notices.notify(Tone::Fail, sentence(&crate::msg!("page.no-print", reason = dom::error_text(&error))));
-    }
-}
-
 fn save(files: &[ExportFile], at: usize) {
     if let Some(file) = files.get(at) {
         dom::download(&file.name, "text/plain", &file.bytes);
@@ -374,6 +247,7 @@ mod tests {
     use crate::machines::form::Value;
     use crate::text::{FileId, Span};
     use crate::ui::testing::{ViewBench, field, mount, settled};
+    use crate::ui::worker::messages::ExportDocuments;
 
     fn documents(_: &crate::project::Project, _: Request) -> Option<Response> {
         Some(Response::Export(ExportDocuments {

@@ -2,9 +2,9 @@
 
 use leptos::prelude::*;
 
-use super::export::show_report;
 use super::gallery::NewButton;
 use super::open::OpenButton;
+use super::print::show_report;
 use super::projects::ProjectsButton;
 use super::share::{self, ShareButton};
 use super::store;

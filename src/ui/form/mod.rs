@@ -1,15 +1,10 @@
 //! The form: product fields first, then the machine's data in folded groups.
 
 mod drag;
-
 mod field;
-
 pub(crate) mod field_help;
-
 mod measure_first;
-
 mod slider;
-
 mod value;
 
 use leptos::prelude::*;

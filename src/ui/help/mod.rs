@@ -1,9 +1,7 @@
 //! Help: a dialog with search, pages of machines and controls, and the keys.
 
 pub(crate) mod keys;
-
 mod reader;
-
 pub(crate) mod tour;
 
 use leptos::prelude::*;

@@ -9,7 +9,7 @@ use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::spawn_local;
 use web_sys::Element;
 
-use super::scene_view::Drawn;
+use super::drawing::Drawn;
 use crate::machines::{Frame, PreparedMachine};
 use crate::msg;
 use crate::nc::File;

@@ -1,43 +1,9 @@
 //! The machine in the middle of the page: verdicts, drawing, film with its charts, operator's panel.
 
-mod action_marks;
-
-mod alarm_screen;
-
-mod charts;
-
-mod canvas;
-
-mod clip;
-
 mod compare;
-
+mod drawing;
 mod film;
-
-mod fitted;
-
-mod labels;
-
-mod marks;
-
-mod notices;
-
-mod operator_list;
-
-pub(crate) mod operator_panel;
-
-mod operator_rows;
-
-mod pictures;
-
-mod plot;
-
-mod scene_view;
-
-mod stage;
-
-mod transport;
-
+pub(crate) mod operator;
 mod verdicts;
 
 use leptos::prelude::*;
@@ -45,9 +11,8 @@ use leptos::prelude::*;
 use crate::ui::words::t;
 
 pub(crate) use compare::CompareDialog;
-use film::{Film, Scrubber};
-use stage::Stage;
-use transport::Transport;
+use drawing::Stage;
+use film::{Film, Scrubber, Transport};
 use verdicts::{VerdictList, Verdicts};
 
 /// Verdicts, drawing and film, from top to bottom.

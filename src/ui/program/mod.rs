@@ -1,17 +1,11 @@
 //! The program files: running block marked, findings at their place, and the ways to change the text.
 
 mod block_times;
-
 mod debugger;
-
 mod editor;
-
 mod listing_view;
-
 mod navigation;
-
 mod now;
-
 mod points;
 
 use leptos::prelude::*;

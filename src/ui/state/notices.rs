@@ -76,7 +76,8 @@ impl Notices {
         self.announcement.set(shown.text.clone());
         if shown.confirms && shown.offer.is_none() && shown.file.is_none() {
             let (list, text) = (self.list, shown.text.clone());
-            set_timeout(move || drop(list.try_update(|list| list.retain(|notice| notice.text != text))), CONFIRMED);
+            let go = move || list.try_update(|list| list.retain(|notice| notice.text != text));
+            set_timeout(move || go().unwrap_or_default(), CONFIRMED);
         }
         self.list.update(|list| {
             list.retain(|notice| notice.text != shown.text && !(notice.confirms && shown.confirms));

@@ -14,7 +14,7 @@ fn number(path: &str, before: &str) -> Option<f64> {
 
 #[test]
 fn still_and_page_fit_a_drawing_by_the_same_numbers() {
-    let (page, still, style) = ("src/ui/machine/scene_view.rs", "src/ui/boot.js", "style/app.css");
+    let (page, still, style) = ("src/ui/machine/drawing/scene_view.rs", "src/ui/boot.js", "style/app.css");
     let same = [
         ((page, "const CROWDED: f64 = "), (still, "const CROWDED = ")),
         ((page, "const STRIP: f64 = "), (still, "const STRIP = ")),

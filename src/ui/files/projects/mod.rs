@@ -1,7 +1,6 @@
 //! The dialog of the projects in this browser: list, search, versions, and the actions on each of them.
 
 mod actions;
-
 mod item;
 
 use leptos::html;

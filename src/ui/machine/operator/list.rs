@@ -3,7 +3,7 @@
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 
-use super::operator_rows::{KIND, ROW, Row, RowList, title};
+use super::rows::{KIND, ROW, Row, RowList, title};
 use crate::motion::Action;
 use crate::msg;
 use crate::project::operator::{ActionGroup, available};
@@ -137,10 +137,10 @@ fn Files(list: RowList) -> impl IntoView {
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
-    use super::super::operator_rows::tests::{events, list, place, three};
     use super::*;
     use crate::machines::MachineVariable;
     use crate::motion::Event;
+    use crate::ui::machine::operator::rows::tests::{events, list, place, three};
 
     #[wasm_bindgen_test]
     async fn action_is_added_at_the_play_head() {

@@ -27,7 +27,7 @@ pub(super) fn is_possible() -> bool {
 
 /// Plays the film from the play head and records it; `progress` holds the recorded part (0 to 1), and setting it to `None` cancels. Returns
 /// `None` if cancelled or if the browser cannot record.
-pub(super) async fn record(page: Page, progress: RwSignal<Option<f64>>) -> Option<Vec<u8>> {
+pub(in crate::ui::machine) async fn record(page: Page, progress: RwSignal<Option<f64>>) -> Option<Vec<u8>> {
     let canvas: HtmlCanvasElement = document().create_element("canvas").ok()?.dyn_into().ok()?;
     onto(&canvas, &drawing(page)?, FINE).await?;
     let options = MediaRecorderOptions::new();

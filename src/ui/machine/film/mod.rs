@@ -1,13 +1,15 @@
 //! The film: transport, and one time axis that scrubber, marks and chart share.
 
+mod action_marks;
+mod charts;
+mod marks;
+mod plot;
+mod transport;
+
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 
-use super::charts::Charts;
-use super::marks::Marks;
-use super::plot::Plot;
-use super::transport::Transport;
 use crate::text::catalog::number_text;
 use crate::text::number::filled;
 use crate::ui::dom;
@@ -16,6 +18,10 @@ use crate::ui::parts::input::{Choice, filled_part, number};
 use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, t};
 use crate::view::csv;
+use charts::Charts;
+use marks::Marks;
+use plot::Plot;
+pub(super) use transport::Transport;
 
 /// Points of a line in a file.
 const POINTS_IN_FILE: usize = 20_000;

@@ -131,7 +131,7 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) 
 
 /// The marks.
 #[component]
-pub(super) fn Marks(
+pub(in crate::ui::machine) fn Marks(
     /// Ends of the shown time, in seconds.
     axis: RwSignal<(f64, f64)>,
 ) -> impl IntoView {

@@ -31,16 +31,16 @@ const ABOVE: usize = 8;
 const TURNS: usize = 8;
 
 /// Id of the choice of the action to add.
-pub(super) const KIND: &str = "action-kind";
+pub(in crate::ui::machine) const KIND: &str = "action-kind";
 
 /// The list's state. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(super) struct RowList {
-    pub(super) page: Page,
-    pub(super) scroller: NodeRef<html::Div>,
+    pub(in crate::ui::machine) page: Page,
+    pub(in crate::ui::machine) scroller: NodeRef<html::Div>,
     /// The first row that is built.
     first: RwSignal<usize>,
-    pub(super) count: Memo<usize>,
+    pub(in crate::ui::machine) count: Memo<usize>,
     /// The last entry, where it is wrong.
     wrong: RwSignal<Option<Wrong>>,
     /// The action of the pressed row: rows may move before the pointer goes up.
@@ -59,7 +59,7 @@ struct Wrong {
 }
 
 /// An action with the meaning of its variable.
-pub(super) fn title(action: &Action, project: &Project) -> String {
+pub(in crate::ui::machine) fn title(action: &Action, project: &Project) -> String {
     let kind = kind_name(action, project.control);
     let Action::Variable(number, _) = action else { return kind };
     let meaning = project.prepared().variables().into_iter().find(|row| row.number == *number);
@@ -68,7 +68,7 @@ pub(super) fn title(action: &Action, project: &Project) -> String {
 
 /// A row. It belongs to a place in the list, whichever action is there.
 #[component]
-pub(super) fn Row(
+pub(in crate::ui::machine) fn Row(
     /// The place.
     at: usize,
     /// The list.
@@ -218,7 +218,7 @@ fn focused() -> Option<(usize, String)> {
 }
 
 impl RowList {
-    pub(super) fn new(page: Page) -> RowList {
+    pub(in crate::ui::machine) fn new(page: Page) -> RowList {
         RowList {
             page,
             scroller: NodeRef::new(),
@@ -230,13 +230,13 @@ impl RowList {
     }
 
     /// The first row that is built, and the row after the last one.
-    pub(super) fn built(self) -> (usize, usize) {
+    pub(in crate::ui::machine) fn built(self) -> (usize, usize) {
         let first = self.first.get().min(self.count.get().saturating_sub(BUILT));
         (first, (first + BUILT).min(self.count.get()))
     }
 
     /// The values that the column of a wrong entry accepts.
-    pub(super) fn reason(self) -> Option<String> {
+    pub(in crate::ui::machine) fn reason(self) -> Option<String> {
         self.wrong.with(|wrong| wrong.as_ref().filter(|wrong| self.holds(wrong)).map(|wrong| wrong.reason.clone()))
     }
 
@@ -324,7 +324,7 @@ impl RowList {
     }
 
     /// Builds the rows that have come into sight.
-    pub(super) fn scrolled(self) {
+    pub(in crate::ui::machine) fn scrolled(self) {
         let Some(scroller) = self.scroller.get_untracked() else { return };
         let first = ((f64::from(scroller.scroll_top()) / ROW) as usize).saturating_sub(ABOVE) / 4 * 4;
         if self.first.get_untracked() == first {
@@ -344,7 +344,7 @@ impl RowList {
     }
 
     /// Brings a row into sight and gives the focus to one of its columns, or to its time where it lacks that; without a row, to the choice.
-    pub(super) fn focus(self, at: usize, column: &str) {
+    pub(in crate::ui::machine) fn focus(self, at: usize, column: &str) {
         let (Some(scroller), Some(last)) = (self.scroller.get_untracked(), self.count.get_untracked().checked_sub(1))
         else {
             return self.focus_choice();
@@ -389,12 +389,12 @@ fn entry(at: usize, column: &str) -> Option<HtmlElement> {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(in crate::ui::machine) mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
-    use super::super::operator_list::OperatorList;
     use super::*;
     use crate::motion::Panel;
+    use crate::ui::machine::operator::list::OperatorList;
     use crate::ui::testing::{ViewBench, event, mount, settled, until};
 
     fn feed(t: f64, percent: f64) -> Event {

@@ -2,7 +2,7 @@
 
 use leptos::prelude::*;
 
-use super::operator_list::OperatorList;
+use super::list::OperatorList;
 use crate::math;
 use crate::motion::{Action, Mode};
 use crate::text::catalog::number_text;

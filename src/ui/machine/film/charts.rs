@@ -16,7 +16,7 @@ const POINTS: usize = 360;
 
 /// The charts of the machine, one of them in the page.
 #[derive(Default)]
-pub(super) struct Charts {
+pub(in crate::ui::machine) struct Charts {
     charts: Vec<Chart>,
     chosen: usize,
     cursors: Vec<HtmlElement>,
@@ -27,13 +27,13 @@ pub(super) struct Charts {
 
 impl Charts {
     /// Catalog ids of the titles.
-    pub(super) fn titles(&self) -> Vec<&'static str> {
+    pub(in crate::ui::machine) fn titles(&self) -> Vec<&'static str> {
         self.charts.iter().map(|chart| chart.title).collect()
     }
 
     /// Shows a moment: draws the chart after a change of plan or axis (some times a second) or of the choice, moves the cursor, and writes
     /// the values some times a second. Returns whether the charts were computed again.
-    pub(super) fn frame(&mut self, host: &Element, moment: &RunMoment, chosen: usize) -> bool {
+    pub(in crate::ui::machine) fn frame(&mut self, host: &Element, moment: &RunMoment, chosen: usize) -> bool {
         let changed = moment.slow && (self.axis != moment.axis || self.plans != Some(moment.plans));
         if changed {
             (self.axis, self.plans) = (moment.axis, Some(moment.plans));

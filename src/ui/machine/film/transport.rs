@@ -13,7 +13,7 @@ use crate::ui::words::{clock, sentence, speed_text, t};
 
 /// The transport.
 #[component]
-pub(super) fn Transport() -> impl IntoView {
+pub(in crate::ui::machine) fn Transport() -> impl IntoView {
     let player = Page::here().player;
     let playing = player.playing;
     let play_words = move || t(if playing.get() { "page.pause" } else { "page.play" });

@@ -27,7 +27,7 @@ pub(super) struct FittedDrawing {
 
 impl FittedDrawing {
     /// A room without a drawing.
-    pub(super) fn new(page: Page) -> FittedDrawing {
+    pub(in crate::ui::machine) fn new(page: Page) -> FittedDrawing {
         let fitted = FittedDrawing {
             page,
             host: NodeRef::new(),
@@ -47,7 +47,7 @@ impl FittedDrawing {
     }
 
     /// Takes a new drawing, which is already in its container.
-    pub(super) fn take(self, drawn: Drawn) {
+    pub(in crate::ui::machine) fn take(self, drawn: Drawn) {
         self.drawn.set_value(Some(drawn));
         self.refit();
     }
@@ -60,7 +60,7 @@ impl FittedDrawing {
     }
 
     /// Moves the parts to where they are at a moment.
-    pub(super) fn show(self, moment: &RunMoment) {
+    pub(in crate::ui::machine) fn show(self, moment: &RunMoment) {
         let longer = self.drawn.try_update_value(|drawn| {
             let pose = || moment.machine.pose(moment.run, moment.now, moment.frame);
             drawn.as_mut().is_some_and(|drawn| drawn.pose(&pose()))

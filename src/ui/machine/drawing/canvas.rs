@@ -8,7 +8,7 @@ use crate::ui::dom;
 use crate::ui::state::Page;
 
 /// The drawing in the colours of the page.
-pub(super) fn drawing(page: Page) -> Option<String> {
+pub(in crate::ui::machine) fn drawing(page: Page) -> Option<String> {
     page.player.picture(dom::theme())
 }
 

@@ -13,7 +13,7 @@ use crate::view::svg::{paint_name, transform};
 use crate::view::{Paint, Pose, Scene, SceneGroup};
 
 /// The parts of a drawing that move with the play head.
-pub(super) struct Drawn {
+pub(in crate::ui::machine) struct Drawn {
     groups: Vec<Group>,
     parts: BTreeMap<u16, Part>,
     picture: Option<HtmlElement>,
@@ -53,7 +53,7 @@ struct Part {
 
 impl Drawn {
     /// Finds the parts of a drawing in `host`.
-    pub(super) fn new(host: &Element, scene: &Scene) -> Drawn {
+    pub(in crate::ui::machine) fn new(host: &Element, scene: &Scene) -> Drawn {
         let group = |rest: &SceneGroup| Group { parts: Vec::new(), rest: rest.clone(), transform: None, opacity: None };
         let mut groups: Vec<Group> = scene.groups.iter().map(group).collect();
         for part in dom::all(host, "[data-g]") {
@@ -84,7 +84,7 @@ impl Drawn {
 
     /// Keeps the labels at their size in pixels and apart, in a room of these pixels; without enough room the drawing becomes wider than
     /// it. Returns whether it did.
-    pub(super) fn fit(&self, (width, height): (f64, f64)) -> bool {
+    pub(in crate::ui::machine) fn fit(&self, (width, height): (f64, f64)) -> bool {
         let room = self.picture.as_ref().and_then(|picture| Some((picture, picture.parent_element()?)));
         let Some((picture, parent)) = room.filter(|_| width > 0.0 && height > 0.0) else { return false };
         let [_, _, wide, high] = self.view;
@@ -116,7 +116,7 @@ impl Drawn {
 
     /// Moves the parts; parts that have not moved are not touched. Returns whether a text has become longer than all earlier ones in its
     /// place, so that the labels have to be fitted again.
-    pub(super) fn pose(&mut self, pose: &Pose) -> bool {
+    pub(in crate::ui::machine) fn pose(&mut self, pose: &Pose) -> bool {
         let (mut text, mut longer) = (String::new(), false);
         for place in &pose.placements {
             let Some(group) = self.groups.get_mut(place.group as usize) else { continue };
