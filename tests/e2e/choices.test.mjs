@@ -151,7 +151,7 @@ test('the 802D is debugged and edited in its own words', () =>
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const editor = page.locator('.editor .cm-content');
     await editor.waitFor();
-    assert.equal(await page.locator('.editor .t-v', { hasText: 'R100' }).first().textContent(), 'R100');
+    assert.equal(await page.locator('.editor .t-v', { hasText: 'R110' }).first().textContent(), 'R110');
     await editor.press('Control+Home');
     for (const key of ['ArrowDown', 'ArrowDown', 'Home']) await editor.press(key);
     await page.keyboard.type('G1 X=R1+*2\n');

@@ -19,14 +19,16 @@ use crate::view::Advice;
 struct ScreenText {
     /// Weight.
     tone: Tone,
-    /// Number of the alarm and the text, in the control's own words.
+    /// Number of the alarm; empty for a message.
+    alarm: String,
+    /// The control's words for the number, where the program has a text of its own.
+    wording: Option<&'static str>,
+    /// The text, in the control's words or in those of the program; empty for a number alone.
     headline: String,
     /// The program's text in the language of the page, if macroline wrote the program.
     translation: Option<String>,
     /// The meaning in a sentence.
     meaning: String,
-    /// Number of the alarm; empty for a message.
-    alarm: String,
     /// The block that raises it.
     place: Option<Place>,
     /// Catalog id of the instruction; empty if the meaning has it.
@@ -44,10 +46,11 @@ fn screen_text(page: Page) -> Option<ScreenText> {
         Some(RunEnd::Stop) => of_stop(page, planned.end, at_once),
         _ => player.message.get().map(|headline| ScreenText {
             tone: Tone::Info,
+            alarm: String::new(),
+            wording: None,
             translation: of_program(&headline),
             headline,
             meaning: t("page.own-message").to_owned(),
-            alarm: String::new(),
             place: None,
             way_out: "",
         }),
@@ -74,10 +77,11 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<ScreenText> {
     let translation = of_program(&headline);
     Some(ScreenText {
         tone,
+        alarm: String::new(),
+        wording: None,
         headline,
         translation,
         meaning: t(meaning).to_owned(),
-        alarm: String::new(),
         place,
         way_out,
     })
@@ -85,8 +89,8 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<ScreenText> {
 
 /// A hold of the PLC: its sentence has the way out.
 fn of_hold(meaning: String, place: Option<Place>) -> ScreenText {
-    let (headline, alarm) = (t("size.hold").to_owned(), String::new());
-    ScreenText { tone: Tone::Fail, headline, translation: None, meaning, alarm, place, way_out: "" }
+    let (alarm, headline) = (String::new(), t("size.hold").to_owned());
+    ScreenText { tone: Tone::Fail, alarm, wording: None, headline, translation: None, meaning, place, way_out: "" }
 }
 
 fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> ScreenText {
@@ -98,7 +102,11 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> ScreenText {
         _ => None,
     };
     let translation = own.and_then(of_program);
-    let parts = alarm.alarm.as_deref().into_iter().chain(alarm.wording.map(Phrase::words)).chain(own);
+    let words = alarm.wording.map(Phrase::words);
+    let (wording, headline) = match own {
+        Some(own) => (words, own.to_owned()),
+        None => (None, words.unwrap_or_default().to_owned()),
+    };
     let meaning = match alarm.kind {
         DiagnosticKind::ProgramAlarm if at_once => t("page.own-alarm-at-once").to_owned(),
         DiagnosticKind::ProgramAlarm => t("page.own-alarm").to_owned(),
@@ -110,8 +118,7 @@ fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> ScreenText {
         None => "",
     };
     let number = alarm.alarm.as_deref().unwrap_or_default().to_owned();
-    let headline = parts.collect::<Vec<_>>().join(" ");
-    ScreenText { tone: Tone::Fail, headline, translation, meaning, alarm: number, place: alarm.place, way_out }
+    ScreenText { tone: Tone::Fail, alarm: number, wording, headline, translation, meaning, place: alarm.place, way_out }
 }
 
 /// Variables that a text names, with meaning and value at the end of the run.
@@ -134,9 +141,14 @@ pub(super) fn AlarmScreen() -> impl IntoView {
     // A bar over the lower edge of the drawing until opened: labels stay in sight.
     let open = RwSignal::new(false);
     move || {
-        let ScreenText { tone, headline, translation, meaning, alarm, place, way_out } = text.get()?;
+        let ScreenText { tone, alarm, wording, headline, translation, meaning, place, way_out } = text.get()?;
         // A number alone says nothing: the meaning is beside it.
-        let bare = headline == alarm;
+        let bare = headline.is_empty();
+        let spaced =
+            |text: &str| if alarm.is_empty() || text.is_empty() { text.to_owned() } else { format!(" {text}") };
+        let (wording, headline) = (wording.map(spaced), spaced(&headline));
+        let wording = wording.map(|wording| view! { <span class="wording">{wording}</span> });
+        let number = alarm.clone();
         let more = (!alarm.is_empty()).then(|| {
             let open = move |_| page.view.explain(format!("alarm.{alarm}"));
             view! { <button type="button" class="link more" on:click=open>{t("help.more")}</button> }
@@ -163,7 +175,7 @@ pub(super) fn AlarmScreen() -> impl IntoView {
                 class=format!("alarm-screen {tone}") class:open=move || open.get() class:bare=bare
                 role="status" aria-label=t("page.screen")
             >
-                <h2>{headline}</h2>
+                <h2>{number}{wording}{headline}</h2>
                 {translation.map(|words| view! { <p class="translation">{words}</p> })}
                 <button
                     type="button" class="unfold" aria-expanded=move || open.get().to_string()
