@@ -128,9 +128,11 @@ impl RaisedAlarm {
         let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
         let shown = parsed.control().alarm_shown(self.alarm);
         let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
+        if self.alarm == Alarm::User {
+            diagnostic.kind = DiagnosticKind::ProgramAlarm;
+        }
         if let Some(number) = self.number {
             // The program supplies the wording.
-            diagnostic.kind = DiagnosticKind::ProgramAlarm;
             let prefix = parsed.control().macros.user_alarm_prefix;
             (diagnostic.alarm, diagnostic.wording) = (
                 Some(if prefix.is_empty() { number.to_string() } else { format!("{prefix}{number:04}") }.into()),

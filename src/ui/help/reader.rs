@@ -65,7 +65,7 @@ struct ReaderState {
     /// Id of the present place.
     at: RwSignal<String>,
     query: RwSignal<String>,
-    found: RwSignal<FoundHelp>,
+    found: RwSignal<Option<FoundHelp>>,
 }
 
 impl ReaderState {
@@ -87,7 +87,7 @@ impl ReaderState {
     fn show(self, id: String) {
         self.at.set(id.clone());
         self.query.set(String::new());
-        self.found.set(FoundHelp::default());
+        self.found.set(None);
         let then = move |response| match response {
             // Only the answer to the last request counts.
             Some(Response::Help(page)) if self.at.try_get_untracked().as_ref() == Some(&id) => {
@@ -108,12 +108,12 @@ impl ReaderState {
     fn find(self, query: String) {
         self.query.set(query.clone());
         if query.trim().is_empty() {
-            return self.found.set(FoundHelp::default());
+            return self.found.set(None);
         }
         let then = move |response| match response {
             Some(Response::Found(found)) if self.query.try_get_untracked().as_ref() == Some(&query) => {
                 self.page.notices.announce(title(&found));
-                self.found.set(found);
+                self.found.set(Some(found));
             }
             Some(Response::Found(_)) => {}
             _ => self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned()),
@@ -155,7 +155,7 @@ pub(super) fn Reader() -> impl IntoView {
         before: RwSignal::new(Vec::new()),
         at: RwSignal::new(String::new()),
         query: RwSignal::new(String::new()),
-        found: RwSignal::new(FoundHelp::default()),
+        found: RwSignal::new(None),
     };
     let search: NodeRef<html::Input> = NodeRef::new();
     Effect::new(move |_| {
@@ -177,7 +177,7 @@ pub(super) fn Reader() -> impl IntoView {
     };
     let first = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
-        if let Some(id) = reading.found.with_untracked(|found| found.hits.first().map(|hit| hit.id.clone())) {
+        if let Some(id) = reading.found.with_untracked(|found| Some(found.as_ref()?.hits.first()?.id.clone())) {
             reading.go(id);
         }
     };
@@ -262,8 +262,9 @@ fn Hits(
             </li>
         }
     };
-    let rows = move || reading.found.get().hits.into_iter().map(row).collect_view();
-    let title = move || reading.found.with(title);
+    let hits = move || reading.found.get().map(|found| found.hits).unwrap_or_default();
+    let rows = move || hits().into_iter().map(row).collect_view();
+    let title = move || reading.found.with(|found| found.as_ref().map_or_else(|| t("page.reading").to_owned(), title));
     view! {
         <h2 id="help-page-title" class="lead">{title}</h2>
         <ol class="hits">{rows}</ol>

@@ -125,6 +125,8 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
     } else if prose {
         out.push_str(&format!(" stacked n{}", shown.len() - 1));
         out.push_str(if common.is_some() { " ungraded" } else { "" });
+    } else if shown.first().is_some_and(|at| longest(sheet, *at) > ONE_LINE) {
+        out.push_str(" wraps");
     }
     out.push_str("\"><thead><tr>");
     let heads = shown.iter().filter_map(|at| sheet.columns.get(*at)).map(|column| column.head());
@@ -206,6 +208,9 @@ fn graded(out: &mut String, tag: &str, row: &Row) {
     escape(out, row.grade.words());
     out.push_str(&format!("</{tag}>"));
 }
+
+/// Letters of a first cell that stays on one line: a register, a parameter, a short block.
+const ONE_LINE: usize = 20;
 
 /// Characters from which on a cell is a sentence.
 const SENTENCE: usize = 24;

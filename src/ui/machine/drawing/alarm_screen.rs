@@ -255,6 +255,18 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn text_of_the_program_stands_beside_the_number_that_all_its_alarms_have() {
+        let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+        // The print roller would have to turn five times as fast: above its clamp.
+        project.values.insert("heads".to_owned(), Value::Number(7.0));
+        let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
+        bench.run().await;
+        let shown = bench.text("h2");
+        assert!(shown.starts_with("P277 ") && shown.ends_with("FEED ABOVE CLAMP 20000"), "{shown}");
+        assert!(bench.text("p").contains(t("page.own-alarm-at-once")));
+    }
+
+    #[wasm_bindgen_test]
     async fn bar_opens_and_folds() {
         let bench = screen("gsk-980tdc").await;
         assert_eq!(bench.attribute(".unfold", "aria-expanded"), "false");
