@@ -1,0 +1,53 @@
+//! The rules of the analog output: voltages that are too low, and a speed above that of the full output.
+
+use super::stages::with_best_stage;
+use crate::drives::Bound;
+use crate::drives::analog::FEW_VOLTS;
+use crate::machines::turning_spindle::full_output;
+use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::msg;
+use crate::view::Limit::{AtLeast, AtMost};
+
+pub(super) fn few_volts_smallest(lathe: &TurningSpindle) -> Option<Judgement> {
+    judge_volts(lathe, lathe.d.volts_smallest)
+}
+
+pub(super) fn few_volts_largest(lathe: &TurningSpindle) -> Option<Judgement> {
+    judge_volts(lathe, lathe.d.volts_largest)
+}
+
+fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
+    let limit = if volts < 0.0 { AtMost(-FEW_VOLTS) } else { AtLeast(FEW_VOLTS) };
+    if volts.abs() >= FEW_VOLTS {
+        return ok(limit);
+    }
+    let several = lathe.p.stages().nth(1).is_some();
+    let advice = if several {
+        with_best_stage(lathe, msg!("turning.few-volts", volts = (volts, 3)))
+    } else {
+        msg!("turning.few-volts-alone", volts = (volts, 3)).into()
+    };
+    warn(limit, [advice])
+}
+
+/// A speed above that of the full output in the gear stage.
+pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { d, p, .. } = lathe;
+    if d.bound == Bound::Output {
+        let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
+        let advice =
+            msg!("turning.output-full", stage = f64::from(d.stage), full = (d.stage_top, 0), speed = (asked, 0));
+        return fail(None, [full_output::remedy(lathe, advice)]);
+    }
+    if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
+        let advice = msg!(
+            "turning.stage-too-slow",
+            stage = f64::from(d.stage),
+            full = (d.stage_top, 0),
+            limit = (p.upper_limit, 0)
+        );
+        return warn(AtLeast(p.upper_limit), [with_best_stage(lathe, advice)]);
+    }
+    ok(None)
+}

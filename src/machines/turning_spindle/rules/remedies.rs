@@ -1,0 +1,41 @@
+//! Advice with less feed or less depth, and the greatest feed at which a condition holds.
+
+use crate::drives::cutting::LEAST_DEPTH;
+use crate::machines::form::entry::at_most;
+use crate::machines::lathe::materials::Material;
+use crate::machines::turning_spindle::derive::PASSES;
+use crate::machines::turning_spindle::params::{FIELDS, Params};
+use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::math;
+use crate::msg;
+use crate::text::Message;
+use crate::view::Advice;
+
+/// An advice with the feed that is `share` of the present one.
+pub(super) fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
+    let set = at_most(FIELDS, "feed", lathe.p.feed * share);
+    Advice::from(message).setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])
+}
+
+/// An advice with the depth that is `share` of the present one, where the force follows from it and the passes stay within their number.
+pub(super) fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
+    let advice = Advice::from(message);
+    // The first of more passes is at a larger diameter, at most that of the stock.
+    let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.largest_cut);
+    let set = at_most(FIELDS, "depth", lathe.p.depth * share / grows);
+    let depth = set.value;
+    let passes = Params { depth, ..lathe.p.clone() };
+    if lathe.p.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= PASSES {
+        return advice;
+    }
+    advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
+}
+
+/// Least share of the present feed that an advice offers.
+const LEAST_FEED: f64 = 0.1;
+
+/// Greatest share of the present feed at which a condition holds; none where less feed does not help.
+pub(super) fn slower_feed(lathe: &TurningSpindle, holds: impl Fn(&TurningSpindle) -> bool) -> Option<f64> {
+    let slower = |share: f64| lathe.with(Params { feed: lathe.form.feed * share, ..lathe.form.clone() });
+    math::greatest_share(LEAST_FEED, |share| holds(&slower(share)))
+}

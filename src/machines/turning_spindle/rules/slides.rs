@@ -1,0 +1,37 @@
+//! The rules of the slides: their electronic gears, and the feed against its clamp.
+
+use super::remedies::with_feed;
+use crate::machines::driven::scaling;
+use crate::machines::turning_spindle::params::Path;
+use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::machines::verdict::{Judgement, fail, ok};
+use crate::math;
+use crate::msg;
+use crate::view::Limit::AtMost;
+
+pub(super) fn scaling_x(lathe: &TurningSpindle) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.drives()[0])
+}
+
+pub(super) fn scaling_z(lathe: &TurningSpindle) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.drives()[1])
+}
+
+/// The highest feed of the cut against the clamp of the slide that moves.
+pub(super) fn clamped_feed(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
+    let clamp = match p.path {
+        Path::Facing => p.slides.x.clamp,
+        Path::Turning => p.slides.z.clamp,
+        Path::Taper => {
+            // Feed of X: its share of the path.
+            let across = 0.5 * (p.large_diameter - p.finished_diameter).abs();
+            p.slides.z.clamp.min(p.slides.x.clamp * math::hypot(p.length, across) / across)
+        }
+    };
+    if d.feed_top <= clamp {
+        return ok(AtMost(clamp));
+    }
+    let advice = msg!("turning.above-clamp", feed = (d.feed_top, 0), clamp = (clamp, 0));
+    fail(AtMost(clamp), [with_feed(lathe, clamp / d.feed_top, advice)])
+}

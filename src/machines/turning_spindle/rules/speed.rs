@@ -1,0 +1,113 @@
+//! The rules of the spindle's speed: the chuck's limit, the diameter where the limit binds, and the acceleration that the cut asks.
+
+use super::remedies::with_feed;
+use crate::drives::speed::{surface_rpm, surface_speed};
+use crate::machines::form::entry::at_most;
+use crate::machines::turning_spindle::params::{FIELDS, Params};
+use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::msg;
+use crate::text::Diagnostic;
+use crate::text::catalog::number_text as show;
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+/// The operator's limit against the highest speed of the chuck.
+pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
+    let limit = AtMost(p.chuck_limit);
+    if p.upper_limit > p.chuck_limit {
+        let set = at_most(FIELDS, "upper-limit", p.chuck_limit);
+        let advice =
+            Advice::from(msg!("turning.limit-above-chuck", speed = (p.upper_limit, 0), limit = (p.chuck_limit, 0)))
+                .setting(msg!("advice.set-speed", speed = set.text.as_str()), [set]);
+        return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
+            fail(limit, [advice])
+        } else {
+            warn(limit, [advice])
+        };
+    }
+    ok(limit)
+}
+
+/// Below the diameter of the limit the surface speed falls with the diameter: allowed over half of the diameters.
+pub(super) fn limit_diameter(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { d, .. } = lathe;
+    if !lathe.surface() || d.limited_share <= 0.0 {
+        return ok(None);
+    }
+    let advice = msg!(
+        "turning.limited",
+        diameter = (d.limit_diameter, 3),
+        surface_speed = (d.surface_smallest, 1),
+        percent = (d.limited_share * 100.0, 0),
+        speed = (d.high, 0)
+    );
+    let middle = 0.5 * (d.smallest + d.largest);
+    let judgement = if d.limit_diameter > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
+    Some(Judgement { advice: vec![advice.into()], ..judgement? })
+}
+
+/// Acceleration that constant surface speed asks, against the ramp of the spindle.
+pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
+    let d = &lathe.d;
+    if d.acceleration_needed > d.acceleration {
+        let advice =
+            msg!("turning.spindle-lags", needed = (d.acceleration_needed, 0), acceleration = (d.acceleration, 0));
+        return warn(AtMost(d.acceleration), [with_feed(lathe, d.acceleration / d.acceleration_needed, advice)]);
+    }
+    // A spindle without a ramp has no limit.
+    ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
+}
+
+/// The limits of the speed against each other, and against the knob at a fixed speed.
+pub(super) fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let p = &lathe.p;
+    found.extend(lifted_speed(lathe));
+    found.extend(passed_limit(lathe));
+    let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
+    if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {
+        let message = msg!("turning.limits-crossed", lower = show(p.lower_limit, 0), upper = show(upper, 0));
+        found.push(Diagnostic::warning(message).about("lower-limit"));
+    }
+}
+
+/// A lower limit above the speed that the cut asks at its largest diameter, with the cutting speed that it makes.
+fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
+    let TurningSpindle { p, d, .. } = lathe;
+    let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit.min(p.upper_limit) } else { 0.0 };
+    let largest = d.largest.min(p.stock_diameter);
+    let asked = surface_rpm(p.cutting_speed, largest);
+    if lowest <= asked {
+        return None;
+    }
+    let (diameter, surface_speed) = ((largest, 1), (surface_speed(lowest, largest), 0));
+    let message = msg!("turning.lower-limit-lifts", limit = (lowest, 0), diameter, surface_speed);
+    Some(Diagnostic::warning(message).about("lower-limit").mended_by(asked.floor()))
+}
+
+/// A fixed speed that the override knob lifts over the operator's limit, with the cutting speed that stays below it.
+fn passed_limit(lathe: &TurningSpindle) -> Option<Diagnostic> {
+    let p = &lathe.p;
+    let (percent, speed) = fastest_fixed(lathe);
+    if lathe.surface() || speed <= p.upper_limit {
+        return None;
+    }
+    let message =
+        msg!("turning.override-passes-limit", percent = (percent, 0), speed = (speed, 0), limit = (p.upper_limit, 0));
+    let slower = surface_speed(p.upper_limit * 100.0 / percent, p.stock_diameter).floor();
+    let held = slower >= 1.0
+        && fastest_fixed(&lathe.with(Params { cutting_speed: slower, ..lathe.form.clone() })).1 <= p.upper_limit;
+    let found = Diagnostic::warning(message).about("cutting-speed");
+    Some(if held { found.mended_by(slower) } else { found })
+}
+
+/// The fixed speed at the position of the override knob where it is greatest, with that position in percent.
+fn fastest_fixed(lathe: &TurningSpindle) -> (f64, f64) {
+    let present = (lathe.p.override_percent, lathe.d.fixed_speed);
+    lathe
+        .at_highest_knob()
+        .map(|(percent, d)| (percent, d.fixed_speed))
+        .filter(|fast| fast.1 > present.1)
+        .unwrap_or(present)
+}

@@ -1,0 +1,102 @@
+//! The rules of torque: cut, friction and acceleration against the motor's curves in the gear stage.
+
+use super::knob_positions::{at_knobs, with_slower_feed};
+use super::overload::{overload_without_pause, overloaded};
+use super::remedies::{slower_feed, with_depth, with_feed};
+use super::stages::stronger_stage;
+use crate::machines::lathe::knobs::{self, TorqueRemedy};
+use crate::machines::turning_spindle::cooling;
+use crate::machines::turning_spindle::demand::CutPoint;
+use crate::machines::turning_spindle::params::Gear;
+use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
+use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::msg;
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+fn torque_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    (cut.d.torque, cut.d.for_the_cut(cut.p, cut.d.torque_available))
+}
+
+fn peak_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    let CutPoint { torque, most, .. } = cut.d.worst_cut_point(cut.p);
+    (torque, most)
+}
+
+/// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
+pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
+    if p.cutting_force <= 0.0 {
+        return None;
+    }
+    let (rated, most) = (d.torque_available, d.for_the_cut(p, d.torque_available));
+    if let Some(judgement) = overload_without_pause(lathe, d.torque, rated) {
+        return Some(judgement);
+    }
+    let cooled = cooling::remedy(lathe);
+    if d.torque <= most {
+        let slower = |message| with_slower_feed(lathe, torque_demand, message);
+        let at_knobs = match knobs::torque_remedy(&cooling::torques(lathe), cooling::FIELD, slower) {
+            Some(TorqueRemedy::Feed(advice)) => warn(AtMost(rated), [advice]),
+            // The rule of the cooling warns.
+            Some(TorqueRemedy::Cooling(_)) | None => ok(AtMost(rated)),
+        };
+        if d.torque <= rated {
+            return at_knobs;
+        }
+        let judgement = overloaded(lathe, rated, at_knobs)?;
+        return Some(Judgement { advice: judgement.advice.into_iter().chain(cooled).collect(), ..judgement });
+    }
+    let message = match cooled {
+        Some(_) => msg!("turning.shaft-fan-otherwise"),
+        None => msg!(
+            "turning.too-little-torque",
+            torque = (d.torque, 1),
+            speed = (d.speed_largest_cut, 0),
+            limit = (rated, 1),
+            stage = f64::from(d.stage)
+        ),
+    };
+    let advice = match stronger_stage(lathe) {
+        Some(stage) => {
+            let gear = (1..).zip(Gear::OPTIONS.iter().skip(1)).find(|(number, _)| *number == stage);
+            let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
+            Advice::from(message).setting(msg!("advice.set-stage", stage = f64::from(stage)), Vec::from_iter(sets))
+        }
+        None => with_depth(lathe, (rated - p.spindle.friction) / (d.torque - p.spindle.friction), message),
+    };
+    fail(AtMost(most), Vec::from_iter(cooled.into_iter().chain([advice])))
+}
+
+/// Cut, friction and acceleration together against the short-time curve of the motor, at the diameter where they ask most of it.
+pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
+    if lathe.p.cutting_force <= 0.0 {
+        return None;
+    }
+    let CutPoint { diameter, speed, torque, most } = lathe.d.worst_cut_point(&lathe.p);
+    if torque <= most {
+        return at_knobs(lathe, most, peak_demand, |cut, (torque, limit)| {
+            let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
+            let diameter = (cut.d.worst_cut_point(cut.p).diameter, 1);
+            msg!("turning.stalls-at-knobs", feed, spindle, diameter, torque = (torque, 1), limit = (limit, 1))
+        });
+    }
+    let message = msg!(
+        "turning.cut-stalls",
+        diameter = (diameter, 1),
+        torque = (torque, 1),
+        speed = (speed, 0),
+        limit = (most, 1)
+    );
+    let holds = |slower: &TurningSpindle| {
+        let point = slower.d.worst_cut_point(&slower.p);
+        point.torque <= point.most
+    };
+    let everywhere =
+        |slower: &TurningSpindle| holds(slower) && knobs::worst(slower.cuts_at_knobs(), peak_demand).is_none();
+    let advice = match slower_feed(lathe, everywhere).or_else(|| slower_feed(lathe, holds)) {
+        Some(share) => with_feed(lathe, share, message),
+        None => message.into(),
+    };
+    fail(AtMost(most), [advice])
+}
