@@ -38,13 +38,13 @@ fn upper_limit(lathe: &TurningSpindle) -> Vec<ChartLimit> {
 pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
     let d = &lathe.d;
     let points = points.max(2);
-    let step = (d.largest - d.smallest) / (points - 1) as f64;
-    let held = |diameter: f64| d.held.at(diameter).0;
+    let step = (d.cut.largest - d.cut.smallest) / (points - 1) as f64;
+    let held = |diameter: f64| d.speeds.held.at(diameter).0;
     let line = |label: &'static str, tone: u8, value: &dyn Fn(f64) -> f64| Series {
         label,
         tone,
         address: None,
-        points: (0..points).map(|at| d.smallest + step * at as f64).map(|x| (x, value(x))).collect(),
+        points: (0..points).map(|at| d.cut.smallest + step * at as f64).map(|x| (x, value(x))).collect(),
     };
     let chart = |id: &'static str, title: &'static str, unit: &'static str, series: Vec<Series>| Chart {
         id,
@@ -60,7 +60,7 @@ pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart>
             "speed-diameter",
             "turning.chart.speed-diameter",
             "r/min",
-            vec![line("turning.chart.constant-surface", 0, &held), line("turning.chart.fixed", 1, &|_| d.fixed_speed)],
+            vec![line("turning.chart.constant-surface", 0, &held), line("turning.chart.fixed", 1, &|_| d.speeds.fixed)],
         ),
         chart(
             "surface-diameter",
@@ -68,7 +68,7 @@ pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart>
             "m/min",
             vec![
                 line("turning.chart.constant-surface", 2, &|x| surface_speed(held(x), x)),
-                line("turning.chart.fixed", 1, &|x| surface_speed(d.fixed_speed, x)),
+                line("turning.chart.fixed", 1, &|x| surface_speed(d.speeds.fixed, x)),
             ],
         ),
     ]
@@ -89,15 +89,15 @@ pub(super) fn charts_by_speed(lathe: &TurningSpindle, points: usize) -> Vec<Char
     let stages = STAGES.into_iter().zip(p.stages());
     let stages =
         stages.map(|((label, tone), stage_speed)| (label, tone, p.continuous(stage_speed), stage_speed)).collect();
-    let short = p.motor(d.stage_speed).share(p.spindle.peak / 100.0);
+    let short = p.motor(d.stage.speed).share(p.spindle.peak / 100.0);
     let cut = |at: usize| {
-        let diameter = d.smallest + (d.largest_cut - d.smallest) * at as f64 / (points - 1) as f64;
-        (d.speed_at(p, diameter), p.steady_torque(diameter))
+        let diameter = d.cut.smallest + (d.cut.largest_whole - d.cut.smallest) * at as f64 / (points - 1) as f64;
+        (d.speeds.at(p, diameter), p.steady_torque(diameter))
     };
     main_spindle::charts_by_speed(
         SpeedCurves {
             stages,
-            short_time: (d.stage_speed > 0.0).then_some((short, d.stage_speed)),
+            short_time: (d.stage.speed > 0.0).then_some((short, d.stage.speed)),
             cut: if p.cutting_force > 0.0 { (0..points).map(cut).collect() } else { Vec::new() },
         },
         points,

@@ -22,9 +22,9 @@ pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
 
 /// Forced cooling, where the motor carries the cut with it and not with a fan on its shaft.
 pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
-    let (d, limit) = (&lathe.d, lathe.d.torque_available);
+    let (d, limit) = (&lathe.d, lathe.d.load.torque_available);
     let speed = motor_speed(lathe, d);
-    let said = msg!("lathe.shaft-fan", speed = (speed, 0), torque = (d.torque, 1), limit = (limit, 1));
+    let said = msg!("lathe.shaft-fan", speed = (speed, 0), torque = (d.load.torque, 1), limit = (limit, 1));
     carries_with_forced(lathe, d).then(|| forced_cooling_advice(FIELD, said))
 }
 
@@ -32,10 +32,10 @@ pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
 pub(super) fn torques(lathe: &TurningSpindle) -> Vec<TorqueAtKnobs> {
     let all = lathe.cuts_at_knobs();
     let of = |CutAtKnobs { at, p, d }: CutAtKnobs| {
-        let most = |motor: MotorCurve| d.for_the_cut(p, motor.torque(d.speed_largest_cut));
-        let motor = p.continuous(d.stage_speed);
+        let most = |motor: MotorCurve| d.times.for_the_cut(p, motor.torque(d.speeds.largest_whole));
+        let motor = p.continuous(d.stage.speed);
         let (limit, forced) = (most(motor), most(motor.with_shaft_fan(false)));
-        TorqueAtKnobs { at, torque: d.torque, limit, forced, motor_speed: motor_speed(lathe, d) }
+        TorqueAtKnobs { at, torque: d.load.torque, limit, forced, motor_speed: motor_speed(lathe, d) }
     };
     all.into_iter().map(of).collect()
 }
@@ -43,16 +43,17 @@ pub(super) fn torques(lathe: &TurningSpindle) -> Vec<TorqueAtKnobs> {
 /// Cut and friction at the positions of the knobs, where the fan on the motor's shaft cools too little and forced cooling enough.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
     let d = &lathe.d;
-    if lathe.p.cutting_force <= 0.0 || d.torque > d.torque_available {
+    if lathe.p.cutting_force <= 0.0 || d.load.torque > d.load.torque_available {
         return None;
     }
     match knobs::torque_remedy(&torques(lathe), FIELD, Advice::from)? {
-        TorqueRemedy::Cooling(advice) => warn(AtMost(d.torque_available), [advice]),
+        TorqueRemedy::Cooling(advice) => warn(AtMost(d.load.torque_available), [advice]),
         TorqueRemedy::Feed(_) => None,
     }
 }
 
 fn carries_with_forced(lathe: &TurningSpindle, d: &Derived) -> bool {
-    let forced = lathe.p.continuous(d.stage_speed).with_shaft_fan(false);
-    !lathe.p.spindle.forced_cooling && d.torque <= d.for_the_cut(&lathe.p, forced.torque(d.speed_largest_cut))
+    let forced = lathe.p.continuous(d.stage.speed).with_shaft_fan(false);
+    !lathe.p.spindle.forced_cooling
+        && d.load.torque <= d.times.for_the_cut(&lathe.p, forced.torque(d.speeds.largest_whole))
 }

@@ -1,21 +1,16 @@
-//! Demand on the spindle's motor, once for rules, charts and sizing: cut, friction and acceleration together, by the formulas and in a run.
+//! Demand on the spindle's motor in a run: chuck and work against friction and cut.
 
-use super::derive::Derived;
 use super::driven;
-use super::params::{Params, Path, SpeedMode};
+use super::params::Path;
 use super::program::cut_block;
 use super::resolved::TurningSpindle;
 use crate::drives::cutting;
 use crate::drives::load::through_gear;
 use crate::drives::shaft_motion::{CutSpan, Motion};
-use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::driven::{SpindleRun, speed_segments};
 use crate::machines::machine::Samples;
 use crate::math::{self, RPM};
 use crate::motion::Stretch;
-
-/// Relative change of a diameter by which a change of the speed with it is found.
-const CLOSE: f64 = 1e-6;
 
 /// Least and greatest number of pieces of a cut with one torque each, and that of all cuts of a run.
 const PIECES: (usize, usize) = (4, 48);
@@ -24,55 +19,7 @@ const ALL_PIECES: usize = 2000;
 /// Halvings of the time in which the tool enters the stock.
 const HALVINGS: u32 = 20;
 
-/// The spindle at a diameter of the cut.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct CutPoint {
-    /// Diameter, mm.
-    pub diameter: f64,
-    /// Speed, r/min.
-    pub speed: f64,
-    /// Torque of cut, friction and acceleration, Nm.
-    pub torque: f64,
-    /// Torque (Nm) that the motor gives there for a short time.
-    pub most: f64,
-}
-
-impl Derived {
-    /// Acceleration of the spindle (r/min per second) at a diameter (mm) of a cut towards smaller ones, at most that of the ramp; 0
-    /// where the speed does not change with the diameter.
-    fn acceleration_at(&self, p: &Params, diameter: f64) -> f64 {
-        let n = self.speed_at(p, diameter);
-        let changes = p.speed_mode == SpeedMode::Surface && self.speed_at(p, diameter * (1.0 + CLOSE)) < n;
-        let cuts = p.cuts(1.0).filter(|cut| cut.length > 0.0);
-        let slope = cuts.map(|cut| (cut.diameters.0 - cut.diameters.1) / cut.length).fold(0.0, f64::max);
-        if changes { cutting::speed_gradient(n, p.feed, slope, diameter).min(self.acceleration) } else { 0.0 }
-    }
-
-    /// Torque (Nm) at the spindle with the tool tip at a diameter (mm): `F d_m / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.
-    pub(super) fn torque_at(&self, p: &Params, diameter: f64) -> f64 {
-        let inertia = p.main_spindle(self.stage_speed).load_at_spindle.inertia;
-        p.steady_torque(diameter) + inertia * self.acceleration_at(p, diameter) * RPM
-    }
-
-    /// The point of the cut with the greatest fraction of a curve of the motor, by its torque at a diameter.
-    fn worst_point(&self, p: &Params, motor: MotorCurve, torque: impl Fn(f64) -> f64) -> CutPoint {
-        let at = |diameter: f64| {
-            let speed = self.speed_at(p, diameter);
-            CutPoint { diameter, speed, torque: torque(diameter), most: motor.torque(speed) }
-        };
-        let all = self.hardest_diameters(motor.base).map(at);
-        all.into_iter()
-            .fold(all[0], |worst, next| if next.torque * worst.most > worst.torque * next.most { next } else { worst })
-    }
-
-    /// The point of the cut that asks most of the short-time torque: cut, friction and acceleration together.
-    pub(super) fn worst_cut_point(&self, p: &Params) -> CutPoint {
-        let motor = p.main_spindle(self.stage_speed).driving_motor();
-        self.worst_point(p, motor, |diameter| self.torque_at(p, diameter))
-    }
-}
-
-/// The spindle's motor in stretches of a run: chuck and work against friction and cut, at its shaft.
+/// The spindle's motor in stretches of a run, at its shaft.
 pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
     let (p, gear) = (&lathe.p, driven::gear(lathe));
     let idle = Motion::new(speed_segments(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);

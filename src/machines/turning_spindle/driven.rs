@@ -19,15 +19,15 @@ use crate::view::{Advice, Limit};
 /// known of the cutting force. The rest of its demand is that of the run.
 pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
     let (p, d) = (&lathe.p, &lathe.d);
-    if p.cutting_force <= 0.0 || d.stage_speed <= 0.0 {
+    if p.cutting_force <= 0.0 || d.stage.speed <= 0.0 {
         return None;
     }
     let gear = gear(lathe);
     Some(InverterDrive {
         id: "spindle",
         name: NAME,
-        torque: through_gear(d.torque, gear, p.efficiency / 100.0),
-        speed: d.speed_largest_cut * gear,
+        torque: through_gear(d.load.torque, gear, p.efficiency / 100.0),
+        speed: d.speeds.largest_whole * gear,
         // The inverter is set to give this speed at 10 V, whatever the program commands.
         top_speed: p.spindle.top,
         site_share: p.site_share / 100.0,
@@ -49,12 +49,12 @@ pub(super) const NAME: &str = "turning.drive.spindle";
 
 /// Speed of the motor over that of the spindle in the program's gear stage.
 pub(super) fn gear(lathe: &TurningSpindle) -> f64 {
-    lathe.p.spindle.gear(lathe.d.stage_speed)
+    lathe.p.spindle.gear(lathe.d.stage.speed)
 }
 
 /// Speed (r/min) of the motor at the largest diameter of the cut, where it turns slowest.
 pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
-    d.speed_largest_cut * gear(lathe)
+    d.speeds.largest_whole * gear(lathe)
 }
 
 /// Lowest speed (r/min) at which the fan on the motor's shaft has to cool it in the cut: with the knob at its lowest position. None with
@@ -68,7 +68,7 @@ fn cooled_at(lathe: &TurningSpindle) -> Option<f64> {
 /// Chuck and work at the motor, against the friction of the spindle.
 pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
     let p = &lathe.p;
-    p.spindle.load_at_motor(p.spindle_gear(lathe.d.stage_speed), p.spindle_inertia + p.work_inertia())
+    p.spindle.load_at_motor(p.spindle_gear(lathe.d.stage.speed), p.spindle_inertia + p.work_inertia())
 }
 
 /// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
@@ -99,14 +99,18 @@ const MOTIONS: f64 = 4.0;
 /// Starts per minute of the slides over all passes, with the knob at its highest position.
 fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let (p, d) = (&lathe.p, &lathe.d);
-    let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.cutting_time);
+    let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.times.cutting);
     // The way back over the whole cut, along its longer axis.
     let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
     let rapid = if p.path == Path::Facing { p.slides.x.rapid } else { p.slides.z.rapid };
     let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
     let dwell = lathe.dwell_of_passes().map_or(0.0, |per_speed| per_speed * p.upper_limit);
-    let seconds = d.cutting_time.min(fast) + d.passes * (back + dwell);
-    slides::starts_per_minute(starts_of_a_pass(p) * d.passes, seconds, (MOTIONS * d.passes, p.slides.time_constant))
+    let seconds = d.times.cutting.min(fast) + d.cut.passes * (back + dwell);
+    slides::starts_per_minute(
+        starts_of_a_pass(p) * d.cut.passes,
+        seconds,
+        (MOTIONS * d.cut.passes, p.slides.time_constant),
+    )
 }
 
 impl HasSlides for TurningSpindle {

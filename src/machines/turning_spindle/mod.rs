@@ -10,6 +10,8 @@ mod derive;
 
 mod demand;
 
+mod worst_cut;
+
 mod driven;
 
 mod resolved;
@@ -115,8 +117,8 @@ impl Prepared for TurningSpindle {
 
     fn summary(&self) -> Option<Message> {
         let turns = |speed| units::four_digits(speed, 1, "r/min");
-        let (largest, smallest) = (turns(self.d.speed_largest), turns(self.d.speed_smallest));
-        Some(msg!("turning.summary", time = units::four_digits(self.d.cutting_time, 2, "s"), largest, smallest))
+        let (largest, smallest) = (turns(self.d.speeds.largest), turns(self.d.speeds.smallest));
+        Some(msg!("turning.summary", time = units::four_digits(self.d.times.cutting, 2, "s"), largest, smallest))
     }
 
     fn program(&self) -> MachineProgram {
@@ -202,7 +204,7 @@ impl DrivenMachine for TurningSpindle {
     }
 
     fn spindle_run(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
-        (self.d.stage_speed > 0.0).then(|| demand::in_run(self, run, stretches))
+        (self.d.stage.speed > 0.0).then(|| demand::in_run(self, run, stretches))
     }
 
     fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {

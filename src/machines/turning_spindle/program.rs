@@ -439,7 +439,7 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(27).words(words);
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
     // override. A face has its wait in each pass, where the tool stands already.
-    let ramp = lathe.p.spindle.ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
+    let ramp = lathe.p.spindle.ramp * lathe.d.stage.top.min(lathe.p.chuck_limit) / lathe.d.stage.speed;
     let waits_in_passes = lathe.p.path == Path::Facing && lathe.dwell_of_passes().is_some();
     if lathe.rules().reached.is_none() && !waits_in_passes && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;

@@ -6,6 +6,7 @@ use super::keyway;
 use super::resolved::TurningSpindle;
 use super::run_up::{engaged, positioning_torque, programmed_speed};
 use super::travel;
+use super::worst_cut::worst_cut_point;
 use crate::machines::driven::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
@@ -35,39 +36,39 @@ fn cuts_by_force(lathe: &TurningSpindle) -> bool {
 pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "cutting-time", label: "turning.readout.cutting-time", unit: "s", decimals: 2, headline: true,
-        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.cutting_time, ..ReadoutRow::BASE
+        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.times.cutting, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "speed-largest", label: "turning.readout.speed-largest", unit: "r/min", decimals: 1, headline: true,
-        formula: "n = 1000 v / (π D)", cite: SURFACE, value: |lathe| lathe.d.speed_largest, ..ReadoutRow::BASE
+        formula: "n = 1000 v / (π D)", cite: SURFACE, value: |lathe| lathe.d.speeds.largest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "speed-smallest", label: "turning.readout.speed-smallest", unit: "r/min", decimals: 1, headline: true,
-        formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |lathe| lathe.d.speed_smallest, ..ReadoutRow::BASE
+        formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |lathe| lathe.d.speeds.smallest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "limit-diameter", label: "turning.readout.limit-diameter", unit: "mm", decimals: 3, headline: true,
-        formula: "D = 1000 v / (π n limit)", cite: SURFACE, value: |lathe| lathe.d.limit_diameter, shown: TurningSpindle::surface, ..ReadoutRow::BASE
+        formula: "D = 1000 v / (π n limit)", cite: SURFACE, value: |lathe| lathe.d.limits.high, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "volts-smallest", label: "turning.readout.volts-smallest", unit: "V", decimals: 3, headline: true,
-        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_smallest, ..ReadoutRow::BASE
+        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.output.volts_smallest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "saved", label: "turning.readout.saved", unit: "%", decimals: 1, headline: true,
-        formula: "1 - t surface / t fixed", cite: MECHANICS, value: |lathe| lathe.d.saved, ..ReadoutRow::BASE
+        formula: "1 - t surface / t fixed", cite: MECHANICS, value: |lathe| lathe.d.times.saved, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "passes", label: "turning.readout.passes", unit: "", decimals: 0,
-        formula: "allowance / depth, rounded up", cite: MECHANICS, value: |lathe| lathe.d.passes, ..ReadoutRow::BASE
+        formula: "allowance / depth, rounded up", cite: MECHANICS, value: |lathe| lathe.d.cut.passes, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "stage", label: "turning.readout.stage", unit: "", decimals: 0,
-        formula: "lowest stage that reaches the highest speed", cite: MECHANICS, value: |lathe| f64::from(lathe.d.stage), ..ReadoutRow::BASE
+        formula: "lowest stage that reaches the highest speed", cite: MECHANICS, value: |lathe| f64::from(lathe.d.stage.number), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "stage-speed", label: "turning.readout.stage-speed", unit: "r/min", decimals: 0,
-        formula: "n10 of the stage", cite: OUTPUT, value: |lathe| lathe.d.stage_speed, ..ReadoutRow::BASE
+        formula: "n10 of the stage", cite: OUTPUT, value: |lathe| lathe.d.stage.speed, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "gear-delay", label: "turning.readout.gear-delay", unit: "s", decimals: 2,
@@ -75,60 +76,60 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3,
-        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_largest, ..ReadoutRow::BASE
+        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.output.volts_largest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "analog-step", label: "turning.readout.analog-step", unit: "r/min", decimals: 3,
-        formula: "n10 / steps of the output", cite: OUTPUT, value: |lathe| lathe.d.analog_step, ..ReadoutRow::BASE
+        formula: "n10 / steps of the output", cite: OUTPUT, value: |lathe| lathe.d.output.step, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "limited-share", label: "turning.readout.limited-share", unit: "%", decimals: 1,
-        formula: "(D limit - D small) / (D large - D small)", cite: MECHANICS, value: |lathe| lathe.d.limited_share * 100.0, shown: TurningSpindle::surface, ..ReadoutRow::BASE
+        formula: "(D limit - D small) / (D large - D small)", cite: MECHANICS, value: |lathe| lathe.d.limits.limited_share * 100.0, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "low-diameter", label: "turning.readout.low-diameter", unit: "mm", decimals: 3,
-        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.d.low_diameter, shown: TurningSpindle::surface, ..ReadoutRow::BASE
+        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.d.limits.low, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "surface-smallest", label: "turning.readout.surface-smallest", unit: "m/min", decimals: 2,
-        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.surface_smallest, shown: TurningSpindle::surface, ..ReadoutRow::BASE
+        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.speeds.surface_smallest, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "surface-time", label: "turning.readout.surface-time", unit: "s", decimals: 2,
-        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.surface_time, ..ReadoutRow::BASE
+        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.times.surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "fixed-time", label: "turning.readout.fixed-time", unit: "s", decimals: 2,
-        formula: "60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.fixed_time, ..ReadoutRow::BASE
+        formula: "60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.times.fixed, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "fixed-surface-smallest", label: "turning.readout.fixed-surface-smallest", unit: "m/min", decimals: 2,
-        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.fixed_surface_smallest, ..ReadoutRow::BASE
+        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.speeds.fixed_surface_smallest, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "feed-top", label: "turning.readout.feed-top", unit: "mm/min", decimals: 1,
-        formula: "f · n", cite: MECHANICS, value: |lathe| lathe.d.feed_top, ..ReadoutRow::BASE
+        formula: "f · n", cite: MECHANICS, value: |lathe| lathe.d.speeds.feed_top, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "acceleration-needed", label: "turning.readout.acceleration-needed", unit: "r/min/s", decimals: 1,
-        formula: "n² f s / (60 D)", cite: MECHANICS, value: |lathe| lathe.d.acceleration_needed, shown: TurningSpindle::surface, ..ReadoutRow::BASE
+        formula: "n² f s / (60 D)", cite: MECHANICS, value: |lathe| lathe.d.acceleration.needed, shown: TurningSpindle::surface, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "power", label: "turning.readout.power", unit: "kW", decimals: 2,
-        formula: "F v / 60 000 + friction · n / 9549", cite: MECHANICS, value: |lathe| lathe.d.power, shown: cuts_by_force, ..ReadoutRow::BASE
+        formula: "F v / 60 000 + friction · n / 9549", cite: MECHANICS, value: |lathe| lathe.d.load.power, shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1,
-        formula: "F D / 2000 + friction", cite: MECHANICS, value: |lathe| lathe.d.torque, shown: cuts_by_force, ..ReadoutRow::BASE
+        formula: "F D / 2000 + friction", cite: MECHANICS, value: |lathe| lathe.d.load.torque, shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "peak-torque", label: "turning.readout.peak-torque", unit: "Nm", decimals: 1,
-        formula: "F D / 2000 + friction + J · 2π / 60 · dn/dt", cite: DEMAND, value: |lathe| lathe.d.worst_cut_point(&lathe.p).torque,
+        formula: "F D / 2000 + friction + J · 2π / 60 · dn/dt", cite: DEMAND, value: |lathe| worst_cut_point(&lathe.p, &lathe.d).torque,
         shown: |lathe| cuts_by_force(lathe) && lathe.surface(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1,
-        formula: "9549 P η x / max(n, n b · n10 / n m), with a shaft fan · (0.5 + 0.5 n motor / n b)", cite: MOTOR, value: |lathe| lathe.d.torque_available, ..ReadoutRow::BASE
+        formula: "9549 P η x / max(n, n b · n10 / n m), with a shaft fan · (0.5 + 0.5 n motor / n b)", cite: MOTOR, value: |lathe| lathe.d.load.torque_available, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0,

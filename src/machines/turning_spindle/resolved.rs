@@ -103,7 +103,7 @@ impl TurningSpindle {
 
     /// The results with the knob at another position: the program keeps its gear stage.
     fn at_knob(&self, percent: f64) -> Derived {
-        let p = Params { override_percent: percent, gear: Gear::at(self.d.stage.into()), ..self.p.clone() };
+        let p = Params { override_percent: percent, gear: Gear::at(self.d.stage.number.into()), ..self.p.clone() };
         Derived::new(&p, &self.control.analog_output, &self.rules())
     }
 
@@ -164,7 +164,7 @@ impl TurningSpindle {
     /// with, on a control whose cuts do not wait for the speed. Between two speeds the spindle takes at most its ramp to the limit.
     pub(super) fn dwell_of_passes(&self) -> Option<f64> {
         let changes = self.surface() && self.p.path != Path::Turning;
-        let per_speed = self.p.spindle.ramp / self.d.stage_speed;
+        let per_speed = self.p.spindle.ramp / self.d.stage.speed;
         (changes && self.rules().reached.is_none() && per_speed > 0.0).then_some(per_speed)
     }
 
@@ -212,7 +212,7 @@ impl TurningSpindle {
 
     /// Number of the gear stage that the program engages.
     pub(super) fn stage(&self) -> u8 {
-        self.d.stage
+        self.d.stage.number
     }
 
     /// Distance of the tool from the turning centre in mm, and from the finished face.

@@ -19,7 +19,7 @@ pub(super) fn programmed_speed(lathe: &TurningSpindle) -> f64 {
 }
 
 pub(super) fn programmed_speed_of(d: &Derived) -> f64 {
-    d.speed_largest.max(d.speed_smallest)
+    d.speeds.largest.max(d.speeds.smallest)
 }
 
 /// Greatest speed (r/min) of the program with the knob at its highest position.
@@ -34,7 +34,7 @@ pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
 
 /// The spindle in the program's gear stage.
 pub(super) fn engaged(lathe: &TurningSpindle) -> MainSpindle {
-    lathe.p.main_spindle(lathe.d.stage_speed)
+    lathe.p.main_spindle(lathe.d.stage.speed)
 }
 
 /// Torque (Nm) at the spindle for its acceleration to the positioning speed: `J α + M_f`. Source: turning spindle facts, 5.

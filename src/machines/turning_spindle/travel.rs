@@ -11,7 +11,7 @@ use crate::view::Limit::AtMost;
 pub(super) fn needed(lathe: &TurningSpindle) -> [f64; 2] {
     let p = &lathe.p;
     let keyway = lathe.keyway().map(|surface| surface - 2.0 * p.keyway_depth);
-    let smallest = keyway.map_or(lathe.d.smallest, |bottom| lathe.d.smallest.min(bottom));
+    let smallest = keyway.map_or(lathe.d.cut.smallest, |bottom| lathe.d.cut.smallest.min(bottom));
     // A pass of a taper leaves its end by one depth, at most from where it is clear of the stock.
     let outermost = if p.path == Path::Taper { p.stock_diameter + 2.0 * (p.clearance + p.depth) } else { 0.0 };
     let cut = if p.path == Path::Facing { 0.0 } else { p.length };

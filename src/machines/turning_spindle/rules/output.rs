@@ -10,11 +10,11 @@ use crate::msg;
 use crate::view::Limit::{AtLeast, AtMost};
 
 pub(super) fn few_volts_smallest(lathe: &TurningSpindle) -> Option<Judgement> {
-    judge_volts(lathe, lathe.d.volts_smallest)
+    judge_volts(lathe, lathe.d.output.volts_smallest)
 }
 
 pub(super) fn few_volts_largest(lathe: &TurningSpindle) -> Option<Judgement> {
-    judge_volts(lathe, lathe.d.volts_largest)
+    judge_volts(lathe, lathe.d.output.volts_largest)
 }
 
 fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
@@ -34,17 +34,17 @@ fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
 /// A speed above that of the full output in the gear stage.
 pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { d, p, .. } = lathe;
-    if d.bound == Bound::Output {
-        let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
+    if d.speeds.bound == Bound::Output {
+        let asked = if lathe.rules().low_always { d.speeds.asked.max(p.lower_limit) } else { d.speeds.asked };
         let advice =
-            msg!("turning.output-full", stage = f64::from(d.stage), full = (d.stage_top, 0), speed = (asked, 0));
+            msg!("turning.output-full", stage = f64::from(d.stage.number), full = (d.stage.top, 0), speed = (asked, 0));
         return fail(None, [full_output::remedy(lathe, advice)]);
     }
-    if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
+    if d.speeds.bound == Bound::Gear && lathe.surface() && d.stage.top < p.upper_limit {
         let advice = msg!(
             "turning.stage-too-slow",
-            stage = f64::from(d.stage),
-            full = (d.stage_top, 0),
+            stage = f64::from(d.stage.number),
+            full = (d.stage.top, 0),
             limit = (p.upper_limit, 0)
         );
         return warn(AtLeast(p.upper_limit), [with_best_stage(lathe, advice)]);

@@ -18,12 +18,12 @@ pub(super) fn overloaded(lathe: &TurningSpindle, limit: f64, at_knobs: Option<Ju
 /// A demand above the continuous rating that the motor's overload would cover if the pause to the next part were longer.
 pub(super) fn overload_without_pause(lathe: &TurningSpindle, demand: f64, rated: f64) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
-    let set = at_least(FIELDS, "pause", d.pause_for_overload());
+    let set = at_least(FIELDS, "pause", d.times.pause_for_overload());
     let with_pause = Params { pause: set.value, ..p.clone() };
-    if demand <= d.for_the_cut(p, rated) || demand > d.for_the_cut(&with_pause, rated) {
+    if demand <= d.times.for_the_cut(p, rated) || demand > d.times.for_the_cut(&with_pause, rated) {
         return None;
     }
-    let (percent, time, pause) = ((p.motor_overload, 0), (d.cutting_time, 1), (set.value, 1));
+    let (percent, time, pause) = ((p.motor_overload, 0), (d.times.cutting, 1), (set.value, 1));
     let advice = Advice::from(msg!("turning.overload-without-pause", percent, time, pause))
         .setting(msg!("advice.set-pause", time = set.text.as_str()), [set]);
     fail(AtMost(rated), [advice])

@@ -14,7 +14,7 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 fn power_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (cut.d.power, cut.d.for_the_cut(cut.p, cut.d.power_available))
+    (cut.d.load.power, cut.d.times.for_the_cut(cut.p, cut.d.load.power_available))
 }
 
 /// Greatest power of cut and friction against the motor, with the cutting speed or the depth at which it suffices.
@@ -23,44 +23,44 @@ pub(super) fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.power_available, d.for_the_cut(p, d.power_available));
-    if let Some(judgement) = overload_without_pause(lathe, d.power, rated) {
+    let (rated, most) = (d.load.power_available, d.times.for_the_cut(p, d.load.power_available));
+    if let Some(judgement) = overload_without_pause(lathe, d.load.power, rated) {
         return Some(judgement);
     }
-    if d.power <= most {
+    if d.load.power <= most {
         let at_knobs = at_knobs(lathe, rated, power_demand, |cut, (power, limit)| {
             let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
             msg!("turning.power-at-knobs", feed, spindle, power = (power, 2), limit = (limit, 2))
         });
-        return if d.power <= rated { at_knobs } else { overloaded(lathe, rated, at_knobs) };
+        return if d.load.power <= rated { at_knobs } else { overloaded(lathe, rated, at_knobs) };
     }
     let at_share =
         |share: f64| lathe.with(Params { cutting_speed: lathe.form.cutting_speed * share, ..lathe.form.clone() });
-    let suffices = |slower: &TurningSpindle| slower.d.power <= slower.d.power_available;
+    let suffices = |slower: &TurningSpindle| slower.d.load.power <= slower.d.load.power_available;
     // The speed limit may hold the work below the entered cutting speed: less of that changes nothing at first.
     let share = math::greatest_share((1.0 / p.cutting_speed).min(1.0), |share| suffices(&at_share(share)));
     let slower = share.map_or(0.0, |share| (p.cutting_speed * share).floor());
     // Friction keeps its power with less depth.
-    let friction = spindle_motor::power(p.spindle.friction, d.speed_largest.max(d.speed_smallest));
-    let part = (rated - friction) / (d.power - friction);
+    let friction = spindle_motor::power(p.spindle.friction, d.speeds.largest.max(d.speeds.smallest));
+    let part = (rated - friction) / (d.load.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
-    let has_torque = |slower: &TurningSpindle| slower.d.torque <= slower.d.torque_available;
+    let has_torque = |slower: &TurningSpindle| slower.d.load.torque <= slower.d.load.torque_available;
     let advice = match slower >= 1.0 && has_torque(&at_share(slower / p.cutting_speed)) {
         true => {
             let set = at_most(FIELDS, "cutting-speed", slower);
             Advice::from(msg!(
                 "turning.too-little-power",
-                power = (d.power, 2),
+                power = (d.load.power, 2),
                 limit = (rated, 2),
                 speed = (slower, 0)
             ))
             .setting(msg!("advice.set-cutting-speed", speed = set.text.as_str()), [set])
         }
         false if slower >= 1.0 => {
-            with_depth(lathe, part, msg!("turning.slower-lacks-torque", power = (d.power, 2), limit = (rated, 2)))
+            with_depth(lathe, part, msg!("turning.slower-lacks-torque", power = (d.load.power, 2), limit = (rated, 2)))
         }
         false => {
-            with_depth(lathe, part, msg!("turning.far-too-little-power", power = (d.power, 2), limit = (rated, 2)))
+            with_depth(lathe, part, msg!("turning.far-too-little-power", power = (d.load.power, 2), limit = (rated, 2)))
         }
     };
     fail(AtMost(most), [advice])

@@ -21,7 +21,7 @@ pub(super) fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) ->
 pub(super) fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let advice = Advice::from(message);
     // The first of more passes is at a larger diameter, at most that of the stock.
-    let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.largest_cut);
+    let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.cut.largest_whole);
     let set = at_most(FIELDS, "depth", lathe.p.depth * share / grows);
     let depth = set.value;
     let passes = Params { depth, ..lathe.p.clone() };

@@ -29,9 +29,9 @@ pub(super) fn clamped_feed(lathe: &TurningSpindle) -> Option<Judgement> {
             p.slides.z.clamp.min(p.slides.x.clamp * math::hypot(p.length, across) / across)
         }
     };
-    if d.feed_top <= clamp {
+    if d.speeds.feed_top <= clamp {
         return ok(AtMost(clamp));
     }
-    let advice = msg!("turning.above-clamp", feed = (d.feed_top, 0), clamp = (clamp, 0));
-    fail(AtMost(clamp), [with_feed(lathe, clamp / d.feed_top, advice)])
+    let advice = msg!("turning.above-clamp", feed = (d.speeds.feed_top, 0), clamp = (clamp, 0));
+    fail(AtMost(clamp), [with_feed(lathe, clamp / d.speeds.feed_top, advice)])
 }

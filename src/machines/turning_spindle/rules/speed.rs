@@ -21,7 +21,7 @@ pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
         let advice =
             Advice::from(msg!("turning.limit-above-chuck", speed = (p.upper_limit, 0), limit = (p.chuck_limit, 0)))
                 .setting(msg!("advice.set-speed", speed = set.text.as_str()), [set]);
-        return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
+        return if d.speeds.smallest.max(d.speeds.largest) >= p.chuck_limit {
             fail(limit, [advice])
         } else {
             warn(limit, [advice])
@@ -33,31 +33,34 @@ pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
 /// Below the diameter of the limit the surface speed falls with the diameter: allowed over half of the diameters.
 pub(super) fn limit_diameter(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { d, .. } = lathe;
-    if !lathe.surface() || d.limited_share <= 0.0 {
+    if !lathe.surface() || d.limits.limited_share <= 0.0 {
         return ok(None);
     }
     let advice = msg!(
         "turning.limited",
-        diameter = (d.limit_diameter, 3),
-        surface_speed = (d.surface_smallest, 1),
-        percent = (d.limited_share * 100.0, 0),
-        speed = (d.high, 0)
+        diameter = (d.limits.high, 3),
+        surface_speed = (d.speeds.surface_smallest, 1),
+        percent = (d.limits.limited_share * 100.0, 0),
+        speed = (d.speeds.high, 0)
     );
-    let middle = 0.5 * (d.smallest + d.largest);
-    let judgement = if d.limit_diameter > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
+    let middle = 0.5 * (d.cut.smallest + d.cut.largest);
+    let judgement = if d.limits.high > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
     Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
 
 /// Acceleration that constant surface speed asks, against the ramp of the spindle.
 pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     let d = &lathe.d;
-    if d.acceleration_needed > d.acceleration {
+    if d.acceleration.needed > d.acceleration.ramp {
         let advice =
-            msg!("turning.spindle-lags", needed = (d.acceleration_needed, 0), acceleration = (d.acceleration, 0));
-        return warn(AtMost(d.acceleration), [with_feed(lathe, d.acceleration / d.acceleration_needed, advice)]);
+            msg!("turning.spindle-lags", needed = (d.acceleration.needed, 0), acceleration = (d.acceleration.ramp, 0));
+        return warn(
+            AtMost(d.acceleration.ramp),
+            [with_feed(lathe, d.acceleration.ramp / d.acceleration.needed, advice)],
+        );
     }
     // A spindle without a ramp has no limit.
-    ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
+    ok(Some(AtMost(d.acceleration.ramp)).filter(|_| d.acceleration.ramp.is_finite()))
 }
 
 /// The limits of the speed against each other, and against the knob at a fixed speed.
@@ -76,7 +79,7 @@ pub(super) fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnos
 fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
     let TurningSpindle { p, d, .. } = lathe;
     let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit.min(p.upper_limit) } else { 0.0 };
-    let largest = d.largest.min(p.stock_diameter);
+    let largest = d.cut.largest.min(p.stock_diameter);
     let asked = surface_rpm(p.cutting_speed, largest);
     if lowest <= asked {
         return None;
@@ -104,10 +107,10 @@ fn passed_limit(lathe: &TurningSpindle) -> Option<Diagnostic> {
 
 /// The fixed speed at the position of the override knob where it is greatest, with that position in percent.
 fn fastest_fixed(lathe: &TurningSpindle) -> (f64, f64) {
-    let present = (lathe.p.override_percent, lathe.d.fixed_speed);
+    let present = (lathe.p.override_percent, lathe.d.speeds.fixed);
     lathe
         .at_highest_knob()
-        .map(|(percent, d)| (percent, d.fixed_speed))
+        .map(|(percent, d)| (percent, d.speeds.fixed))
         .filter(|fast| fast.1 > present.1)
         .unwrap_or(present)
 }

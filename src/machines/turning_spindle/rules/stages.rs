@@ -44,9 +44,9 @@ pub(super) fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
         let p = Params { gear: *gear, ..lathe.p.clone() };
         let d = Derived::new(&p, output, &lathe.dialect.spindle());
         let as_fast = |now: f64, before: f64| (now - before).abs() <= 1e-9 * before.abs();
-        d.torque <= d.torque_available
-            && as_fast(d.speed_largest_cut, lathe.d.speed_largest_cut)
-            && as_fast(d.speed_smallest, lathe.d.speed_smallest)
+        d.load.torque <= d.load.torque_available
+            && as_fast(d.speeds.largest_whole, lathe.d.speeds.largest_whole)
+            && as_fast(d.speeds.smallest, lathe.d.speeds.smallest)
     });
     found.map(|((number, _), _)| number)
 }

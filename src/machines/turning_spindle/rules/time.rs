@@ -16,12 +16,13 @@ pub(super) fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     // A speed that is kept in rapids lets a cut begin with the highest speed of the cut before.
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
-    let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
-    let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
+    let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.speeds.high)).sum() } else { f64::INFINITY };
+    let lasts = 1000.0 * (d.times.cutting / d.cut.passes.max(1.0)).min(least);
     let blocks = BLOCKS_BETWEEN_PASSES + if p.path == Path::Taper { BLOCKS_OF_TAPER } else { 0.0 };
     let needed = p.block_time + blocks * p.macro_time;
     // The block of a taper is read while the tool goes to its begin, over the clearance.
-    let approach = if p.path == Path::Taper { 60_000.0 * p.clearance / (p.feed * d.high) } else { f64::INFINITY };
+    let approach =
+        if p.path == Path::Taper { 60_000.0 * p.clearance / (p.feed * d.speeds.high) } else { f64::INFINITY };
     let worse = lasts * p.block_time > approach * needed;
     let (lasts, needed) = if worse { (approach, p.block_time) } else { (lasts, needed) };
     if lasts >= needed {

@@ -6,20 +6,20 @@ use super::remedies::{slower_feed, with_depth, with_feed};
 use super::stages::stronger_stage;
 use crate::machines::lathe::knobs::{self, TorqueRemedy};
 use crate::machines::turning_spindle::cooling;
-use crate::machines::turning_spindle::demand::CutPoint;
 use crate::machines::turning_spindle::params::Gear;
 use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
+use crate::machines::turning_spindle::worst_cut::{CutPoint, worst_cut_point};
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 fn torque_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (cut.d.torque, cut.d.for_the_cut(cut.p, cut.d.torque_available))
+    (cut.d.load.torque, cut.d.times.for_the_cut(cut.p, cut.d.load.torque_available))
 }
 
 fn peak_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    let CutPoint { torque, most, .. } = cut.d.worst_cut_point(cut.p);
+    let CutPoint { torque, most, .. } = worst_cut_point(cut.p, cut.d);
     (torque, most)
 }
 
@@ -29,19 +29,19 @@ pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let (rated, most) = (d.torque_available, d.for_the_cut(p, d.torque_available));
-    if let Some(judgement) = overload_without_pause(lathe, d.torque, rated) {
+    let (rated, most) = (d.load.torque_available, d.times.for_the_cut(p, d.load.torque_available));
+    if let Some(judgement) = overload_without_pause(lathe, d.load.torque, rated) {
         return Some(judgement);
     }
     let cooled = cooling::remedy(lathe);
-    if d.torque <= most {
+    if d.load.torque <= most {
         let slower = |message| with_slower_feed(lathe, torque_demand, message);
         let at_knobs = match knobs::torque_remedy(&cooling::torques(lathe), cooling::FIELD, slower) {
             Some(TorqueRemedy::Feed(advice)) => warn(AtMost(rated), [advice]),
             // The rule of the cooling warns.
             Some(TorqueRemedy::Cooling(_)) | None => ok(AtMost(rated)),
         };
-        if d.torque <= rated {
+        if d.load.torque <= rated {
             return at_knobs;
         }
         let judgement = overloaded(lathe, rated, at_knobs)?;
@@ -51,10 +51,10 @@ pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         Some(_) => msg!("turning.shaft-fan-otherwise"),
         None => msg!(
             "turning.too-little-torque",
-            torque = (d.torque, 1),
-            speed = (d.speed_largest_cut, 0),
+            torque = (d.load.torque, 1),
+            speed = (d.speeds.largest_whole, 0),
             limit = (rated, 1),
-            stage = f64::from(d.stage)
+            stage = f64::from(d.stage.number)
         ),
     };
     let advice = match stronger_stage(lathe) {
@@ -63,7 +63,7 @@ pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
             let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
             Advice::from(message).setting(msg!("advice.set-stage", stage = f64::from(stage)), Vec::from_iter(sets))
         }
-        None => with_depth(lathe, (rated - p.spindle.friction) / (d.torque - p.spindle.friction), message),
+        None => with_depth(lathe, (rated - p.spindle.friction) / (d.load.torque - p.spindle.friction), message),
     };
     fail(AtMost(most), Vec::from_iter(cooled.into_iter().chain([advice])))
 }
@@ -73,11 +73,11 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if lathe.p.cutting_force <= 0.0 {
         return None;
     }
-    let CutPoint { diameter, speed, torque, most } = lathe.d.worst_cut_point(&lathe.p);
+    let CutPoint { diameter, speed, torque, most } = worst_cut_point(&lathe.p, &lathe.d);
     if torque <= most {
         return at_knobs(lathe, most, peak_demand, |cut, (torque, limit)| {
             let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
-            let diameter = (cut.d.worst_cut_point(cut.p).diameter, 1);
+            let diameter = (worst_cut_point(cut.p, cut.d).diameter, 1);
             msg!("turning.stalls-at-knobs", feed, spindle, diameter, torque = (torque, 1), limit = (limit, 1))
         });
     }
@@ -89,7 +89,7 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
         limit = (most, 1)
     );
     let holds = |slower: &TurningSpindle| {
-        let point = slower.d.worst_cut_point(&slower.p);
+        let point = worst_cut_point(&slower.p, &slower.d);
         point.torque <= point.most
     };
     let everywhere =

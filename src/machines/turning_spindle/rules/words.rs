@@ -25,7 +25,7 @@ pub(super) fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     } else if p.cutting_speed != lathe.form.cutting_speed {
         found.push(Diagnostic::warning(msg!("turning.whole-speed", speed = p.cutting_speed)).about("cutting-speed"));
     }
-    if !lathe.surface() && d.asked <= 0.0 && p.cutting_speed > 0.0 {
+    if !lathe.surface() && d.speeds.asked <= 0.0 && p.cutting_speed > 0.0 {
         let message = msg!("turning.fixed-is-zero", speed = (p.cutting_speed, 2), stock = (p.stock_diameter, 3));
         found.push(Diagnostic::error(message).about("cutting-speed"));
     }

@@ -38,7 +38,7 @@ struct Scale {
 impl Scale {
     /// The scale with two to four long steps that shows every speed of the machine.
     fn of(lathe: &TurningSpindle) -> Scale {
-        let top = lathe.p.stages().fold(lathe.p.chuck_limit.min(lathe.d.stage_top), f64::max).max(1.0);
+        let top = lathe.p.stages().fold(lathe.p.chuck_limit.min(lathe.d.stage.top), f64::max).max(1.0);
         let mut step = 0.1;
         // 1, 2, 5, 10, 20, 50 …
         for at in 0..24 {

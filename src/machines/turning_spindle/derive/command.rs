@@ -1,0 +1,57 @@
+//! The commanded speed: the override before or after the limits, and the limits of operator and chuck.
+
+use crate::controls::SpindleRules;
+use crate::drives::speed::surface_rpm;
+use crate::machines::turning_spindle::params::{Params, SpeedMode};
+
+/// Commanded speed and its limits. An override that acts after the limits is bound by the output alone.
+pub(super) struct CommandedSpeed {
+    /// Factors of the override that act before and after the limits.
+    pub before: f64,
+    pub after: f64,
+    /// Surface speed after an override that acts before the limits, m/min.
+    pub surface: f64,
+    /// Lowest speed, r/min; 0 where no lower limit acts.
+    pub lowest: f64,
+    /// The lower limit acts on every speed, not on constant surface speed alone.
+    pub low_always: bool,
+    /// Lower of the limits of operator and chuck, r/min.
+    pub limit: f64,
+}
+
+impl CommandedSpeed {
+    pub(super) fn new(p: &Params, rules: &SpindleRules) -> CommandedSpeed {
+        let knob = p.override_percent / 100.0;
+        let (before, after) = if rules.override_last { (1.0, knob) } else { (knob, 1.0) };
+        CommandedSpeed {
+            before,
+            after,
+            surface: p.cutting_speed * before,
+            lowest: if p.turns_at_fixed_speed() && !rules.low_always { 0.0 } else { p.lower_limit },
+            low_always: rules.low_always,
+            limit: p.chuck_limit.min(p.upper_limit),
+        }
+    }
+
+    /// Highest commanded speed (r/min) of a cut down to the diameter `smallest`, at most that of chuck and, at constant surface speed, operator.
+    pub(super) fn top(&self, p: &Params, smallest: f64) -> f64 {
+        if p.turns_at_fixed_speed() {
+            let speed = surface_rpm(p.cutting_speed, p.stock_diameter) * (p.override_percent / 100.0);
+            speed.max(self.lowest).min(p.chuck_limit)
+        } else {
+            surface_rpm(self.surface, smallest).max(self.lowest).min(self.limit)
+        }
+    }
+
+    /// Highest speed (r/min) before an override that acts after the limits, with an output that gives `stage_top` at the most.
+    pub(super) fn highest(&self, stage_top: f64) -> f64 {
+        self.limit.min(stage_top)
+    }
+}
+
+impl Params {
+    /// The spindle has one speed for the whole cut.
+    pub(super) fn turns_at_fixed_speed(&self) -> bool {
+        self.speed_mode == SpeedMode::Fixed
+    }
+}

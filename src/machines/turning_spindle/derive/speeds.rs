@@ -1,0 +1,63 @@
+//! Speeds of the spindle in the cut, at constant surface speed and at one speed.
+
+use super::command::CommandedSpeed;
+use super::cut::CutGeometry;
+use super::held::HeldSpeed;
+use super::stage::EngagedStage;
+use crate::drives::Bound;
+use crate::drives::speed::{surface_rpm, surface_speed};
+use crate::machines::turning_spindle::params::Params;
+
+/// Speeds of the cut. r/min unless noted otherwise.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::machines::turning_spindle) struct CutSpeeds {
+    /// At the largest diameter, the smallest, and the largest with the whole depth of cut.
+    pub largest: f64,
+    pub smallest: f64,
+    pub largest_whole: f64,
+    /// The limit that binds the speed at the smallest diameter.
+    pub bound: Bound,
+    /// Speed below the limit diameter.
+    pub high: f64,
+    /// One speed for the whole cut, as commanded at the stock's diameter and as the control holds it.
+    pub asked: f64,
+    pub fixed: f64,
+    /// Surface speed at the smallest diameter, and there with one speed for the whole cut, m/min.
+    pub surface_smallest: f64,
+    pub fixed_surface_smallest: f64,
+    /// Greatest feed, mm/min.
+    pub feed_top: f64,
+    /// Speed over the diameter under constant surface speed.
+    pub held: HeldSpeed,
+}
+
+impl CutSpeeds {
+    pub(super) fn new(p: &Params, cut: &CutGeometry, stage: &EngagedStage, command: &CommandedSpeed) -> CutSpeeds {
+        let held = |surface: bool| HeldSpeed::new(p, command, stage.top, surface);
+        let (surface, constant) = (held(true), held(false));
+        // S is a whole number, and at most the operator's limit.
+        let asked = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor() * command.before;
+        let (fixed, fixed_bound) = constant.within(asked);
+        let is_fixed = p.turns_at_fixed_speed();
+        let speed = |diameter: f64| if is_fixed { fixed } else { surface.at(diameter).0 };
+        let (largest, smallest) = (speed(cut.largest), speed(cut.smallest));
+        CutSpeeds {
+            largest,
+            smallest,
+            largest_whole: speed(cut.largest_whole),
+            bound: if is_fixed { fixed_bound } else { surface.at(cut.smallest).1 },
+            high: (command.highest(stage.top) * command.after).min(p.chuck_limit),
+            asked,
+            fixed,
+            surface_smallest: surface_speed(smallest, cut.smallest),
+            fixed_surface_smallest: surface_speed(fixed, cut.smallest),
+            feed_top: p.feed * smallest.max(largest),
+            held: surface,
+        }
+    }
+
+    /// Speed of the spindle (r/min) that the program has at a diameter in mm.
+    pub(in crate::machines::turning_spindle) fn at(&self, p: &Params, diameter: f64) -> f64 {
+        if p.turns_at_fixed_speed() { self.fixed } else { self.held.at(diameter).0 }
+    }
+}
