@@ -1,7 +1,8 @@
 //! Bending of the work between jaws and cutter, under the force of an insert or of the tool that turns an end.
 
-use super::params::{FIELDS, Params, TurnedEnd};
+use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
+use super::turned_end_form::TurnedEnd;
 use crate::drives::bending::{NOTABLE, cantilever};
 use crate::drives::cutting::LEAST_DEPTH;
 use crate::machines::form::entry::{at_least, at_most};

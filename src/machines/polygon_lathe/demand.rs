@@ -1,8 +1,8 @@
 //! Demand of the whole part on the drives of work and tool, and their limits: the worst of all polygons and feeds.
 
 use super::load::{FEEDS, PolygonAxis};
-use super::params::TurnedEnd;
 use super::resolved::PolygonLathe;
+use super::turned_end_form::TurnedEnd;
 use crate::drives::cutting::kienzle;
 use crate::drives::spindle_motor::{power, run_up};
 

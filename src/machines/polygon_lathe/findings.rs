@@ -3,10 +3,10 @@
 use super::bending;
 use super::further;
 use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, insert_deviations};
-use super::params::TurnedEnd;
 use super::passes::PASSES;
 use super::program;
 use super::resolved::PolygonLathe;
+use super::turned_end_form::{TURNED_ENDS, TurnedEnd, TurnedEndFields};
 use crate::controls::ParamRole;
 use crate::machines::lathe::turret;
 use crate::machines::sheets;
@@ -59,48 +59,6 @@ fn faults_of(lathe: &PolygonLathe) -> Vec<Fault> {
     }
     found
 }
-
-/// Fields of a turned end that faults name.
-struct TurnedEndFields {
-    diameter: &'static str,
-    length: &'static str,
-    chamfer: &'static str,
-    depth: &'static str,
-    pitch: &'static str,
-    thread_length: &'static str,
-    speed: &'static str,
-    feed: &'static str,
-    tool: &'static str,
-    thread_tool: &'static str,
-}
-
-/// Fields of the end turned before the polygons, and of the one turned after them.
-const TURNED_ENDS: [TurnedEndFields; 2] = [
-    TurnedEndFields {
-        diameter: "before-diameter",
-        length: "before-length",
-        chamfer: "before-chamfer",
-        depth: "before-depth",
-        pitch: "before-pitch",
-        thread_length: "before-thread-length",
-        speed: "before-speed",
-        feed: "before-feed",
-        tool: "before-tool",
-        thread_tool: "before-thread-tool",
-    },
-    TurnedEndFields {
-        diameter: "after-diameter",
-        length: "after-length",
-        chamfer: "after-chamfer",
-        depth: "after-depth",
-        pitch: "after-pitch",
-        thread_length: "after-thread-length",
-        speed: "after-speed",
-        feed: "after-feed",
-        tool: "after-tool",
-        thread_tool: "after-thread-tool",
-    },
-];
 
 /// Faults of the ends turned before and after the polygons, with the field of each.
 fn turned_end_faults(lathe: &PolygonLathe) -> Vec<Fault> {

@@ -5,12 +5,12 @@
 //! at rest.
 
 use super::citations::PAPER;
-use super::params::TurnedEnd;
 use super::program::{
     self, AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
 use super::resolved::PolygonLathe;
 use super::stops;
+use super::turned_end_form::TurnedEnd;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{Direction, STARTED, SpindleRequirements};

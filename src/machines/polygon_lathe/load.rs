@@ -16,9 +16,6 @@ pub(super) enum PolygonAxis {
 /// The fields of the feeds: each has cuts of its own.
 pub(super) const FEEDS: [&str; 3] = ["feed", "finish-feed", "infeed"];
 
-/// The fields of the feeds of the turned ends.
-pub(super) const END_FEEDS: [&str; 2] = ["before-feed", "after-feed"];
-
 /// Torque about an axis, Nm.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Torque {

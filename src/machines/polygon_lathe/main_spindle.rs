@@ -1,8 +1,8 @@
 //! The main spindle of the polygon lathe, which turns the bar before and after the polygons: its motor on the inverter, demand, verdicts.
 
-use super::load::END_FEEDS;
-use super::params::{FIELDS, Params, TurnedEnd};
+use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
+use super::turned_end_form::{TURNED_ENDS, TurnedEnd};
 use crate::drives::MainSpindle;
 use crate::drives::cutting;
 use crate::drives::load::{Load, through_gear};
@@ -65,7 +65,7 @@ impl PolygonLathe {
 
     /// The turned ends of the program, with the fields of their depths.
     fn turned_ends(&self) -> impl Iterator<Item = (&TurnedEnd, &'static str)> {
-        self.p.turned_ends.iter().zip(["before-depth", "after-depth"]).filter(|(end, _)| end.on)
+        self.p.turned_ends.iter().zip(TURNED_ENDS.map(|fields| fields.depth)).filter(|(end, _)| end.on)
     }
 
     /// The program turns the bar by its main spindle.
@@ -170,7 +170,7 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
         (share < 1.0).then(|| at_most(FIELDS, field, end.feed * cutting::feed_share(share, p.specific().exponent)))
     };
     let slower = |message: Message| {
-        let ends = p.turned_ends.iter().zip(END_FEEDS).filter(|(end, _)| end.on);
+        let ends = p.turned_ends.iter().zip(TURNED_ENDS.map(|fields| fields.feed)).filter(|(end, _)| end.on);
         knobs::setting_feeds(Advice::from(message), ends.filter_map(lower).collect())
     };
     match knobs::torque_remedy(&all, "main-forced-cooling", slower) {
@@ -185,7 +185,7 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     if speed <= most {
         return ok(AtMost(most));
     }
-    let fields = ["before-speed", "after-speed"].into_iter().zip(&lathe.p.turned_ends);
+    let fields = TURNED_ENDS.map(|fields| fields.speed).into_iter().zip(&lathe.p.turned_ends);
     let fast = fields.filter(|(_, end)| end.on && end.speed > most);
     let sets: Vec<_> = fast.map(|(field, _)| at_most(FIELDS, field, most)).collect();
     let advice = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));

@@ -4,6 +4,12 @@ mod citations;
 
 mod params;
 
+mod shape;
+
+mod further_form;
+
+mod turned_end_form;
+
 mod examples;
 
 mod passes;

@@ -1,5 +1,8 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
+use super::further_form::{self, Further, FurtherForm};
+use super::shape::Shape;
+use super::turned_end_form::{self, TurnedEnd, TurnedEndForm};
 use crate::controls::Control;
 use crate::machines::driven::scaling;
 use crate::machines::driven::site;
@@ -12,22 +15,6 @@ use crate::machines::lathe::slides::{self, LatheSlides, SlideForm, XDefaults};
 use crate::{member, options};
 
 options! {
-    /// Shape of the part; it sets the number of inserts and the ratio.
-    pub(crate) enum Shape {
-        /// Two inserts at ratio 2.
-        Square = "square" "polygon.shape.square",
-        /// One insert at ratio 2.
-        Knob = "knob" "polygon.shape.knob",
-        /// Two inserts at ratio 3:2.
-        Triangle = "triangle" "polygon.shape.triangle",
-        /// Three inserts at ratio 2.
-        Hexagon = "hexagon" "polygon.shape.hexagon",
-        /// Inserts and ratio as typed in the form.
-        Own = "own" "polygon.shape.own",
-    }
-}
-
-options! {
     /// Drives of work and tool at emergency stop.
     pub(crate) enum Emergency {
         /// The drives stay on until work and tool are at rest.
@@ -35,66 +22,6 @@ options! {
         /// The drives are switched off at once.
         Off = "off" "polygon.emergency.off",
     }
-}
-
-/// A second or third polygon of the part. Units as in the form.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Further {
-    pub on: bool,
-    pub shape: Shape,
-    pub sides: f64,
-    pub across_flats: f64,
-    pub from_face: f64,
-    pub length: f64,
-    pub angle: f64,
-    pub inserts: f64,
-    pub work_ratio: f64,
-    pub tool_ratio: f64,
-    pub work_start: f64,
-    pub tool_start: f64,
-    pub tool: f64,
-    /// 0: the tip radius of the first polygon's cutter.
-    pub tip_radius: f64,
-}
-
-/// An end of the bar that is turned before or after the polygons, from the face. Units as in the form.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct TurnedEnd {
-    pub on: bool,
-    pub diameter: f64,
-    pub length: f64,
-    pub chamfer: f64,
-    pub depth: f64,
-    pub feed: f64,
-    pub speed: f64,
-    pub tool: f64,
-    pub pitch: f64,
-    pub thread_length: f64,
-    pub thread_infeed: f64,
-    pub thread_tool: f64,
-}
-
-/// The member of a turned end that a row fills.
-macro_rules! turned_end {
-    ($at:literal.$member:ident) => {
-        (|p: &Params| p.turned_ends[$at].$member, |p: &mut Params, value| p.turned_ends[$at].$member = value)
-    };
-}
-
-/// The member of a further polygon that a row fills.
-macro_rules! further {
-    ($at:literal.$member:ident) => {
-        (|p: &Params| p.further[$at].$member, |p: &mut Params, value| p.further[$at].$member = value)
-    };
-    ($at:literal.$member:ident: $choice:ident) => {
-        (
-            $choice::OPTIONS,
-            (
-                |p: &Params| p.further[$at].$member as usize,
-                |p: &mut Params, at| p.further[$at].$member = $choice::at(at),
-            ),
-        )
-    };
 }
 
 /// Inputs of the polygon lathe, within the ranges of [`FIELDS`]. Units as in the form.
@@ -202,49 +129,9 @@ impl Params {
         self.shape == Shape::Own
     }
 
-    /// The bar is turned before the polygons.
-    fn turns_before(&self, _: &Control) -> bool {
-        self.turned_ends[0].on
-    }
-
-    /// The bar is turned after the polygons.
-    fn turns_after(&self, _: &Control) -> bool {
-        self.turned_ends[1].on
-    }
-
     /// The bar is turned by the main spindle.
     fn turns(&self, _: &Control) -> bool {
         self.turned_ends.iter().any(|end| end.on)
-    }
-
-    /// The end turned before the polygons has a thread.
-    fn threads_before(&self, _: &Control) -> bool {
-        self.turned_ends[0].on && self.turned_ends[0].pitch > 0.0
-    }
-
-    /// The end turned after the polygons has a thread.
-    fn threads_after(&self, _: &Control) -> bool {
-        self.turned_ends[1].on && self.turned_ends[1].pitch > 0.0
-    }
-
-    /// The part has a second polygon.
-    fn has_second(&self, _: &Control) -> bool {
-        self.further[0].on
-    }
-
-    /// The part has a third polygon.
-    fn has_third(&self, _: &Control) -> bool {
-        self.further.iter().all(|further| further.on)
-    }
-
-    /// Whether inserts and ratio of the second polygon are typed in the form.
-    fn is_own_second(&self, control: &Control) -> bool {
-        self.has_second(control) && self.further[0].shape == Shape::Own
-    }
-
-    /// Whether inserts and ratio of the third polygon are typed in the form.
-    fn is_own_third(&self, control: &Control) -> bool {
-        self.has_third(control) && self.further[1].shape == Shape::Own
     }
 
     /// The polygon begins at a distance from the face: there is stock at both of its ends.
@@ -265,6 +152,26 @@ impl Params {
     /// Emergency stop leaves work and tool to coast.
     pub(super) fn coasts(&self, _: &Control) -> bool {
         self.emergency == Emergency::Off
+    }
+}
+
+impl FurtherForm for Params {
+    fn further_polygons(&self) -> &[Further; 2] {
+        &self.further
+    }
+
+    fn further_polygons_mut(&mut self) -> &mut [Further; 2] {
+        &mut self.further
+    }
+}
+
+impl TurnedEndForm for Params {
+    fn turned_ends(&self) -> &[TurnedEnd; 2] {
+        &self.turned_ends
+    }
+
+    fn turned_ends_mut(&mut self) -> &mut [TurnedEnd; 2] {
+        &mut self.turned_ends
     }
 }
 
@@ -350,104 +257,12 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("mm").range(1.0..=1000.0).default(30.0).decimals(1).step(5.0).fact(),
     number("tool", member!(Params.tool)).group("polygon.group.cut").label("polygon.tool").help("polygon.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),
-    flag("second", further!(0.on)).group("polygon.group.second").label("polygon.second").help("polygon.second.help"),
-    choice("second-shape", further!(0.shape: Shape)).group("polygon.group.second").label("polygon.shape").help("polygon.shape.help").when(Params::has_second),
-    number("second-sides", further!(0.sides)).group("polygon.group.second").label("polygon.sides").help("polygon.sides.help").symbol("N")
-        .range(1.0..=100.0).default(6.0).decimals(0).step(1.0).when(Params::is_own_second),
-    number("second-across-flats", further!(0.across_flats)).group("polygon.group.second").label("polygon.across-flats").help("polygon.across-flats.help").symbol("AF")
-        .unit("mm").range(0.5..=500.0).default(20.0).decimals(3).step(0.5).when(Params::has_second),
-    number("second-from-face", further!(0.from_face)).group("polygon.group.second").label("polygon.from-face").help("polygon.from-face.help").symbol("Z")
-        .unit("mm").range(0.0..=2000.0).default(30.0).decimals(3).step(1.0).when(Params::has_second),
-    number("second-length", further!(0.length)).group("polygon.group.second").label("polygon.length").help("polygon.length.help")
-        .unit("mm").range(0.1..=2000.0).default(15.0).decimals(3).step(1.0).when(Params::has_second),
-    number("second-angle", further!(0.angle)).group("polygon.group.second").label("polygon.angle").help("polygon.angle.help").symbol("ψ")
-        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
-    number("second-inserts", further!(0.inserts)).group("polygon.group.second").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
-        .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own_second),
-    number("second-work-ratio", further!(0.work_ratio)).group("polygon.group.second").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")
-        .range(-99.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::is_own_second),
-    number("second-tool-ratio", further!(0.tool_ratio)).group("polygon.group.second").label("polygon.tool-ratio").help("polygon.tool-ratio.help").symbol("Q")
-        .range(-99.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::is_own_second),
-    number("second-work-start", further!(0.work_start)).group("polygon.group.second").label("polygon.work-start").help("polygon.work-start.help").symbol("A")
-        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
-    number("second-tool-start", further!(0.tool_start)).group("polygon.group.second").label("polygon.tool-start").help("polygon.tool-start.help").symbol("E")
-        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
-    number("second-tool", further!(0.tool)).group("polygon.group.second").label("polygon.tool").help("polygon.tool.help").symbol("T")
-        .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_second),
-    number("second-tip-radius", further!(0.tip_radius)).group("polygon.group.second").label("polygon.tip-radius").help("polygon.other-tip-radius.help").symbol("r")
-        .unit("mm").range(0.0..=1000.0).default(0.0).decimals(3).step(1.0).when(Params::has_second),
-    flag("third", further!(1.on)).group("polygon.group.third").label("polygon.third").help("polygon.third.help").when(Params::has_second),
-    choice("third-shape", further!(1.shape: Shape)).group("polygon.group.third").label("polygon.shape").help("polygon.shape.help").when(Params::has_third),
-    number("third-sides", further!(1.sides)).group("polygon.group.third").label("polygon.sides").help("polygon.sides.help").symbol("N")
-        .range(1.0..=100.0).default(6.0).decimals(0).step(1.0).when(Params::is_own_third),
-    number("third-across-flats", further!(1.across_flats)).group("polygon.group.third").label("polygon.across-flats").help("polygon.across-flats.help").symbol("AF")
-        .unit("mm").range(0.5..=500.0).default(20.0).decimals(3).step(0.5).when(Params::has_third),
-    number("third-from-face", further!(1.from_face)).group("polygon.group.third").label("polygon.from-face").help("polygon.from-face.help").symbol("Z")
-        .unit("mm").range(0.0..=2000.0).default(60.0).decimals(3).step(1.0).when(Params::has_third),
-    number("third-length", further!(1.length)).group("polygon.group.third").label("polygon.length").help("polygon.length.help")
-        .unit("mm").range(0.1..=2000.0).default(15.0).decimals(3).step(1.0).when(Params::has_third),
-    number("third-angle", further!(1.angle)).group("polygon.group.third").label("polygon.angle").help("polygon.angle.help").symbol("ψ")
-        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
-    number("third-inserts", further!(1.inserts)).group("polygon.group.third").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
-        .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own_third),
-    number("third-work-ratio", further!(1.work_ratio)).group("polygon.group.third").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")
-        .range(-99.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::is_own_third),
-    number("third-tool-ratio", further!(1.tool_ratio)).group("polygon.group.third").label("polygon.tool-ratio").help("polygon.tool-ratio.help").symbol("Q")
-        .range(-99.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::is_own_third),
-    number("third-work-start", further!(1.work_start)).group("polygon.group.third").label("polygon.work-start").help("polygon.work-start.help").symbol("A")
-        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
-    number("third-tool-start", further!(1.tool_start)).group("polygon.group.third").label("polygon.tool-start").help("polygon.tool-start.help").symbol("E")
-        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
-    number("third-tool", further!(1.tool)).group("polygon.group.third").label("polygon.tool").help("polygon.tool.help").symbol("T")
-        .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_third),
-    number("third-tip-radius", further!(1.tip_radius)).group("polygon.group.third").label("polygon.tip-radius").help("polygon.other-tip-radius.help").symbol("r")
-        .unit("mm").range(0.0..=1000.0).default(0.0).decimals(3).step(1.0).when(Params::has_third),
-    flag("before", turned_end!(0.on)).group("polygon.group.before").label("polygon.before").help("polygon.before.help"),
-    number("before-diameter", turned_end!(0.diameter)).group("polygon.group.before").label("polygon.turned-end.diameter").help("polygon.turned-end.diameter.help")
-        .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_before),
-    number("before-length", turned_end!(0.length)).group("polygon.group.before").label("polygon.turned-end.length").help("polygon.turned-end.length.help")
-        .unit("mm").range(0.1..=2000.0).default(10.0).decimals(3).step(1.0).when(Params::turns_before),
-    number("before-chamfer", turned_end!(0.chamfer)).group("polygon.group.before").label("polygon.turned-end.chamfer").help("polygon.turned-end.chamfer.help")
-        .unit("mm").range(0.0..=50.0).default(0.0).decimals(3).step(0.5).when(Params::turns_before),
-    number("before-depth", turned_end!(0.depth)).group("polygon.group.before").label("polygon.turned-end.depth").help("polygon.turned-end.depth.help")
-        .unit("mm").range(0.01..=50.0).default(2.0).decimals(3).step(0.1).when(Params::turns_before),
-    number("before-feed", turned_end!(0.feed)).group("polygon.group.before").label("polygon.turned-end.feed").help("polygon.turned-end.feed.help")
-        .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.05).when(Params::turns_before),
-    number("before-speed", turned_end!(0.speed)).group("polygon.group.before").label("polygon.turned-end.speed").help("polygon.turned-end.speed.help").symbol("S")
-        .unit("r/min").range(1.0..=9999.0).default(800.0).decimals(0).step(50.0).when(Params::turns_before),
-    number("before-tool", turned_end!(0.tool)).group("polygon.group.before").label("polygon.turned-end.tool").help("polygon.turned-end.tool.help").symbol("T")
-        .range(1.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::turns_before),
-    number("before-pitch", turned_end!(0.pitch)).group("polygon.group.before").label("polygon.turned-end.pitch").help("polygon.turned-end.pitch.help").symbol("P")
-        .unit("mm").range(0.0..=12.0).default(0.0).decimals(3).step(0.25).when(Params::turns_before),
-    number("before-thread-length", turned_end!(0.thread_length)).group("polygon.group.before").label("polygon.turned-end.thread-length").help("polygon.turned-end.thread-length.help")
-        .unit("mm").range(0.1..=2000.0).default(8.0).decimals(3).step(1.0).when(Params::threads_before),
-    number("before-thread-infeed", turned_end!(0.thread_infeed)).group("polygon.group.before").label("polygon.turned-end.thread-infeed").help("polygon.turned-end.thread-infeed.help")
-        .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_before),
-    number("before-thread-tool", turned_end!(0.thread_tool)).group("polygon.group.before").label("polygon.turned-end.thread-tool").help("polygon.turned-end.thread-tool.help").symbol("T")
-        .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_before),
-    flag("after", turned_end!(1.on)).group("polygon.group.after").label("polygon.after").help("polygon.after.help"),
-    number("after-diameter", turned_end!(1.diameter)).group("polygon.group.after").label("polygon.turned-end.diameter").help("polygon.turned-end.diameter.help")
-        .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_after),
-    number("after-length", turned_end!(1.length)).group("polygon.group.after").label("polygon.turned-end.length").help("polygon.turned-end.length.help")
-        .unit("mm").range(0.1..=2000.0).default(10.0).decimals(3).step(1.0).when(Params::turns_after),
-    number("after-chamfer", turned_end!(1.chamfer)).group("polygon.group.after").label("polygon.turned-end.chamfer").help("polygon.turned-end.chamfer.help")
-        .unit("mm").range(0.0..=50.0).default(0.0).decimals(3).step(0.5).when(Params::turns_after),
-    number("after-depth", turned_end!(1.depth)).group("polygon.group.after").label("polygon.turned-end.depth").help("polygon.turned-end.depth.help")
-        .unit("mm").range(0.01..=50.0).default(2.0).decimals(3).step(0.1).when(Params::turns_after),
-    number("after-feed", turned_end!(1.feed)).group("polygon.group.after").label("polygon.turned-end.feed").help("polygon.turned-end.feed.help")
-        .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.05).when(Params::turns_after),
-    number("after-speed", turned_end!(1.speed)).group("polygon.group.after").label("polygon.turned-end.speed").help("polygon.turned-end.speed.help").symbol("S")
-        .unit("r/min").range(1.0..=9999.0).default(800.0).decimals(0).step(50.0).when(Params::turns_after),
-    number("after-tool", turned_end!(1.tool)).group("polygon.group.after").label("polygon.turned-end.tool").help("polygon.turned-end.tool.help").symbol("T")
-        .range(1.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::turns_after),
-    number("after-pitch", turned_end!(1.pitch)).group("polygon.group.after").label("polygon.turned-end.pitch").help("polygon.turned-end.pitch.help").symbol("P")
-        .unit("mm").range(0.0..=12.0).default(0.0).decimals(3).step(0.25).when(Params::turns_after),
-    number("after-thread-length", turned_end!(1.thread_length)).group("polygon.group.after").label("polygon.turned-end.thread-length").help("polygon.turned-end.thread-length.help")
-        .unit("mm").range(0.1..=2000.0).default(8.0).decimals(3).step(1.0).when(Params::threads_after),
-    number("after-thread-infeed", turned_end!(1.thread_infeed)).group("polygon.group.after").label("polygon.turned-end.thread-infeed").help("polygon.turned-end.thread-infeed.help")
-        .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_after),
-    number("after-thread-tool", turned_end!(1.thread_tool)).group("polygon.group.after").label("polygon.turned-end.thread-tool").help("polygon.turned-end.thread-tool.help").symbol("T")
-        .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_after),
+    ],
+    &further_form::rows::<Params, 0>(),
+    &further_form::rows::<Params, 1>(),
+    &turned_end_form::rows::<Params, 0>(),
+    &turned_end_form::rows::<Params, 1>(),
+    &[
     main_spindle::power("main-power", "polygon.main.power", "polygon.main.power.help", member!(Params.main.power)).group("polygon.group.main").when(Params::turns),
     main_spindle::base_speed("main-base", "polygon.main.base", "polygon.base.help", member!(Params.main.base)).group("polygon.group.main").when(Params::turns),
     main_spindle::top_speed("main-motor-top", "polygon.main.motor-top", "polygon.main.motor-top.help", 2250.0, member!(Params.main.top)).group("polygon.group.main").when(Params::turns),

@@ -1,6 +1,8 @@
 //! The form of each polygon of a part: inserts and ratio of its shape, and each further polygon in the place of the first.
 
-use super::params::{Further, Params, Shape};
+use super::further_form::Further;
+use super::params::Params;
+use super::shape::Shape;
 
 impl Params {
     /// The form with inserts and ratio of the chosen shape.

@@ -2,8 +2,8 @@
 
 use super::citations::OURS;
 use super::main_spindle::speed_at_highest_knob;
-use super::params::TurnedEnd;
 use super::resolved::PolygonLathe;
+use super::turned_end_form::TurnedEnd;
 use crate::drives::holding_brake::CLOSING;
 use crate::machines::driven::DrivenAxis;
 use crate::machines::lathe::slides;

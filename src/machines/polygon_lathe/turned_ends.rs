@@ -1,7 +1,8 @@
 //! Turned ends of the bar, before and after the polygons: to a diameter from the face, with a chamfer and a thread, by the main spindle.
 
-use super::params::{Params, TurnedEnd};
+use super::params::Params;
 use super::path::{NO_RAPIDS, PassStep, SlideTarget, time};
+use super::turned_end_form::TurnedEnd;
 use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.

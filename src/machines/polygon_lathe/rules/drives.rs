@@ -4,9 +4,10 @@ use crate::drives::cutting;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max};
 use crate::machines::lathe::knobs;
 use crate::machines::polygon_lathe::demand::DemandKind;
-use crate::machines::polygon_lathe::load::{END_FEEDS, FEEDS, PolygonAxis};
+use crate::machines::polygon_lathe::load::{FEEDS, PolygonAxis};
 use crate::machines::polygon_lathe::params::FIELDS;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
+use crate::machines::polygon_lathe::turned_end_form::TURNED_ENDS;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
@@ -31,8 +32,11 @@ impl PolygonLathe {
         let p = &self.p;
         let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
         let flats = flats.map(|(cuts, (field, feed))| (field, feed, at.force_at(cuts)));
-        let ends =
-            END_FEEDS.into_iter().zip(p.turned_ends.iter().zip(&at.p.turned_ends)).filter(|(_, (end, _))| end.on);
+        let ends = TURNED_ENDS
+            .map(|fields| fields.feed)
+            .into_iter()
+            .zip(p.turned_ends.iter().zip(&at.p.turned_ends))
+            .filter(|(_, (end, _))| end.on);
         let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed)));
         let lower = |(field, feed, force): (&'static str, f64, f64)| {
             let entry = || at_most(FIELDS, field, feed * cutting::feed_share(most / force, p.specific().exponent));

@@ -6,8 +6,9 @@ use super::bending;
 use super::derive::choices_on_tip_circle;
 use super::geometry::own_shape;
 use super::main_spindle;
-use super::params::{FIELDS, Params, TurnedEnd};
+use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
+use super::turned_end_form::{TURNED_ENDS, TurnedEnd};
 use crate::drives::polygon::SAME_LENGTH;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
@@ -419,12 +420,12 @@ fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The run-in of the thread that is turned before the polygons.
 fn run_in_before(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_in(lathe, &lathe.p.turned_ends[0], "before-speed")
+    run_in(lathe, &lathe.p.turned_ends[0], TURNED_ENDS[0].speed)
 }
 
 /// The run-in of the thread that is turned after the polygons.
 fn run_in_after(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_in(lathe, &lathe.p.turned_ends[1], "after-speed")
+    run_in(lathe, &lathe.p.turned_ends[1], TURNED_ENDS[1].speed)
 }
 
 /// The way in front of a thread, from the clearance to the face, against that in which the slide comes to its speed.
@@ -454,12 +455,12 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
 
 /// The run-out of the thread that is turned before the polygons.
 fn run_out_before(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_out(lathe, &lathe.p.turned_ends[0], "before-thread-length")
+    run_out(lathe, &lathe.p.turned_ends[0], TURNED_ENDS[0].thread_length)
 }
 
 /// The run-out of the thread that is turned after the polygons.
 fn run_out_after(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_out(lathe, &lathe.p.turned_ends[1], "after-thread-length")
+    run_out(lathe, &lathe.p.turned_ends[1], TURNED_ENDS[1].thread_length)
 }
 
 /// The way from the end of a thread to the shoulder against the run-out, with the greatest thread length as a remedy.
