@@ -120,7 +120,7 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
 
 /// Work and tool after a power failure at the speeds of the first polygon: the phase that they lose, and the time until both are at rest.
 pub(super) fn without_supply(lathe: &PolygonLathe) -> Option<CoastedAxes> {
-    let gauge = GAUGES.first()?.gauge(lathe, lathe.d.coast_phase.abs());
+    let gauge = GAUGES.first()?.gauge(lathe, lathe.d.angles.coast_phase.abs());
     let speeds = [lathe.p.work_speed(), lathe.p.tool_speed()];
     let seconds = speeds.into_iter().zip(lathe.p.coasting_deceleration());
     let seconds = seconds.map(|(speed, deceleration)| speed.abs() / deceleration);

@@ -49,8 +49,8 @@ fn faults_of(lathe: &PolygonLathe) -> Vec<Fault> {
         }
     }
     let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max);
-    let infeed = p.is_behind_face().then_some((d.infeed, "infeed"));
-    for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")].into_iter().chain(infeed) {
+    let infeed = p.is_behind_face().then_some((d.feeds.infeed, "infeed"));
+    for (feed, field) in [(d.feeds.rough, "feed"), (d.feeds.finish, "finish-feed")].into_iter().chain(infeed) {
         if feed < least && p.work_ratio != 0.0 {
             error(msg!("polygon.feed-too-small", feed = (feed, 6), least), field);
         } else if feed > most {
@@ -181,7 +181,7 @@ fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
 
 /// Polygons that an end turned after them would turn off.
 fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let covered = within(lathe, end).filter(|(_, polygon)| polygon.d.corner * 2.0 > end.diameter);
+    let covered = within(lathe, end).filter(|(_, polygon)| polygon.d.section.corner * 2.0 > end.diameter);
     let fault = |(number, polygon): (u32, &PolygonLathe)| {
         (msg!("polygon.turned-off", number, from = (polygon.p.from_face, 3)), fields.length)
     };
@@ -248,7 +248,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             found.push(Diagnostic::info(msg!(
                 "polygon.x-setting",
                 size = (p.across_flats, 3),
-                offset = (d.offset, 3),
+                offset = (d.place.offset, 3),
                 tool = p.tool
             )));
         }

@@ -20,6 +20,8 @@ mod polygon_forms;
 
 mod derive;
 
+mod cutter_choices;
+
 mod driven;
 
 mod geometry;
@@ -138,8 +140,8 @@ impl Prepared for PolygonLathe {
     fn summary(&self) -> Option<Message> {
         let d = &self.d;
         let length = |value, decimals| units::four_digits(value, decimals, "mm");
-        let (across, error) = (length(d.across_flats, 3), length(d.flatness, 4));
-        d.cuts.then(|| msg!("polygon.summary", sides = (d.sides, 0), across, error))
+        let (across, error) = (length(d.section.across_flats, 3), length(d.section.flatness, 4));
+        d.cuts.then(|| msg!("polygon.summary", sides = (d.section.sides, 0), across, error))
     }
 
     fn program(&self) -> MachineProgram {

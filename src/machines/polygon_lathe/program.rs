@@ -273,7 +273,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     for PolygonLathe { p, d, .. } in &lathe.further {
         if !cutters.contains(&p.tool) {
             cutters.push(p.tool);
-            b.comment(&format!("X OFFSET OF T{} IS {}", p.tool as u32, show(d.offset, 3)));
+            b.comment(&format!("X OFFSET OF T{} IS {}", p.tool as u32, show(d.place.offset, 3)));
         }
     }
     let place = writing::places(lathe.control, [CROSS, ALONG]);

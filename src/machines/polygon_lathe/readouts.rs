@@ -53,12 +53,12 @@ fn cuts_by_force(lathe: &PolygonLathe) -> bool {
 
 /// Whether the sides of the flats differ.
 fn cuts_unevenly(lathe: &PolygonLathe) -> bool {
-    lathe.d.cuts && !lathe.d.even
+    lathe.d.cuts && !lathe.d.section.even
 }
 
 /// Whether each corner has one opposite it: an even number of sides.
 fn cuts_opposite_corners(lathe: &PolygonLathe) -> bool {
-    lathe.d.cuts && lathe.d.sides % 2.0 == 0.0
+    lathe.d.cuts && lathe.d.section.sides % 2.0 == 0.0
 }
 
 /// Whether each flat has a corner opposite it: an odd number of sides.
@@ -68,7 +68,7 @@ fn cuts_opposite_flats_to_corners(lathe: &PolygonLathe) -> bool {
 
 /// Whether the path of an insert is an ellipse.
 fn cuts_on_an_ellipse(lathe: &PolygonLathe) -> bool {
-    lathe.d.cuts && lathe.d.ratio == 2.0
+    lathe.d.cuts && lathe.d.speeds.ratio == 2.0
 }
 
 /// Whether the flats are twisted along the work.
@@ -79,44 +79,44 @@ fn cuts_a_twist(lathe: &PolygonLathe) -> bool {
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
-    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |lathe| lathe.d.sides, cuts),
-    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |lathe| lathe.d.flatness, cuts),
-    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |lathe| lathe.d.across_flats, cuts),
-    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)], of all passes, each up to the corners that it meets", GEOMETRY, |lathe| lathe.d.relief_needed, cuts),
-    row!("tool-speed", "polygon.readout.tool-speed", "r/min", 0, true, "B · Q", PAPER, |lathe| lathe.d.tool_speed),
-    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |lathe| lathe.d.orientation, cuts),
-    row!("work-speed", "polygon.readout.work-speed", "r/min", 0, false, "B · D", PAPER, |lathe| lathe.d.work_speed),
-    row!("ratio", "polygon.readout.ratio", "", 4, false, "k = Q / D", PAPER, |lathe| lathe.d.ratio),
-    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |lathe| lathe.d.curvature, cuts),
-    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.0, cuts),
-    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.1, cuts),
-    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |lathe| lathe.d.corner, cuts),
-    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.across_corners, cuts_opposite_corners),
-    row!("flat-to-corner", "polygon.readout.flat-to-corner", "mm", 3, false, "from a flat to the corner opposite it, as a caliper measures", GEOMETRY, |lathe| 0.5 * lathe.d.across_flats + lathe.d.corner, cuts_opposite_flats_to_corners),
-    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.d.area, cuts),
-    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.slowest_cut, cuts),
-    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut, cuts),
-    row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.d.distance),
-    row!("reach", "polygon.readout.reach", "mm", 3, false, "(stock - AF) / 2", MECHANICS, |lathe| lathe.d.reach),
-    row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.d.offset),
-    row!("half-axis-near", "polygon.readout.half-axis-near", "mm", 3, false, "R - r, R the distance of the axes", PAPER, |lathe| lathe.d.distance - lathe.p.tip_radius, cuts_on_an_ellipse),
-    row!("half-axis-far", "polygon.readout.half-axis-far", "mm", 3, false, "R + r, R the distance of the axes", PAPER, |lathe| lathe.d.distance + lathe.p.tip_radius, cuts_on_an_ellipse),
-    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |lathe| lathe.d.orientation_error, cuts),
-    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |lathe| lathe.d.phase, cuts),
-    row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |lathe| lathe.d.coast_phase, cuts),
-    row!("least-across-flats", "polygon.readout.least-across-flats", "mm", 4, false, "over the lowest of the highest points", GEOMETRY, |lathe| lathe.d.least_across_flats, cuts_unevenly),
-    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "Δr", GEOMETRY, |lathe| lathe.d.insert_depth.1, cuts_unevenly),
-    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |lathe| lathe.d.insert_turn.1, cuts_unevenly),
-    row!("twist", "polygon.readout.twist", "°", 3, false, "360 L / K", GEOMETRY, |lathe| lathe.d.twist, cuts_a_twist),
-    row!("twist-speed", "polygon.readout.twist-speed", "r/min", 3, false, "k (n work - F / K)", GEOMETRY, |lathe| lathe.d.twist_speed, cuts_a_twist),
-    row!("passes", "polygon.readout.passes", "", 0, false, "(stock - AF - 2 allowance) / (2 depth), rounded up, and one", MECHANICS, |lathe| lathe.d.passes),
-    row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feed),
-    row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.finish_feed),
-    row!("infeed", "polygon.readout.infeed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.infeed, |lathe| lathe.p.is_behind_face()),
+    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |lathe| lathe.d.section.sides, cuts),
+    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |lathe| lathe.d.section.flatness, cuts),
+    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |lathe| lathe.d.section.across_flats, cuts),
+    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)], of all passes, each up to the corners that it meets", GEOMETRY, |lathe| lathe.d.inserts.relief, cuts),
+    row!("tool-speed", "polygon.readout.tool-speed", "r/min", 0, true, "B · Q", PAPER, |lathe| lathe.d.speeds.tool),
+    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |lathe| lathe.d.angles.orientation, cuts),
+    row!("work-speed", "polygon.readout.work-speed", "r/min", 0, false, "B · D", PAPER, |lathe| lathe.d.speeds.work),
+    row!("ratio", "polygon.readout.ratio", "", 4, false, "k = Q / D", PAPER, |lathe| lathe.d.speeds.ratio),
+    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |lathe| lathe.d.section.curvature, cuts),
+    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |lathe| lathe.d.section.deviation.0, cuts),
+    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |lathe| lathe.d.section.deviation.1, cuts),
+    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |lathe| lathe.d.section.corner, cuts),
+    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.section.across_corners, cuts_opposite_corners),
+    row!("flat-to-corner", "polygon.readout.flat-to-corner", "mm", 3, false, "from a flat to the corner opposite it, as a caliper measures", GEOMETRY, |lathe| 0.5 * lathe.d.section.across_flats + lathe.d.section.corner, cuts_opposite_flats_to_corners),
+    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.d.section.area, cuts),
+    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.inserts.slowest_cut, cuts),
+    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.inserts.fastest_cut, cuts),
+    row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.d.place.distance),
+    row!("reach", "polygon.readout.reach", "mm", 3, false, "(stock - AF) / 2", MECHANICS, |lathe| lathe.d.place.reach),
+    row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.d.place.offset),
+    row!("half-axis-near", "polygon.readout.half-axis-near", "mm", 3, false, "R - r, R the distance of the axes", PAPER, |lathe| lathe.d.place.distance - lathe.p.tip_radius, cuts_on_an_ellipse),
+    row!("half-axis-far", "polygon.readout.half-axis-far", "mm", 3, false, "R + r, R the distance of the axes", PAPER, |lathe| lathe.d.place.distance + lathe.p.tip_radius, cuts_on_an_ellipse),
+    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |lathe| lathe.d.angles.orientation_error, cuts),
+    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |lathe| lathe.d.angles.phase, cuts),
+    row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |lathe| lathe.d.angles.coast_phase, cuts),
+    row!("least-across-flats", "polygon.readout.least-across-flats", "mm", 4, false, "over the lowest of the highest points", GEOMETRY, |lathe| lathe.d.section.least_across_flats, cuts_unevenly),
+    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "Δr", GEOMETRY, |lathe| lathe.d.inserts.depth.error, cuts_unevenly),
+    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |lathe| lathe.d.inserts.turn.error, cuts_unevenly),
+    row!("twist", "polygon.readout.twist", "°", 3, false, "360 L / K", GEOMETRY, |lathe| lathe.d.twist.angle, cuts_a_twist),
+    row!("twist-speed", "polygon.readout.twist-speed", "r/min", 3, false, "k (n work - F / K)", GEOMETRY, |lathe| lathe.d.twist.tool_speed, cuts_a_twist),
+    row!("passes", "polygon.readout.passes", "", 0, false, "(stock - AF - 2 allowance) / (2 depth), rounded up, and one", MECHANICS, |lathe| lathe.d.times.passes),
+    row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feeds.rough),
+    row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feeds.finish),
+    row!("infeed", "polygon.readout.infeed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feeds.infeed, |lathe| lathe.p.is_behind_face()),
     row!("free-length", "polygon.readout.free-length", "mm", 3, false, "far end + clearance", MECHANICS, PolygonLathe::length_to_jaws),
-    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch, cuts),
-    row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.ready),
-    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.d.cutting_time).sum(), cuts),
+    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.inserts.mark_pitch, cuts),
+    row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.times.ready),
+    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.d.times.cutting).sum(), cuts),
     row!("turning-time", "polygon.readout.turning-time", "s", 2, false, "60 way / F, threads 60 way / (P S)", MECHANICS, |lathe| {
         lathe.p.turned_ends.iter().filter(|end| end.on).map(|end| end.time(&lathe.p)).sum()
     }, PolygonLathe::has_main_spindle),
@@ -135,7 +135,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("main-coasting-time", "polygon.readout.main-coasting-time", "s", 1, false, "J · 2π n / 60 / friction, from the highest speed", COASTING, |lathe| lathe.p.main_spindle().coasting(main_spindle::programmed_speed(lathe)), PolygonLathe::has_main_spindle),
     row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", OURS, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum(), cuts),
     row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", OURS, |lathe| {
-        let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();
+        let turning: f64 = lathe.polygons().map(|lathe| lathe.d.times.ready + lathe.d.times.cutting).sum();
         lathe.polygons().map(|lathe| lathe.p.milling_time()).sum::<f64>() / turning
     }, cuts),
     row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force(), cuts_by_force),

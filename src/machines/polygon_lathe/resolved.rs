@@ -98,7 +98,7 @@ impl PolygonLathe {
 
     /// Length (mm) from face to jaws that the cutter needs.
     pub(super) fn length_to_jaws(&self) -> f64 {
-        self.polygons().map(|lathe| lathe.d.length_to_jaws).fold(0.0, f64::max)
+        self.polygons().map(|lathe| lathe.d.place.length_to_jaws).fold(0.0, f64::max)
     }
 
     /// Drives of the slides across and along the work.

@@ -28,7 +28,7 @@ fn steps(lathe: &PolygonLathe) -> Vec<Step> {
     let (p, d) = (&lathe.p, &lathe.d);
     let angle = p.index_time() + p.settling();
     let speed = angle + p.settling();
-    let cut = speed + d.cutting_time;
+    let cut = speed + d.times.cutting;
     vec![
         (0.0, "polygon.step.request", vec![(0, true), (4, true)]),
         (p.index_time(), "polygon.step.told", vec![]),

@@ -1,7 +1,7 @@
 //! Sheets for the machine builder: parameters, interface of the PMC, ladder, sequence, choices of cutter and ratio, passes, inserts.
 
 use super::citations::{OURS, PAPER};
-use super::derive;
+use super::cutter_choices;
 use super::geometry::own_shape;
 use super::program::{self, MACROS};
 use super::resolved::PolygonLathe;
@@ -146,7 +146,12 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
         ]
         .map(Column::Plain)
         .to_vec(),
-        rows: derive::choices(&lathe.p, &lathe.sizes).into_iter().take(MAX_CHOICES).enumerate().map(listed).collect(),
+        rows: cutter_choices::choices(&lathe.p, &lathe.sizes)
+            .into_iter()
+            .take(MAX_CHOICES)
+            .enumerate()
+            .map(listed)
+            .collect(),
         drawing: String::new(),
     }
 }

@@ -136,7 +136,7 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
             ..row(
                 Interruption::PowerFailure,
                 slides_without_supply(sinks),
-                msg!("polygon.stops.phase-lost", angle = (lathe.d.coast_phase.abs(), 0)),
+                msg!("polygon.stops.phase-lost", angle = (lathe.d.angles.coast_phase.abs(), 0)),
                 msg!("polygon.stops.discard"),
             )
         },

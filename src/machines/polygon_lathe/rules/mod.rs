@@ -3,7 +3,7 @@
 mod drives;
 
 use super::bending;
-use super::derive::choices_on_tip_circle;
+use super::cutter_choices::choices_on_tip_circle;
 use super::geometry::own_shape;
 use super::main_spindle;
 use super::params::{FIELDS, Params};
@@ -133,19 +133,19 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
 }
 
 fn other_sides(lathe: &PolygonLathe) -> bool {
-    lathe.d.sides != lathe.p.sides
+    lathe.d.section.sides != lathe.p.sides
 }
 
 fn uneven(lathe: &PolygonLathe) -> bool {
-    lathe.d.flatness > lathe.p.flatness
+    lathe.d.section.flatness > lathe.p.flatness
 }
 
 fn lacks_relief(lathe: &PolygonLathe) -> bool {
-    lathe.d.relief_needed >= lathe.p.relief
+    lathe.d.inserts.relief >= lathe.p.relief
 }
 
 fn is_hollow(lathe: &PolygonLathe) -> bool {
-    lathe.d.hollow > SAME_LENGTH && !lathe.p.hollow
+    lathe.d.section.hollow > SAME_LENGTH && !lathe.p.hollow
 }
 
 /// Faults of inserts, ratio and tip circle, in the order of their results.
@@ -166,13 +166,19 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
         return advice;
     }
     if !other_sides(lathe) && is_hollow(lathe) {
-        if d.ratio < 0.0 {
+        if d.speeds.ratio < 0.0 {
             advice.push(same_sense(lathe));
             return advice;
         }
-        advice.push(msg!("polygon.less-hollow", ratio = (flat_ratio(d.distance, p.tip_radius), 3)).into());
+        advice.push(msg!("polygon.less-hollow", ratio = (flat_ratio(d.place.distance, p.tip_radius), 3)).into());
     }
-    if !other_sides(lathe) && uneven(lathe) && d.even && d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
+    if !other_sides(lathe)
+        && uneven(lathe)
+        && d.section.even
+        && d.speeds.ratio == 2.0
+        && d.section.meets
+        && p.sides >= 3.0
+    {
         let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
         let larger = Advice::from(msg!("polygon.larger-cutter", radius = (radius, 1)));
         let set = at_least(FIELDS, "tip-radius", radius);
@@ -200,7 +206,7 @@ fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
     if !other_sides(lathe) {
         return ok(limit);
     }
-    fail(limit, remedies(lathe, Fault::Sides, msg!("polygon.other-sides", sides = d.sides, wanted = p.sides)))
+    fail(limit, remedies(lathe, Fault::Sides, msg!("polygon.other-sides", sides = d.section.sides, wanted = p.sides)))
 }
 
 fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -211,24 +217,31 @@ fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
     }
     fail(
         limit,
-        remedies(lathe, Fault::Flatness, msg!("polygon.not-flat", flatness = (d.flatness, 4), limit = (p.flatness, 4))),
+        remedies(
+            lathe,
+            Fault::Flatness,
+            msg!("polygon.not-flat", flatness = (d.section.flatness, 4), limit = (p.flatness, 4)),
+        ),
     )
 }
 
 /// Hollow sides. Sides may be hollow although their middle is crowned; then the curvature is not the cause.
 fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    let limit = (d.curvature < 0.0).then_some(AtLeast(0.0));
+    let limit = (d.section.curvature < 0.0).then_some(AtLeast(0.0));
     if is_hollow(lathe) {
-        return fail(limit, remedies(lathe, Fault::Hollow, msg!("polygon.hollow-sides", height = (d.hollow, 4))));
+        return fail(
+            limit,
+            remedies(lathe, Fault::Hollow, msg!("polygon.hollow-sides", height = (d.section.hollow, 4))),
+        );
     }
-    if d.ratio < 0.0 && p.hollow { warn(limit, [same_sense(lathe)]) } else { ok(None) }
+    if d.speeds.ratio < 0.0 && p.hollow { warn(limit, [same_sense(lathe)]) } else { ok(None) }
 }
 
 /// Stock is left between the sides.
 fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    if d.meets || p.sides <= 2.0 {
+    if d.section.meets || p.sides <= 2.0 {
         return ok(None);
     }
     Some(Judgement { advice: vec![msg!("polygon.round-corners", stock = (p.blank(), 3)).into()], ..ok(None)? })
@@ -236,26 +249,26 @@ fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
 
 fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    let size = p.size(d.relief_pass);
+    let size = p.size(d.inserts.relief_pass);
     let limit = AtMost(p.relief);
     if lacks_relief(lathe) {
-        let fact = if d.relief_needed >= 90.0 {
-            msg!("polygon.cannot-cut", pass = d.relief_pass, size = (size, 3))
+        let fact = if d.inserts.relief >= 90.0 {
+            msg!("polygon.cannot-cut", pass = d.inserts.relief_pass, size = (size, 3))
         } else {
             msg!(
                 "polygon.little-relief",
-                needed = (d.relief_needed, 2),
+                needed = (d.inserts.relief, 2),
                 relief = (p.relief, 1),
-                pass = d.relief_pass,
+                pass = d.inserts.relief_pass,
                 size = (size, 3)
             )
         };
         return fail(limit, remedies(lathe, Fault::Relief, fact));
     }
-    if !d.faces_forward {
+    if !d.inserts.faces_forward {
         return warn(limit, [msg!("polygon.faces-back").into()]);
     }
-    if d.relief_needed > p.relief - 2.0 { warn(limit, [msg!("polygon.scarce-relief").into()]) } else { ok(limit) }
+    if d.inserts.relief > p.relief - 2.0 { warn(limit, [msg!("polygon.scarce-relief").into()]) } else { ok(limit) }
 }
 
 /// Advice with a speed B, a whole number, or that no B is a remedy.
@@ -275,14 +288,14 @@ fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) 
 
 fn tool_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.p;
-    too_fast(lathe.d.tool_speed, p.tool_limit, p.tool_ratio, |speed| {
+    too_fast(lathe.d.speeds.tool, p.tool_limit, p.tool_ratio, |speed| {
         msg!("polygon.tool-too-fast", limit = (p.tool_limit, 0), speed)
     })
 }
 
 fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.p;
-    too_fast(lathe.d.work_speed, p.work_limit, p.work_ratio, |speed| {
+    too_fast(lathe.d.speeds.work, p.work_limit, p.work_ratio, |speed| {
         msg!("polygon.work-too-fast", limit = (p.work_limit, 0), speed)
     })
 }
@@ -290,29 +303,29 @@ fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 fn slowest(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let limit = AtLeast(p.slowest_cut);
-    if d.slowest_cut >= p.slowest_cut {
+    if d.inserts.slowest_cut >= p.slowest_cut {
         return ok(limit);
     }
-    let speed = (p.speed * p.slowest_cut / d.slowest_cut).ceil();
+    let speed = (p.speed * p.slowest_cut / d.inserts.slowest_cut).ceil();
     warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-slowly", speed = (speed, 0)))])
 }
 
 fn fastest(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let limit = AtMost(p.fastest_cut);
-    if d.fastest_cut <= p.fastest_cut {
+    if d.inserts.fastest_cut <= p.fastest_cut {
         return ok(limit);
     }
-    let speed = (p.speed * p.fastest_cut / d.fastest_cut).floor();
+    let speed = (p.speed * p.fastest_cut / d.inserts.fastest_cut).floor();
     warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-fast", speed = (speed, 0)))])
 }
 
 fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let (low, high) = (p.least_distance, p.greatest_distance);
-    if d.distance < low {
+    if d.place.distance < low {
         fail(AtLeast(low), [msg!("polygon.too-near", least = (low, 2)).into()])
-    } else if d.distance > high {
+    } else if d.place.distance > high {
         fail(AtMost(high), [msg!("polygon.too-far", most = (high, 2)).into()])
     } else {
         ok(None)
@@ -324,18 +337,18 @@ fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     // The overhang counts up to the radius of the tip circle, at which no body is left.
     let overhang = p.overhang.min(p.tip_radius);
-    if d.reach <= overhang + SAME_LENGTH {
+    if d.place.reach <= overhang + SAME_LENGTH {
         return ok(AtMost(overhang));
     }
     let stock = at_most(FIELDS, "stock-diameter", p.across_flats + 2.0 * overhang);
     let fact = msg!(
         "polygon.body-touches",
-        overlap = (d.reach - overhang, 3),
-        overhang = (d.reach, 3),
+        overlap = (d.place.reach - overhang, 3),
+        overhang = (d.place.reach, 3),
         diameter = stock.text.as_str()
     );
-    let set = at_least(FIELDS, "overhang", d.reach);
-    let fits = d.reach < p.tip_radius;
+    let set = at_least(FIELDS, "overhang", d.place.reach);
+    let fits = d.place.reach < p.tip_radius;
     let advice = Advice::from(fact);
     let advice =
         if fits { advice.setting(msg!("advice.set-overhang", overhang = set.text.as_str()), [set]) } else { advice };
@@ -348,22 +361,23 @@ const SEEN: f64 = 0.05;
 fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
     let d = &lathe.d;
     let limit = Within(SEEN);
-    if d.orientation_error.abs() <= SEEN {
+    if d.angles.orientation_error.abs() <= SEEN {
         return ok(limit);
     }
     // The rule about the phase reports this; no start angle is a remedy at every speed.
-    if (d.orientation_error - d.phase_on_work).abs() <= SEEN {
+    if (d.angles.orientation_error - d.angles.phase_on_work).abs() <= SEEN {
         return warn(limit, []);
     }
-    let advice = Advice::from(msg!("polygon.turned", error = (d.orientation_error, 3), angle = (d.work_start, 3)));
-    let set = nearest(FIELDS, "work-start", d.work_start);
-    warn(limit, [advice.setting(msg!("advice.set-a", angle = (d.work_start, 3)), [set])])
+    let advice =
+        Advice::from(msg!("polygon.turned", error = (d.angles.orientation_error, 3), angle = (d.angles.work_start, 3)));
+    let set = nearest(FIELDS, "work-start", d.angles.work_start);
+    warn(limit, [advice.setting(msg!("advice.set-a", angle = (d.angles.work_start, 3)), [set])])
 }
 
 /// Axes whose time constants or gains differ; both have the greater time constant and the lower gain as a remedy.
 fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    if d.phase.abs() <= 1e-9 {
+    if d.angles.phase.abs() <= 1e-9 {
         return ok(None);
     }
     let (slow, soft) = (p.work_time_constant.max(p.tool_time_constant), p.work_gain.min(p.tool_gain));
@@ -373,8 +387,11 @@ fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
         nearest(FIELDS, "work-gain", soft),
         nearest(FIELDS, "tool-gain", soft),
     ];
-    let advice =
-        Advice::from(msg!("polygon.out-of-phase", tool_angle = (d.phase, 3), work_angle = (d.phase_on_work, 3)));
+    let advice = Advice::from(msg!(
+        "polygon.out-of-phase",
+        tool_angle = (d.angles.phase, 3),
+        work_angle = (d.angles.phase_on_work, 3)
+    ));
     warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
 }
 
@@ -382,16 +399,16 @@ fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
 fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
     if !lathe.p.coasts(lathe.control) {
         // A fact about the supply, no fault of the form.
-        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.coast_phase.abs(), 0)).into()];
+        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.angles.coast_phase.abs(), 0)).into()];
         return Some(Judgement { verdict: Verdict::None, limit: None, advice });
     }
-    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.coast_phase.abs(), 0)));
+    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.angles.coast_phase.abs(), 0)));
     warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held")])])
 }
 
 fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    let (insert, depth) = d.insert_depth;
+    let (insert, depth) = (d.inserts.depth.number, d.inserts.depth.error);
     let limit = Within(p.flatness);
     if depth.abs() <= p.flatness {
         return ok(limit);
@@ -400,7 +417,7 @@ fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
 }
 
 fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (insert, turn) = lathe.d.insert_turn;
+    let (insert, turn) = (lathe.d.inserts.turn.number, lathe.d.inserts.turn.error);
     let limit = Within(SEEN);
     if turn.abs() <= SEEN {
         ok(limit)
@@ -415,7 +432,7 @@ fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
     if p.lead == 0.0 {
         return ok(None);
     }
-    fail(None, [msg!("polygon.no-twist", speed = (d.twist_speed, 3)).into()])
+    fail(None, [msg!("polygon.no-twist", speed = (d.twist.tool_speed, 3)).into()])
 }
 
 /// The run-in of the thread that is turned before the polygons.
@@ -493,17 +510,17 @@ fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Op
 
 fn clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    within_clamp("feed", p.feed, d.feed, p.slides.z.clamp)
+    within_clamp("feed", p.feed, d.feeds.rough, p.slides.z.clamp)
 }
 
 fn finish_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    within_clamp("finish-feed", p.finish_feed, d.finish_feed, p.slides.z.clamp)
+    within_clamp("finish-feed", p.finish_feed, d.feeds.finish, p.slides.z.clamp)
 }
 
 fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
-    within_clamp("infeed", p.infeed, d.infeed, p.slides.x.clamp)
+    within_clamp("infeed", p.infeed, d.feeds.infeed, p.slides.x.clamp)
 }
 
 /// The distance of the jaws from the face; an unknown one is not judged, but has to be measured.

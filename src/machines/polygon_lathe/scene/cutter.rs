@@ -140,7 +140,7 @@ fn holders(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let tips = tips(lathe, layout);
     let half = r * width(lathe, tips.len());
     // Inserts face in the direction of a cutter that turns in the sense of the work, or against it. Positive turns are counter-clockwise.
-    let hand = if lathe.d.faces_forward == (lathe.p.work_speed() > 0.0) { 1.0 } else { -1.0 };
+    let hand = if lathe.d.inserts.faces_forward == (lathe.p.work_speed() > 0.0) { 1.0 } else { -1.0 };
     let (disc, outer) = (body(lathe).0 * r, body(lathe).1 * r);
     let inner = 0.87 * disc;
     // The insert reaches into its holder.

@@ -68,15 +68,15 @@ pub(in super::super) fn form(lathe: &PolygonLathe, layout: &Layout) -> [String; 
     if !lathe.d.cuts {
         return Default::default();
     }
-    let name = if lathe.d.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
+    let name = if lathe.d.section.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
     let scales = lathe.lens_scales.get_or_init(|| scales_text(lathe, layout));
-    [say(name), units::text(lathe.d.flatness, 4, "mm"), scales.clone()]
+    [say(name), units::text(lathe.d.section.flatness, 4, "mm"), scales.clone()]
 }
 
 /// Deviation of the sides from their planes along them, mm; none for a side with stock left.
 fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
     let Some(section) = lathe.p.section().filter(|_| lathe.d.cuts) else { return Vec::new() };
-    let count = (lathe.d.sides as u32).max(1);
+    let count = (lathe.d.section.sides as u32).max(1);
     let (pitch, apothem) = (2.0 * PI / f64::from(count), 0.5 * lathe.p.across_flats);
     let most = (0.5 * pitch).min(1.2);
     let side = |at: u32| {

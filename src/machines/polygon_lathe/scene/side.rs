@@ -116,18 +116,18 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let (p, derived) = (&lathe.p, &lathe.d);
     let (scale, face) = (layout.side, layout.face);
     let turns = p.length / p.lead;
-    if turns.abs() > MOST_TURNS || !derived.cuts || derived.sides <= 1.0 {
+    if turns.abs() > MOST_TURNS || !derived.cuts || derived.section.sides <= 1.0 {
         return;
     }
     let begin = p.section().map_or(0.0, |section| section.begin());
-    for corner in 0..derived.sides as u32 {
-        let angle = |part: f64| begin + 2.0 * PI * ((f64::from(corner) + 0.5) / derived.sides - turns * part);
+    for corner in 0..derived.section.sides as u32 {
+        let angle = |part: f64| begin + 2.0 * PI * ((f64::from(corner) + 0.5) / derived.section.sides - turns * part);
         let mut line = String::new();
         let mut seen = false;
         for i in 0..=TWIST {
             let part = f64::from(i) / f64::from(TWIST);
             let (sin, cos) = math::sin_cos(angle(part));
-            let at = [face - (p.from_face + part * p.length) * scale, SIDE.1 - derived.corner * scale * cos];
+            let at = [face - (p.from_face + part * p.length) * scale, SIDE.1 - derived.section.corner * scale * cos];
             if sin >= 0.0 {
                 fill(&mut line, if seen { "L# #" } else { "M# #" }, &at);
             }
@@ -200,10 +200,15 @@ pub(in super::super) fn edges(
 ) -> String {
     let (p, derived) = (&lathe.p, &lathe.d);
     let mut d = String::new();
-    if p.lead != 0.0 || !derived.cuts || derived.sides < 2.0 || derived.sides > 24.0 || size >= p.stock_diameter {
+    if p.lead != 0.0
+        || !derived.cuts
+        || derived.section.sides < 2.0
+        || derived.section.sides > 24.0
+        || size >= p.stock_diameter
+    {
         return d;
     }
-    let pitch = 2.0 * PI / derived.sides;
+    let pitch = 2.0 * PI / derived.section.sides;
     // Corner of two planes, or the stock that is left between them.
     let corner = (0.5 * size / math::cos(0.5 * pitch).max(1e-6)).min(0.5 * p.stock_diameter);
     let wide =
@@ -212,7 +217,7 @@ pub(in super::super) fn edges(
     let at = |behind: f64| (layout.face - behind * layout.side).max(LEFT + 38.0);
     let (left, right) = (at(to), at(from));
     let (mut top, mut bottom) = (SIDE.1, SIDE.1);
-    for at in 0..derived.sides as u32 {
+    for at in 0..derived.section.sides as u32 {
         for off in [-wide, wide] {
             let (sin, cos) = math::sin_cos(begin + pitch * (f64::from(at) + 0.5) + off);
             let y = SIDE.1 + corner * layout.side * cos;

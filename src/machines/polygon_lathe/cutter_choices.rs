@@ -1,0 +1,18 @@
+//! Choices of cutter and ratio for the polygon, the best first.
+
+use super::params::Params;
+use crate::drives::polygon::choose::{self, Choice};
+
+/// All cutters and ratios for the polygon, the best first.
+pub(super) fn choices(p: &Params, sizes: &[f64]) -> Vec<Choice> {
+    choose::choices(&p.wanted(sizes), &p.means())
+}
+
+/// Cutters and ratios for the tip circle of the form alone: fast enough for every keystroke.
+pub(super) fn choices_on_tip_circle(p: &Params, sizes: &[f64]) -> Vec<Choice> {
+    let mut means = p.means();
+    for cutter in &mut means.cutters {
+        cutter.radius = (p.tip_radius, p.tip_radius);
+    }
+    choose::choices(&p.wanted(sizes), &means)
+}

@@ -1,0 +1,28 @@
+//! The twist of the flats along the work.
+
+use super::cut::{DEGREES, PolygonCut};
+use super::feeds::PolygonFeeds;
+use super::speeds::PolygonSpeeds;
+use crate::drives::polygon::cut;
+use crate::machines::polygon_lathe::params::Params;
+
+/// The twist of the flats.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(in crate::machines::polygon_lathe) struct Twist {
+    /// Over the length, degrees.
+    pub angle: f64,
+    /// Speed of the tool that it needs during the last pass, r/min.
+    pub tool_speed: f64,
+}
+
+impl Twist {
+    pub(super) fn new(p: &Params, cut: &PolygonCut, speeds: &PolygonSpeeds, feeds: &PolygonFeeds) -> Twist {
+        if p.lead == 0.0 {
+            return Twist { angle: 0.0, tool_speed: speeds.tool };
+        }
+        Twist {
+            angle: cut::twist(p.length, p.lead) * DEGREES,
+            tool_speed: cut::helical_tool_speed(cut.setup.ratio, speeds.work, -feeds.finish, p.lead),
+        }
+    }
+}
