@@ -1,0 +1,89 @@
+//! The rules of angles: orientation of the polygon, phase of the tool, errors of the inserts, and the twist.
+
+use crate::machines::form::entry::nearest;
+use crate::machines::polygon_lathe::params::FIELDS;
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
+use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::msg;
+use crate::view::Limit::Within;
+use crate::view::{Advice, Verdict};
+
+/// Angle (°) below visibility.
+const SEEN: f64 = 0.05;
+
+pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
+    let d = &lathe.d;
+    let limit = Within(SEEN);
+    if d.angles.orientation_error.abs() <= SEEN {
+        return ok(limit);
+    }
+    // The rule about the phase reports this; no start angle is a remedy at every speed.
+    if (d.angles.orientation_error - d.angles.phase_on_work).abs() <= SEEN {
+        return warn(limit, []);
+    }
+    let advice =
+        Advice::from(msg!("polygon.turned", error = (d.angles.orientation_error, 3), angle = (d.angles.work_start, 3)));
+    let set = nearest(FIELDS, "work-start", d.angles.work_start);
+    warn(limit, [advice.setting(msg!("advice.set-a", angle = (d.angles.work_start, 3)), [set])])
+}
+
+/// Axes whose time constants or gains differ; both have the greater time constant and the lower gain as a remedy.
+pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
+    let PolygonLathe { p, d, .. } = lathe;
+    if d.angles.phase.abs() <= 1e-9 {
+        return ok(None);
+    }
+    let (slow, soft) = (p.work_time_constant.max(p.tool_time_constant), p.work_gain.min(p.tool_gain));
+    let sets = [
+        nearest(FIELDS, "work-time-constant", slow),
+        nearest(FIELDS, "tool-time-constant", slow),
+        nearest(FIELDS, "work-gain", soft),
+        nearest(FIELDS, "tool-gain", soft),
+    ];
+    let advice = Advice::from(msg!(
+        "polygon.out-of-phase",
+        tool_angle = (d.angles.phase, 3),
+        work_angle = (d.angles.phase_on_work, 3)
+    ));
+    warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
+}
+
+/// Work and tool coast at a power failure, and at an emergency stop that switches their drives off.
+pub(super) fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
+    if !lathe.p.coasts(lathe.control) {
+        // A fact about the supply, no fault of the form.
+        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.angles.coast_phase.abs(), 0)).into()];
+        return Some(Judgement { verdict: Verdict::None, limit: None, advice });
+    }
+    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.angles.coast_phase.abs(), 0)));
+    warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held")])])
+}
+
+pub(super) fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
+    let PolygonLathe { p, d, .. } = lathe;
+    let (insert, depth) = (d.inserts.depth.number, d.inserts.depth.error);
+    let limit = Within(p.flatness);
+    if depth.abs() <= p.flatness {
+        return ok(limit);
+    }
+    warn(limit, [msg!("polygon.insert-deep", insert, depth = (depth, 4)).into()])
+}
+
+pub(super) fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
+    let (insert, turn) = (lathe.d.inserts.turn.number, lathe.d.inserts.turn.error);
+    let limit = Within(SEEN);
+    if turn.abs() <= SEEN {
+        ok(limit)
+    } else {
+        warn(limit, [msg!("polygon.insert-turned", insert, angle = (turn, 3)).into()])
+    }
+}
+
+/// The twist cannot be corrected by the program: the code has no word for a lead.
+pub(super) fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
+    let PolygonLathe { p, d, .. } = lathe;
+    if p.lead == 0.0 {
+        return ok(None);
+    }
+    fail(None, [msg!("polygon.no-twist", speed = (d.twist.tool_speed, 3)).into()])
+}
