@@ -1,34 +1,20 @@
 //! The machines: each is a form, formulas, rules, a program, a PLC and a scene.
 
-pub mod form;
-
-pub mod machine;
-
-pub mod verdict;
-
 pub mod chart_rows;
-
-pub mod sheets;
-
-pub mod stops;
-
-pub mod ladder;
-
 pub mod driven;
-
-pub mod program;
-
+pub mod form;
+pub mod ladder;
 mod lathe;
-
-mod ribbon_line;
-
-mod turning_spindle;
-
-mod polygon_lathe;
-
 mod list;
-
+pub mod machine;
+mod polygon_lathe;
+pub mod program;
 pub mod report;
+mod ribbon_line;
+pub mod sheets;
+pub mod stops;
+mod turning_spindle;
+pub mod verdict;
 
 pub use list::{ALL, find};
 pub use machine::{

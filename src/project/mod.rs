@@ -1,69 +1,38 @@
 //! The interface to all computation: a project in, a run out. Page and command line compute with nothing else.
 
-pub mod files;
-
-pub mod findings;
-
-pub mod parts;
-
-pub mod saved;
-
-pub mod import;
-
-mod prepared;
-
-pub mod examples;
-
-pub mod program;
-
-mod io_names;
-
-pub mod operator;
-
-pub mod setting;
-
-pub mod run;
-
-pub mod debugger;
-
-pub mod drawing;
-
-pub mod export;
-
-mod report;
-
-pub mod requests;
-
 pub mod answers;
-
-pub mod package;
-
-pub mod list;
-
 pub mod chance;
-
-pub mod sensitivity;
-
-pub mod size;
-
-mod customer;
-
-pub mod variants;
-
 pub mod changes;
-
+pub mod completion;
+mod customer;
+pub mod debugger;
+pub mod dependence;
+pub mod drawing;
+pub mod examples;
+pub mod export;
+pub mod files;
+pub mod findings;
+pub mod help;
+pub mod import;
+mod io_names;
+pub mod list;
+pub mod meaning;
+pub mod operator;
 pub mod origins;
-
+pub mod package;
+pub mod parts;
+mod prepared;
+pub mod program;
 pub mod remedy;
 pub mod repairs;
-
-pub mod meaning;
-
-pub mod completion;
-
-pub mod dependence;
-
-pub mod help;
+mod report;
+pub mod requests;
+pub mod run;
+pub mod saved;
+pub mod sensitivity;
+pub mod setting;
+pub mod size;
+pub mod variants;
 
 use std::sync::Arc;
 

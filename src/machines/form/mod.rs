@@ -1,13 +1,9 @@
 //! A form as data: fields with unit, range, default and help, and their values.
 
 pub mod entry;
-
 pub mod fill;
-
 mod read;
-
 pub mod rows;
-
 mod shown;
 
 use std::collections::BTreeMap;

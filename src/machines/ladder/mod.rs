@@ -4,15 +4,10 @@
 //! Signals are typed: [`plc::LadderPlc`] connects them to the simulated control, [`book::Book`] to the devices of the control's PLC.
 
 pub mod book;
-
 pub mod codes;
-
 pub mod plc;
-
 pub mod scan;
-
 pub mod sheet;
-
 pub mod text;
 
 use std::sync::Arc;

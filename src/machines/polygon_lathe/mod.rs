@@ -1,87 +1,47 @@
 //! The polygon lathe: a cutter disc and the work turn in a fixed ratio, started and stopped by G512 and G502, and flats appear.
 
-mod citations;
-
-mod params;
-
-mod shape;
-
-mod further_form;
-
-mod turned_end_form;
-
-mod examples;
-
-mod passes;
-
-mod speeds;
-
-mod polygon_forms;
-
-mod derive;
-
-mod cutter_choices;
-
-mod driven;
-
-mod geometry;
-
-mod path;
-
-mod further;
-
-mod milling;
-
-mod turned_ends;
-
-mod resolved;
-
-mod load;
-
-mod main_spindle;
-
-mod demand;
-
-mod readouts;
-
-mod results;
-
-mod rules;
-
-mod findings;
-
-mod program;
-
-mod plant;
-
-mod plc;
-
-mod stops;
-
-mod scene;
-
-mod outlines;
-
-mod pose;
-
-mod progress;
-
 mod bending;
 mod charts;
-
-mod sheets;
-
-mod parts_list;
-
-mod ladder;
-
-mod native_code;
-
+mod citations;
+mod cutter_choices;
+mod demand;
+mod derive;
 mod drawings;
-
-mod sequence;
-
+mod driven;
+mod examples;
 mod explore;
+mod findings;
+mod further;
+mod further_form;
+mod geometry;
+mod ladder;
+mod load;
+mod main_spindle;
+mod milling;
+mod native_code;
+mod outlines;
+mod params;
+mod parts_list;
+mod passes;
+mod path;
+mod plant;
+mod plc;
+mod polygon_forms;
+mod pose;
+mod program;
+mod progress;
+mod readouts;
+mod resolved;
+mod results;
+mod rules;
+mod scene;
+mod sequence;
+mod shape;
+mod sheets;
+mod speeds;
+mod stops;
+mod turned_end_form;
+mod turned_ends;
 
 pub(crate) use resolved::PolygonLathe;
 use resolved::WORK;

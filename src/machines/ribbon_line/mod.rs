@@ -1,60 +1,34 @@
 //! The ribbon dot-printing line: an inverter unwinds, X pulls, another axis prints a dot every pitch.
 
-mod params;
-
-mod examples;
-
-mod derive;
-
-mod reel;
-
-mod mechanics;
-
-mod resolved;
-
-mod reel_demand;
-
-mod dot_error;
-
-mod driven;
-
 mod cam;
-
-mod readouts;
-
-mod phase;
-
-mod program;
-
-mod variables;
-
-mod rules;
-
-mod plant;
-
-mod contacts;
-
-mod tension_switch;
-
-mod devices;
-
-mod ladder;
-
-mod plc;
-
-mod stops;
-mod unwinder_motor;
-
-mod scene;
-
-mod pose;
-
 mod charts;
 mod coasting;
-
-mod sheets;
-
+mod contacts;
+mod derive;
+mod devices;
+mod dot_error;
+mod driven;
+mod examples;
+mod ladder;
+mod mechanics;
+mod params;
 mod parts_list;
+mod phase;
+mod plant;
+mod plc;
+mod pose;
+mod program;
+mod readouts;
+mod reel;
+mod reel_demand;
+mod resolved;
+mod rules;
+mod scene;
+mod sheets;
+mod stops;
+mod tension_switch;
+mod unwinder_motor;
+mod variables;
 
 pub(crate) use resolved::RibbonLine;
 

@@ -1,59 +1,33 @@
 //! The turning spindle: a lathe that faces, turns or cuts a taper at constant surface speed or constant r/min.
 
-mod params;
-
-mod examples;
-
-mod gear_stage;
-
-mod derive;
-
-mod demand;
-
-mod worst_cut;
-
-mod driven;
-
-mod resolved;
-
-mod readouts;
-
-mod travel;
-
-mod rules;
-
-mod run_up;
-
-mod cooling;
-
-mod variables;
-
-mod program;
-
-mod full_output;
-
-mod gears;
-
-mod keyway;
-
-mod ladder;
-
-mod stops;
-
-mod plant;
-
-mod scene;
-
-mod pose;
-
-mod progress;
-
 mod bending;
 mod charts;
-
-mod sheets;
-
+mod cooling;
+mod demand;
+mod derive;
+mod driven;
+mod examples;
+mod full_output;
+mod gear_stage;
+mod gears;
+mod keyway;
+mod ladder;
+mod params;
 mod parts_list;
+mod plant;
+mod pose;
+mod program;
+mod progress;
+mod readouts;
+mod resolved;
+mod rules;
+mod run_up;
+mod scene;
+mod sheets;
+mod stops;
+mod travel;
+mod variables;
+mod worst_cut;
 
 pub(crate) use resolved::TurningSpindle;
 

@@ -1,20 +1,13 @@
 //! Help as data: pages of machines, controls, terms and warnings, made from their rows; each entry has an id that links lead to.
 
-pub mod texts;
-
 pub mod content;
-
 mod control;
-
-mod machine;
-
-mod terms;
-
-pub mod pages;
-
-pub mod search;
-
 pub mod explain;
+mod machine;
+pub mod pages;
+pub mod search;
+mod terms;
+pub mod texts;
 
 use self::content::{HelpEntry, HelpPage, HelpPlace};
 pub(super) use self::terms::open;

@@ -1,11 +1,8 @@
 //! The core for other programs: requests and answers are JSON. Total: any text gets an answer, and an error is a sentence in it.
 
 mod interpret;
-
 mod refusal;
-
 mod requests;
-
 mod steps;
 
 use serde_json::{Value as Json, json};

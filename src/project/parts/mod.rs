@@ -1,14 +1,10 @@
 //! Tables of parts: the shipped catalogue, and parts added by the user, as CSV or JSON.
 
 pub mod columns;
-
-mod row;
-
-mod table;
-
 mod objects;
-
+mod row;
 mod sources;
+mod table;
 
 use std::sync::OnceLock;
 

@@ -3,21 +3,15 @@
 //! A new version is a file `v2.rs` with its struct, a function that makes it from the struct of version 1, a row in
 //! [`Project::from_json`], and a kept file in `tests/data/saved`. Only the newest is written and [resolved](resolve).
 
+mod embedded;
 mod history;
-
+mod link;
 mod loaded;
-
-mod v1;
-
-mod panel;
-
 mod old_ids;
 mod old_options;
-
+mod panel;
 mod resolve;
-
-mod embedded;
-mod link;
+mod v1;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;

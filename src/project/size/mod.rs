@@ -3,35 +3,21 @@
 //! Torque and energy come from runs of the program itself, over stretches of constant acceleration; see
 //! [`Motion`](crate::drives::shaft_motion::Motion).
 
-mod inverter_motor;
-
 mod amplifier;
-
 mod bill;
-
 mod choice;
-
 mod demand;
-
 mod envelope;
-
 mod gears;
-
 mod growth;
-
+mod inverter_motor;
 mod refusal;
-
 mod runs;
-
 pub mod sections;
-
 pub mod sheets;
-
-pub mod words;
-
 mod terminals;
-
 mod tornado;
+pub mod words;
 
 pub use amplifier::Resistor;
 pub use bill::BillRow;

@@ -4,15 +4,10 @@
 //! it. The sizes of chuck, headstock and slide are not in the form.
 
 mod cutter;
-
 mod front;
-
 mod ids;
-
 mod layout;
-
 mod lens;
-
 mod side;
 
 use super::resolved::PolygonLathe;

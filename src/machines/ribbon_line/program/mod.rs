@@ -3,26 +3,16 @@
 //! Written with the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
-mod numbers;
-
-mod entries;
-
-mod formulas;
-
 mod blocks;
-
+mod entries;
+mod formulas;
 mod limits;
-
-mod product_length;
-
-mod ready_made;
-
 mod listing;
-
-mod published;
-
+mod numbers;
 mod precomputed;
-
+mod product_length;
+mod published;
+mod ready_made;
 mod setup;
 
 pub(super) use entries::variables;

@@ -1,14 +1,10 @@
 //! The results of the ribbon line: rows with label, unit, formula and source, one file for each subject, and the rules that judge them.
 
-mod line;
-
-mod drives;
-
-mod reel;
-
-mod dots;
-
 mod cam;
+mod dots;
+mod drives;
+mod line;
+mod reel;
 
 use super::cam::chosen;
 use super::resolved::RibbonLine;

@@ -4,21 +4,14 @@
 //! are kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
-pub(super) mod slack;
-
-pub(super) mod feeds;
-
-pub(super) mod drives;
-
 pub(super) mod cam;
-
-mod product;
-
 pub(super) mod coordinates;
-
 pub(super) mod dots;
-
+pub(super) mod drives;
+pub(super) mod feeds;
+mod product;
 pub(super) mod reel;
+pub(super) mod slack;
 
 use super::cam::has_no_time;
 use super::coasting;

@@ -2,27 +2,17 @@
 //!
 //! One unit is one millimetre. Only the thickness of the ribbon and the lens are magnified, each with its factor in the drawing.
 
-pub(super) mod parts;
-
-pub(super) mod web;
-
-pub(super) mod slack_loop;
-
-pub(super) mod layout;
-
 pub(super) mod captions;
-
-pub(super) mod stations;
-
-mod reels;
-
-mod printing;
-
 pub(super) mod dancer;
-
-pub(super) mod lens;
-
 pub(super) mod labels;
+pub(super) mod layout;
+pub(super) mod lens;
+pub(super) mod parts;
+mod printing;
+mod reels;
+pub(super) mod slack_loop;
+pub(super) mod stations;
+pub(super) mod web;
 
 use self::layout::Layout;
 use self::parts::{group, node};

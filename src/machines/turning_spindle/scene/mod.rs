@@ -4,21 +4,13 @@
 //! have their sizes.
 
 mod chuck;
-
 mod frame;
-
 mod ids;
-
 mod instruments;
-
 mod layout;
-
 mod lens;
-
 mod solid;
-
 mod turret;
-
 mod work;
 
 use super::params::{Params, Path};
