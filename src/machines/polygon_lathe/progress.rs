@@ -46,6 +46,16 @@ impl SlidePass {
     }
 }
 
+/// A stretch of the bar that is cut to one size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SizedStretch {
+    /// Distances of both ends from the face, mm.
+    pub(super) near: f64,
+    pub(super) far: f64,
+    /// Diameter or size across flats, mm.
+    pub(super) size: f64,
+}
+
 /// The passes of the slide so far.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Progress {
@@ -53,11 +63,16 @@ pub(super) struct Progress {
     pub(super) passes: Vec<SlidePass>,
     /// The deepest pass before the last one on its stretch.
     pub(super) done: Option<SlidePass>,
-    /// Stretches that the spindle has turned: distances of both ends from the face, and the diameter.
-    pub(super) turned_stretches: Vec<(f64, f64, f64)>,
+    /// Stretches that the spindle has turned.
+    pub(super) turned_stretches: Vec<SizedStretch>,
 }
 
 impl Progress {
+    /// The passes, each with its stretch of the bar.
+    pub(super) fn pass_stretches(&self) -> impl Iterator<Item = SizedStretch> {
+        self.passes.iter().map(|pass| SizedStretch { near: pass.stretch.0, far: pass.stretch.1, size: pass.size })
+    }
+
     /// The present pass, or the last.
     pub(super) fn now(&self) -> Option<&SlidePass> {
         self.passes.last()
@@ -87,7 +102,8 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
             let threaded = p.turned_ends.iter().filter(|end| end.on && end.pitch > 0.0 && far <= end.length);
             // The drawing has no flanks.
             let least = threaded.map(|end| end.diameter).fold(0.0, f64::max).min(p.stock_diameter);
-            progress.turned_stretches.push(((-visit.along.1).max(0.0), far, (2.0 * visit.across).max(least)));
+            let (near, size) = ((-visit.along.1).max(0.0), (2.0 * visit.across).max(least));
+            progress.turned_stretches.push(SizedStretch { near, far, size });
         }
         if since.pmc[TOOL].feed == 0.0 {
             continue;
@@ -129,8 +145,8 @@ pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, p
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
     let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, SlidePass::middle);
-    let over = progress.turned_stretches.iter().filter(|(near, far, _)| (*near..=*far).contains(&middle));
-    let stock = over.map(|(_, _, diameter)| *diameter).fold(lathe.p.stock_diameter, f64::min);
+    let over = progress.turned_stretches.iter().filter(|turned| (turned.near..=turned.far).contains(&middle));
+    let stock = over.map(|turned| turned.size).fold(lathe.p.stock_diameter, f64::min);
     let mut grid = vec![0.5 * stock; GRID];
     for pass in progress.done.iter().chain(progress.now()) {
         cut(&mut grid, lathe, pass, now);

@@ -3,7 +3,7 @@
 use super::ids::{group, node};
 use super::layout::{Layout, SIDE, UNIT};
 use crate::machines::polygon_lathe::outlines::closed;
-use crate::machines::polygon_lathe::progress::Progress;
+use crate::machines::polygon_lathe::progress::{Progress, SizedStretch};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
@@ -139,25 +139,24 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     }
 }
 
-/// Stretches of the bar that have become polygons, from the face to the jaws: distances of both ends from the face, and the size across
-/// flats.
-pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<(f64, f64, f64)> {
-    let passes: Vec<_> = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size)).collect();
+/// Stretches of the bar that have become polygons, from the face to the jaws.
+pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<SizedStretch> {
+    let passes: Vec<_> = progress.pass_stretches().collect();
     stretches(lathe, &passes)
 }
 
 /// Stretches of the bar that are cut, each with the least of its sizes.
-fn stretches(lathe: &PolygonLathe, passes: &[(f64, f64, f64)]) -> Vec<(f64, f64, f64)> {
-    let mut ends: Vec<f64> = passes.iter().flat_map(|pass| [pass.0, pass.1]).collect();
+fn stretches(lathe: &PolygonLathe, passes: &[SizedStretch]) -> Vec<SizedStretch> {
+    let mut ends: Vec<f64> = passes.iter().flat_map(|pass| [pass.near, pass.far]).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup();
-    let mut all: Vec<(f64, f64, f64)> = Vec::new();
+    let mut all: Vec<SizedStretch> = Vec::new();
     for (near, far) in ends.iter().zip(ends.iter().skip(1)) {
-        let over = passes.iter().filter(|pass| pass.0 <= *near && pass.1 >= *far);
-        let size = over.map(|pass| pass.2).fold(lathe.p.stock_diameter, f64::min);
-        match all.last_mut().filter(|last| last.1 == *near && last.2 == size) {
-            Some(last) => last.1 = *far,
-            None if size < lathe.p.stock_diameter => all.push((*near, *far, size)),
+        let over = passes.iter().filter(|pass| pass.near <= *near && pass.far >= *far);
+        let size = over.map(|pass| pass.size).fold(lathe.p.stock_diameter, f64::min);
+        match all.last_mut().filter(|last| last.far == *near && last.size == size) {
+            Some(last) => last.far = *far,
+            None if size < lathe.p.stock_diameter => all.push(SizedStretch { near: *near, far: *far, size }),
             None => {}
         }
     }
@@ -170,13 +169,12 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Pr
     let stock = 0.5 * lathe.p.stock_diameter;
     // From the face to the jaws.
     let mut upper = Vec::new();
-    let polygons = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size));
-    let cut: Vec<_> = polygons.chain(progress.turned_stretches.iter().copied()).collect();
+    let cut: Vec<_> = progress.pass_stretches().chain(progress.turned_stretches.iter().copied()).collect();
     let cut = stretches(lathe, &cut);
-    if cut.first().is_none_or(|(near, ..)| *near > 0.0) {
+    if cut.first().is_none_or(|first| first.near > 0.0) {
         upper.push((face, stock));
     }
-    for (near, far, size) in cut {
+    for SizedStretch { near, far, size } in cut {
         let edge = (near > 0.0).then_some(stock);
         let [near, far] = [near, far].map(|at| (face - at * scale).max(LEFT + 38.0));
         let half = 0.5 * size;
