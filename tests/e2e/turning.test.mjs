@@ -57,7 +57,7 @@ test('taper on another control is written for it and exported', () =>
     await openGroups(page);
     await page.selectOption('#path', 'taper');
     await field(page, 'large-diameter').waitFor();
-    await page.locator('.listing li', { hasText: 'X[#104+#110] Z[-#105]' }).waitFor();
+    await page.locator('.listing li', { hasText: 'G01 Z#30 F#2' }).waitFor();
     await page.selectOption('select.control', 'mitsubishi-e60');
     await page.locator('.listing li', { hasText: 'G97 S#109 M3' }).waitFor();
     assert.equal(await field(page, 'speed-mode').isVisible(), false);
