@@ -126,9 +126,9 @@ impl RaisedAlarm {
         }
         let part = self.part.and_then(|part| parsed.expr_span(block, part));
         let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
-        let shown = parsed.control().alarm_shown(self.alarm);
+        let (kind, shown) = (self.kind(), parsed.control().alarm_shown(self.alarm));
         let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
-        if self.alarm == Alarm::User {
+        if kind == Alarm::User {
             diagnostic.kind = DiagnosticKind::ProgramAlarm;
         }
         if let Some(number) = self.number {

@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn text_of_the_program_stands_beside_the_number_that_all_its_alarms_have() {
+    async fn text_of_the_program_follows_a_shared_alarm_number() {
         let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
         // The print roller would have to turn five times as fast: above its clamp.
         project.values.insert("heads".to_owned(), Value::Number(7.0));
