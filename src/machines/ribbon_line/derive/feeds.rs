@@ -101,7 +101,7 @@ pub(super) fn k(pi: f64, diameter: f64, reduction: f64) -> f64 {
 }
 
 /// F of a block that moves X by `a` and Y by `b` so that X runs at `x_speed`: `F = Fx · √(a² + b²) / a`, equation (4). It holds for
-/// millimetres and degrees mixed as well, because the control works with the numbers (sheet section 5).
+/// millimetres and degrees mixed as well, because the control works with the numbers. Source: ribbon line facts, 1.
 pub(super) fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
     x_speed * math::hypot(a, b) / a
 }
