@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 
+use crate::ui::dom::delayed::Delayed;
 use crate::ui::words::Tone;
 
 /// Time after which a confirmation without a button leaves the drawing free again; it was announced, and what it says is on the page.
@@ -35,6 +36,11 @@ impl Notice {
         Notice { tone, text, file: None, offer: None, of_project: false, confirms: false }
     }
 
+    /// Whether it only confirms, with nothing to press or to keep.
+    fn goes_by_itself(&self) -> bool {
+        self.confirms && self.offer.is_none() && self.file.is_none()
+    }
+
     /// Attaches a file: name and content.
     pub(crate) fn with_file(self, name: &'static str, content: String) -> Notice {
         Notice { file: Some((name, content)), ..self }
@@ -48,12 +54,18 @@ pub(crate) struct Notices {
     pub list: RwSignal<Vec<Notice>>,
     /// The last sentence for screen readers.
     pub announcement: RwSignal<String>,
+    /// Takes the shown confirmation away.
+    end_of_confirmation: Delayed,
 }
 
 impl Notices {
     /// Begins with these.
     pub(crate) fn new(list: Vec<Notice>) -> Notices {
-        Notices { list: RwSignal::new(list), announcement: RwSignal::new(String::new()) }
+        Notices {
+            list: RwSignal::new(list),
+            announcement: RwSignal::new(String::new()),
+            end_of_confirmation: Delayed::new(),
+        }
     }
 
     /// Shows a notice.
@@ -74,10 +86,9 @@ impl Notices {
     /// Shows a notice with its file and its button.
     pub(crate) fn show(self, shown: Notice) {
         self.announcement.set(shown.text.clone());
-        if shown.confirms && shown.offer.is_none() && shown.file.is_none() {
-            let (list, text) = (self.list, shown.text.clone());
-            let go = move || list.try_update(|list| list.retain(|notice| notice.text != text));
-            set_timeout(move || go().unwrap_or_default(), CONFIRMED);
+        if shown.goes_by_itself() {
+            self.end_of_confirmation
+                .call(move || self.list.update(|list| list.retain(|notice| !notice.goes_by_itself())), CONFIRMED);
         }
         self.list.update(|list| {
             list.retain(|notice| notice.text != shown.text && !(notice.confirms && shown.confirms));
