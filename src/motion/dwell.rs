@@ -21,10 +21,10 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Earliest end (s) of a dwell in turns; computed again while the spindle changes its speed.
     pub(super) fn turns_time(&self, from: f64, turns: f64) -> f64 {
-        let t = self.s.now;
+        let t = self.state.now;
         let (left, rpm) = (self.turns_left(t, from, turns), self.measured(t));
         let next = if rpm > 0.0 { t + (left * 60.0 / rpm).max(1e-6) } else { f64::INFINITY };
-        let changes = self.s.spindle.reached_at.is_finite();
+        let changes = self.state.spindle.reached_at.is_finite();
         if left <= 0.0 {
             t
         } else if changes {

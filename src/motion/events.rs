@@ -26,10 +26,10 @@ pub(super) enum EventSource {
 impl<P: RunningProgram> Sim<'_, P> {
     /// Time (s) and source of the earliest event; infinite if only the operator can cause one.
     pub(super) fn next(&self) -> (f64, EventSource) {
-        if !self.s.started {
+        if !self.state.started {
             return (0.0, EventSource::PowerOn);
         }
-        let operator = self.panel.events().get(self.s.operator.events_done);
+        let operator = self.panel.events().get(self.state.operator.events_done);
         let operator_at = operator.map_or(f64::INFINITY, |event| event.t);
         let mut next = (f64::INFINITY, EventSource::Operator);
         // Cycle start at the exact time of a stop answers that stop.
@@ -37,9 +37,9 @@ impl<P: RunningProgram> Sim<'_, P> {
         let first = if start { f64::INFINITY } else { operator_at };
         for (t, who) in [
             (first, EventSource::Operator),
-            (self.s.plc.next_scan, EventSource::Plc),
-            (self.s.plc.next_reading, EventSource::Contacts),
-            (self.s.spindle.next(), EventSource::Spindle),
+            (self.state.plc.next_scan, EventSource::Plc),
+            (self.state.plc.next_reading, EventSource::Contacts),
+            (self.state.spindle.next(), EventSource::Spindle),
             (self.reader_time(), EventSource::Reader),
             (self.executor_time(), EventSource::Executor),
             (operator_at, EventSource::Operator),
@@ -53,7 +53,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Carries out one event.
     pub(super) fn happen(&mut self, t: f64, who: EventSource) {
-        self.s.now = t;
+        self.state.now = t;
         match who {
             EventSource::PowerOn => self.power_on(),
             EventSource::Operator => self.operate(t),
@@ -71,44 +71,44 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// The end of the run, if only the operator can continue it; `t` is the time of the next event.
     pub(super) fn end(&self, t: f64) -> Option<RunEnd> {
-        if self.s.operator.events_done < self.panel.events().len() || !self.s.started {
+        if self.state.operator.events_done < self.panel.events().len() || !self.state.started {
             return None;
         }
         let nothing_follows = (t == f64::INFINITY).then_some(RunEnd::Stop);
-        self.s.exec.end(self.holding()).or(nothing_follows)
+        self.state.exec.end(self.holding()).or(nothing_follows)
     }
 
     /// The reason why a program waits for ever without ending, unless it is already reported.
     pub(super) fn stuck(&self) -> Option<Diagnostic> {
-        let message = match &self.s.exec {
+        let message = match &self.state.exec {
             exec if exec.end(self.holding()).is_some() => return None,
             Exec::Fin => msg!("motion.no-fin"),
             Exec::Counting(..) => msg!("motion.spindle-at-rest"),
             _ if self.waits_for_spindle() => return None,
             _ => msg!("motion.no-feed"),
         };
-        Some(Diagnostic { place: self.s.place, ..Diagnostic::warning(message) })
+        Some(Diagnostic { place: self.state.place, ..Diagnostic::warning(message) })
     }
 
     fn power_on(&mut self) {
-        self.s.started = true;
+        self.state.started = true;
         self.put_ramp(0.0, SpeedCommand { stage: 1, ..SpeedCommand::default() });
-        self.s.path.moving = true;
+        self.state.path.moving = true;
         self.rest(0.0);
-        self.s.path.rest_since = f64::NEG_INFINITY;
+        self.state.path.rest_since = f64::NEG_INFINITY;
         self.scan(0.0);
     }
 
     /// Records a change of the control's mode or of the executing block.
     fn mark(&mut self, t: f64) {
-        let mode = self.s.exec.mode(self.holding());
-        let runs = self.s.exec.runs() && mode != Mode::Hold;
-        if runs != self.s.clock.since.is_some() {
-            self.s.clock.total = self.s.run_time_at(t);
-            self.s.clock.since = runs.then_some(t);
+        let mode = self.state.exec.mode(self.holding());
+        let runs = self.state.exec.runs() && mode != Mode::Hold;
+        if runs != self.state.clock.since.is_some() {
+            self.state.clock.total = self.state.run_time_at(t);
+            self.state.clock.since = runs.then_some(t);
         }
-        self.s.mode = mode;
-        let mark = Activity { t, mode, place: self.s.place.unwrap_or_default(), begun: self.s.place.is_some() };
+        self.state.mode = mode;
+        let mark = Activity { t, mode, place: self.state.place.unwrap_or_default(), begun: self.state.place.is_some() };
         let same = |last: &Activity| last.mode == mark.mode && last.begun == mark.begun && last.place == mark.place;
         if !self.out.timeline.marks.last().is_some_and(same) {
             self.out.timeline.marks.put(mark);

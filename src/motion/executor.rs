@@ -17,16 +17,16 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Feed hold, unless the program has switched it off or cuts a thread.
     #[inline]
     pub(super) fn holding(&self) -> bool {
-        self.s.operator.held && !self.s.suppressed.hold && self.s.exec.runs() && !self.s.exec.threads()
+        self.state.operator.held && !self.state.suppressed.hold && self.state.exec.runs() && !self.state.exec.threads()
     }
 
     /// Time (s) at which the axes are at rest.
     pub(super) fn rest_time(&self) -> f64 {
-        self.s.path.rest_since + self.plant.standstill
+        self.state.path.rest_since + self.plant.standstill
     }
 
     pub(super) fn executor_time(&self) -> f64 {
-        let s = &*self.s;
+        let s = &*self.state;
         match &s.exec {
             Exec::Idle if self.holding() => f64::INFINITY,
             Exec::Idle => match (s.reader.queue.front(), &s.reader.over) {
@@ -47,7 +47,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     pub(super) fn execute(&mut self, t: f64) {
-        match &mut self.s.exec {
+        match &mut self.state.exec {
             Exec::Idle => self.begin_next(t),
             Exec::Moving(motion) => {
                 let (end, exact, pace) = (motion.end, motion.exact, motion.pace);
@@ -58,7 +58,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
             Exec::Spinning(_) => {
-                if let Exec::Spinning(motion) = core::mem::replace(&mut self.s.exec, Exec::Idle) {
+                if let Exec::Spinning(motion) = core::mem::replace(&mut self.state.exec, Exec::Idle) {
                     self.begin(t, &motion);
                 }
             }
@@ -66,11 +66,11 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let canon = core::mem::replace(&mut **canon, Canon::Stop);
                 self.perform(t, canon);
             }
-            Exec::Settling(_) | Exec::Dwelling(_) => self.s.exec = Exec::Idle,
+            Exec::Settling(_) | Exec::Dwelling(_) => self.state.exec = Exec::Idle,
             Exec::Counting(from, turns) => {
                 let (from, turns) = (*from, *turns);
                 if self.turns_left(t, from, turns) <= 0.0 {
-                    self.s.exec = Exec::Idle;
+                    self.state.exec = Exec::Idle;
                 }
             }
             _ => {}
@@ -78,8 +78,8 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     fn begin_next(&mut self, t: f64) {
-        let Some(next) = self.s.reader.queue.front() else {
-            self.s.exec = match self.s.reader.over.clone() {
+        let Some(next) = self.state.reader.queue.front() else {
+            self.state.exec = match self.state.reader.over.clone() {
                 Some(Over::Alarm(diagnostic)) => {
                     self.out.report((*diagnostic).clone());
                     Exec::Alarm(diagnostic)
@@ -96,32 +96,33 @@ impl<P: RunningProgram> Sim<'_, P> {
             return;
         };
         if next.first
-            && self.s.operator.stepped
-            && self.s.operator.knobs.single_block
-            && !self.s.suppressed.single_block
+            && self.state.operator.stepped
+            && self.state.operator.knobs.single_block
+            && !self.state.suppressed.single_block
         {
-            self.s.exec = Exec::Stopped;
-            self.s.path.flow_end = None;
+            self.state.exec = Exec::Stopped;
+            self.state.path.flow_end = None;
             return;
         }
         let Some(Queued { canon, place, first, block, .. }) = self.pop() else { return };
-        self.s.reader.executed = block;
-        self.s.operator.stepped |= first;
-        self.s.place = Some(place);
+        self.state.reader.executed = block;
+        self.state.operator.stepped |= first;
+        self.state.place = Some(place);
         match canon {
             Canon::Rapid { to } => {
                 let end = self.goal(&to);
-                let motion = ActiveMove::line(self.s.path.position, end, Pace::Rapid, true, &self.plant.axes);
+                let motion = ActiveMove::line(self.state.path.position, end, Pace::Rapid, true, &self.plant.axes);
                 self.begin(t, &motion);
             }
             Canon::Linear { to, feed, exact } => {
                 let end = self.goal(&to);
-                let motion = ActiveMove::line(self.s.path.position, end, Pace::Feed(feed), exact, &self.plant.axes);
+                let motion = ActiveMove::line(self.state.path.position, end, Pace::Feed(feed), exact, &self.plant.axes);
                 self.cut(t, &motion);
             }
             Canon::Thread { to, lead } => {
                 let end = self.goal(&to);
-                let motion = ActiveMove::line(self.s.path.position, end, Pace::Thread(lead), false, &self.plant.axes);
+                let motion =
+                    ActiveMove::line(self.state.path.position, end, Pace::Thread(lead), false, &self.plant.axes);
                 self.cut(t, &motion);
             }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
@@ -129,7 +130,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let scale = |axis: u8| self.plant.scale.get(axis as usize).copied().unwrap_or(0.0);
                 let center = (center.0 * scale(plane.0), center.1 * scale(plane.1));
                 let axes = &self.plant.axes;
-                let motion = ActiveMove::line(self.s.path.position, end, Pace::Feed(feed), exact, axes);
+                let motion = ActiveMove::line(self.state.path.position, end, Pace::Feed(feed), exact, axes);
                 self.cut(t, &motion.around(plane, center, clockwise, axes));
             }
             Canon::SurfaceSpeed { speed, axis, zero } => {
@@ -137,22 +138,22 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Canon::ConstantSpeed => self.end_surface(t),
             Canon::SpeedLimit { limit, rpm } => {
-                self.s.spindle.limit(limit, rpm);
+                self.state.spindle.limit(limit, rpm);
                 self.follow(t);
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
-            Canon::OtherSpindle { rotation, .. } => self.s.spindle.driven = rotation != Rotation::Stopped,
+            Canon::OtherSpindle { rotation, .. } => self.state.spindle.driven = rotation != Rotation::Stopped,
             // No motion: a position or message is recorded, or the command has acted when it was read.
-            Canon::Preset { .. } => self.s.path.reference = Some(self.s.path.position),
+            Canon::Preset { .. } => self.state.path.reference = Some(self.state.path.position),
             Canon::PathMode { .. } => {}
             Canon::Show { text } => self.out.timeline.show_message(t, &text),
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
-            Canon::OptionalStop if !self.s.operator.knobs.optional_stop => {}
+            Canon::OptionalStop if !self.state.operator.knobs.optional_stop => {}
             _ => {
-                self.s.path.flow_end = None;
+                self.state.path.flow_end = None;
                 let rest = self.rest_time();
                 if rest > t {
-                    self.s.exec = Exec::Resting(rest, Box::new(canon));
+                    self.state.exec = Exec::Resting(rest, Box::new(canon));
                 } else {
                     self.perform(t, canon);
                 }
@@ -161,8 +162,8 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     pub(super) fn pop(&mut self) -> Option<Queued> {
-        let queued = self.s.reader.queue.pop_front()?;
-        self.s.reader.ahead -= usize::from(queued.first);
+        let queued = self.state.reader.queue.pop_front()?;
+        self.state.reader.ahead -= usize::from(queued.first);
         Some(queued)
     }
 
@@ -175,26 +176,26 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let scale = &self.plant.scale;
         core::array::from_fn(|k| {
-            if to.mask & (1 << k) != 0 { to.position[k] as f64 * scale[k] } else { self.s.path.position[k] }
+            if to.mask & (1 << k) != 0 { to.position[k] as f64 * scale[k] } else { self.state.path.position[k] }
         })
     }
 
     /// Executes a command that needs the axes at rest.
     fn perform(&mut self, t: f64, canon: Canon) {
-        self.s.exec = Exec::Idle;
+        self.state.exec = Exec::Idle;
         match canon {
-            Canon::Dwell { seconds } => self.s.exec = Exec::Dwelling(t + seconds.max(0.0)),
-            Canon::DwellTurns { turns } => self.s.exec = Exec::Counting(self.turns(t), turns.max(0.0)),
-            Canon::Stop | Canon::OptionalStop => self.s.exec = Exec::Stopped,
+            Canon::Dwell { seconds } => self.state.exec = Exec::Dwelling(t + seconds.max(0.0)),
+            Canon::DwellTurns { turns } => self.state.exec = Exec::Counting(self.turns(t), turns.max(0.0)),
+            Canon::Stop | Canon::OptionalStop => self.state.exec = Exec::Stopped,
             Canon::Message { text } => {
                 self.out.timeline.show_message_until_start(t, &text);
-                self.s.exec = Exec::Stopped;
+                self.state.exec = Exec::Stopped;
             }
             Canon::End => {
                 self.out.timeline.clear_message(t);
-                self.s.exec = Exec::Finished;
+                self.state.exec = Exec::Finished;
                 if self.plant.spindle.rules.end_stops {
-                    (self.s.spindle.speed, self.s.spindle.rotation) = (0.0, Rotation::Stopped);
+                    (self.state.spindle.speed, self.state.spindle.rotation) = (0.0, Rotation::Stopped);
                     self.follow(t);
                 }
             }
@@ -204,17 +205,17 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Ends a block on the unfiltered path.
     fn arrive(&mut self, t: f64, end: [f64; AXES], exact: bool, pace: Pace) {
-        self.s.path.position = end;
+        self.state.path.position = end;
         if let Pace::Return { ended } = pace {
             self.return_on(t, ended);
             return;
         }
-        self.s.exec = Exec::Idle;
-        self.s.path.flow_end = (!exact).then_some(t);
+        self.state.exec = Exec::Idle;
+        self.state.path.flow_end = (!exact).then_some(t);
         if let Pace::Thread(_) = pace {
             self.follow(t);
         }
-        if !exact || (self.s.suppressed.exact && pace != Pace::Rapid) {
+        if !exact || (self.state.suppressed.exact && pace != Pace::Rapid) {
             return;
         }
         self.rest(t);
@@ -230,25 +231,25 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
         }
-        self.s.exec = Exec::Settling(until);
+        self.state.exec = Exec::Settling(until);
     }
 
     /// Breaks off motion and waits; the path ends here.
     pub(super) fn break_off(&mut self, t: f64) {
-        if let Exec::Moving(motion) = &mut self.s.exec {
+        if let Exec::Moving(motion) = &mut self.state.exec {
             motion.set_speed(t, 0.0);
-            self.s.path.position = motion.segment().0.from;
+            self.state.path.position = motion.segment().0.from;
         }
-        self.s.exec = Exec::Ready;
+        self.state.exec = Exec::Ready;
         self.rest(t);
     }
 
     /// Ends the path with a standstill if no movement continues it.
     pub(super) fn rest(&mut self, t: f64) {
-        if self.s.path.moving && !matches!(self.s.exec, Exec::Moving(_)) {
-            self.s.path.moving = false;
-            self.s.path.rest_since = t;
-            let segment = Segment { t, from: self.s.path.position, velocity: [0.0; AXES], circle: 0 };
+        if self.state.path.moving && !matches!(self.state.exec, Exec::Moving(_)) {
+            self.state.path.moving = false;
+            self.state.path.rest_since = t;
+            let segment = Segment { t, from: self.state.path.position, velocity: [0.0; AXES], circle: 0 };
             self.out.timeline.put_segment(segment, None);
             self.watch(t);
         }

@@ -15,7 +15,7 @@ use crate::text::{Diagnostic, DiagnosticKind};
 impl<P: RunningProgram> Sim<'_, P> {
     /// Begins a cut, or waits for the spindle speed on controls that do so.
     pub(super) fn cut(&mut self, t: f64, motion: &ActiveMove) {
-        let turning = &self.s.spindle;
+        let turning = &self.state.spindle;
         if turning.orienting.is_some() && motion.length > 0.0 {
             let (locked, driven) = (turning.locked, turning.driven || self.plant.spindle.driven_tool);
             if !locked {
@@ -31,8 +31,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         if self.plant.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
             if self.speed_time() > t {
-                self.s.path.flow_end = None;
-                self.s.exec = Exec::Spinning(Box::new(*motion));
+                self.state.path.flow_end = None;
+                self.state.exec = Exec::Spinning(Box::new(*motion));
                 return;
             }
         }
@@ -42,11 +42,12 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Whether a movement ends deeper in the work than it began without rotation: the spindle is off, or at speed 0 under a feed per minute, the
     /// PMC axes are at rest, and the spindle is not positioned for a driven tool.
     fn feeds_without_rotation(&self, motion: &ActiveMove) -> bool {
-        let turning = &self.s.spindle;
+        let turning = &self.state.spindle;
         let per_minute = matches!(motion.pace, Pace::Feed(Feed::PerMinute(_)));
-        let turns = turning.rotation != Rotation::Stopped && !(per_minute && self.s.plc.signals.spindle_command == 0.0)
+        let turns = turning.rotation != Rotation::Stopped
+            && !(per_minute && self.state.plc.signals.spindle_command == 0.0)
             || turning.orienting.is_some()
-            || self.s.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+            || self.state.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let along = |letter: Address| {
             let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
             axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
@@ -57,22 +58,22 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     pub(super) fn begin(&mut self, t: f64, motion: &ActiveMove) {
         if motion.length <= 0.0 {
-            self.s.path.position = motion.end;
+            self.state.path.position = motion.end;
             return;
         }
-        if self.s.path.flow_end.take().is_some_and(|end| t > end) {
-            self.s.starved += 1;
+        if self.state.path.flow_end.take().is_some_and(|end| t > end) {
+            self.state.starved += 1;
             let (block_time, macro_time) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
             self.warn_kind(Once::Starved, DiagnosticKind::Starved, || msg!("motion.starved", block_time, macro_time));
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
             self.warn_axis_clamp(motion.limit, motion.limiting, feed);
         }
-        if self.s.spindle.commanded {
+        if self.state.spindle.commanded {
             self.report_motion_on_ramp(t, motion.pace);
         }
-        self.s.exec = Exec::Moving(*motion);
-        self.s.path.moving = true;
+        self.state.exec = Exec::Moving(*motion);
+        self.state.path.moving = true;
         self.put_segment(t);
         self.aim_at_motion(t);
         self.follow(t);
@@ -88,11 +89,12 @@ impl<P: RunningProgram> Sim<'_, P> {
         let plant = &self.plant.spindle;
         let Some(ramp) = self.out.timeline.ramps.last().filter(|_| plant.drives_cut) else { return };
         let part = plant.rules.reached.unwrap_or(REACHED);
-        let turns =
-            self.s.spindle.rotation != Rotation::Stopped && self.s.spindle.orienting.is_none() && ramp.target != 0.0;
+        let turns = self.state.spindle.rotation != Rotation::Stopped
+            && self.state.spindle.orienting.is_none()
+            && ramp.target != 0.0;
         let left = ramp.within(part) - t;
         if !turns || left <= 0.0 {
-            self.s.spindle.commanded = false;
+            self.state.spindle.commanded = false;
             return;
         }
         let (speed, commanded, time) = ((ramp.speed(t).abs(), 0), (ramp.target.abs(), 0), (left, 2));
@@ -117,7 +119,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Updates the path speed of the movement.
     pub(super) fn pace(&mut self, t: f64) {
         let asked = self.asked_speed(t);
-        let Exec::Moving(motion) = &mut self.s.exec else { return };
+        let Exec::Moving(motion) = &mut self.state.exec else { return };
         if asked.0.min(motion.limit) == motion.speed {
             motion.again = asked.1;
             self.warn_spindle_at_rest();
@@ -129,7 +131,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Starts a segment of the path at `t`.
     pub(super) fn put_segment(&mut self, t: f64) {
         let (asked, again) = self.asked_speed(t);
-        let Exec::Moving(motion) = &mut self.s.exec else { return };
+        let Exec::Moving(motion) = &mut self.state.exec else { return };
         motion.set_speed(t, asked.min(motion.limit));
         motion.again = again;
         let (segment, circle) = motion.segment();
@@ -156,28 +158,28 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Whether a feed per revolution waits because the spindle is at rest.
     pub(super) fn waits_for_spindle(&self) -> bool {
-        let Exec::Moving(motion) = &self.s.exec else { return false };
+        let Exec::Moving(motion) = &self.state.exec else { return false };
         let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
-        let stands = self.measured(self.s.now) == 0.0;
+        let stands = self.measured(self.state.now) == 0.0;
         by_turns
             && stands
             && motion.speed == 0.0
             && !motion.again.is_finite()
             && !self.holding()
-            && !self.s.plc.orders.axes_held
+            && !self.state.plc.orders.axes_held
     }
 
     /// Path speed (mm/s) from override, spindle and hold at `t`, before clamps, and the time (s) of the next computation.
     fn asked_speed(&self, t: f64) -> (f64, f64) {
-        let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
-        if self.holding() || self.s.plc.orders.axes_held {
+        let Exec::Moving(motion) = &self.state.exec else { return (0.0, f64::INFINITY) };
+        if self.holding() || self.state.plc.orders.axes_held {
             return (0.0, f64::INFINITY);
         }
-        let is_fixed = self.s.suppressed.feed_override || self.s.plc.orders.feed_override_off;
-        let cutting = if is_fixed { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };
+        let is_fixed = self.state.suppressed.feed_override || self.state.plc.orders.feed_override_off;
+        let cutting = if is_fixed { 1.0 } else { percent(self.state.operator.knobs.feed) / 100.0 };
         match motion.pace {
             Pace::Rapid | Pace::Return { .. } => {
-                (motion.limit * (percent(self.s.operator.knobs.rapid) / 100.0).min(1.0), f64::INFINITY)
+                (motion.limit * (percent(self.state.operator.knobs.rapid) / 100.0).min(1.0), f64::INFINITY)
             }
             Pace::Feed(Feed::PerMinute(feed)) => (feed.max(0.0) * cutting / 60.0, f64::INFINITY),
             Pace::Feed(Feed::PerRevolution(feed)) => self.in_step(t, feed.max(0.0) * cutting),
@@ -188,7 +190,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Path speed of a feed in mm per revolution. While the spindle speed changes, the feed follows in steps, each with the mean speed of
     /// its span.
     fn in_step(&self, t: f64, feed: f64) -> (f64, f64) {
-        let reached = self.s.spindle.reached_at;
+        let reached = self.state.spindle.reached_at;
         let again = if reached.is_finite() { reached.min(t + MEASURE) } else { f64::INFINITY };
         let middle = if again.is_finite() { 0.5 * (t + again) } else { t };
         (feed * self.measured(middle) / 60.0, again)
@@ -204,8 +206,10 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Time (s) at which the spindle is fast enough for a cut.
     pub(super) fn speed_time(&self) -> f64 {
         let plant = &self.plant.spindle;
-        let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else { return self.s.now };
+        let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else {
+            return self.state.now;
+        };
         let looked = if ramp.command.span > 0.0 { ramp.t } else { ramp.t + plant.reached_delay };
-        if self.s.spindle.rotation == Rotation::Stopped { self.s.now } else { ramp.within(part).max(looked) }
+        if self.state.spindle.rotation == Rotation::Stopped { self.state.now } else { ramp.within(part).max(looked) }
     }
 }

@@ -15,27 +15,27 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Carries out the next event of the panel.
     pub(super) fn operate(&mut self, t: f64) {
         let panel = self.panel;
-        let Some(event) = panel.events().get(self.s.operator.events_done) else { return };
-        self.s.operator.events_done += 1;
+        let Some(event) = panel.events().get(self.state.operator.events_done) else { return };
+        self.state.operator.events_done += 1;
         match &event.action {
             Action::SpindleOverride(value) => {
-                self.s.plc.signals.knobs.spindle = percent(*value);
+                self.state.plc.signals.knobs.spindle = percent(*value);
                 self.scan(t);
             }
             Action::FeedOverride(value) => {
-                self.s.operator.knobs.feed = *value;
-                self.s.plc.signals.knobs.feed = percent(*value);
+                self.state.operator.knobs.feed = *value;
+                self.state.plc.signals.knobs.feed = percent(*value);
                 self.scan(t);
                 self.pace(t);
             }
             Action::RapidOverride(value) => {
-                self.s.operator.knobs.rapid = *value;
+                self.state.operator.knobs.rapid = *value;
                 self.pace(t);
             }
             Action::Start => self.start(t),
             Action::Hold => {
-                if self.s.plc.program.reads_hold_key() {
-                    self.s.plc.signals.hold_key = true;
+                if self.state.plc.program.reads_hold_key() {
+                    self.state.plc.signals.hold_key = true;
                     self.scan(t);
                 } else {
                     self.hold(t);
@@ -49,11 +49,11 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.reset(t, Exec::Emergency(Box::new(diagnostic)));
             }
             Action::InverterFault(on) => {
-                if self.s.plc.program.watches_inverter() {
-                    self.s.plc.signals.inverter_fault = *on;
+                if self.state.plc.program.watches_inverter() {
+                    self.state.plc.signals.inverter_fault = *on;
                     if *on {
                         // Without current from the inverter the spindle is not held at an angle.
-                        self.s.spindle.orienting = None;
+                        self.state.spindle.orienting = None;
                     }
                     self.scan(t);
                 } else {
@@ -61,12 +61,12 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
             Action::ProgramZeroReturn => self.return_to_zero(t),
-            Action::SingleBlock(on) => self.s.operator.knobs.single_block = *on,
-            Action::OptionalStop(on) => self.s.operator.knobs.optional_stop = *on,
-            Action::BlockSkip(on) => self.s.operator.knobs.block_skip = *on,
+            Action::SingleBlock(on) => self.state.operator.knobs.single_block = *on,
+            Action::OptionalStop(on) => self.state.operator.knobs.optional_stop = *on,
+            Action::BlockSkip(on) => self.state.operator.knobs.block_skip = *on,
             Action::ManualSpeed(rpm) => self.manual_speed(t, *rpm),
             Action::SpeedLimit(limit, rpm) => {
-                self.s.spindle.limit(*limit, *rpm);
+                self.state.spindle.limit(*limit, *rpm);
                 self.scan(t);
             }
             Action::Input(name, value) => match forced(name).filter(|(number, _)| self.plant.is_input(*number)) {
@@ -77,13 +77,13 @@ impl<P: RunningProgram> Sim<'_, P> {
                         let message = msg!("interp.output-range", variable = name.as_str(), value = (*value, 9), taken);
                         self.out.report(Diagnostic::warning(message));
                     }
-                    self.s.plc.forced.insert(key, taken);
+                    self.state.plc.forced.insert(key, taken);
                     self.scan(t);
                 }
                 None => self.nothing_to_set(name),
             },
             Action::Variable(number, value) => {
-                if self.s.program.set_variable(*number, *value) {
+                if self.state.program.set_variable(*number, *value) {
                     self.out.timeline.changes.push(VariableChange {
                         t,
                         number: *number,
@@ -98,34 +98,35 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Feed hold, by the operator or the PLC; the path speed follows in [`pace`](Sim::pace).
     pub(super) fn hold(&mut self, t: f64) {
-        if let Some(ended) = self.s.exec.returning() {
+        if let Some(ended) = self.state.exec.returning() {
             self.break_off(t);
-            self.s.exec = Exec::after_return(ended);
+            self.state.exec = Exec::after_return(ended);
         }
-        self.s.operator.held |= self.s.exec.runs();
-        self.s.path.flow_end = None;
+        self.state.operator.held |= self.state.exec.runs();
+        self.state.path.flow_end = None;
     }
 
     /// Manual S. Most controls refuse it while the program runs; others let it replace the programmed S in a running or interrupted
     /// program, with a warning. Its sign is a key of the spindle, which the PLC may leave without effect.
     fn manual_speed(&mut self, t: f64, rpm: f64) {
-        if matches!(self.s.exec, Exec::Emergency(_)) || !rpm.is_finite() {
+        if matches!(self.state.exec, Exec::Emergency(_)) || !rpm.is_finite() {
             return;
         }
-        let runs = self.s.exec.runs() && !self.holding();
+        let runs = self.state.exec.runs() && !self.holding();
         if runs && !self.plant.spindle.rules.manual_in_automatic {
             self.out.report(Diagnostic::warning(msg!("motion.manual-speed-refused", speed = rpm)));
             return;
         }
         let wanted = Rotation::of(rpm);
-        self.s.plc.signals.spindle_key = Some(wanted);
+        self.state.plc.signals.spindle_key = Some(wanted);
         self.scan(t);
-        if self.s.plc.orders.run_contacts.is_some_and(|rotation| rotation != wanted) {
+        if self.state.plc.orders.run_contacts.is_some_and(|rotation| rotation != wanted) {
             self.out.report(Diagnostic::warning(msg!("motion.spindle-key-refused", speed = rpm)));
             return;
         }
-        let turning = &mut self.s.spindle;
-        if (self.s.exec.runs() || matches!(self.s.exec, Exec::Stopped)) && turning.rotation != Rotation::Stopped {
+        let turning = &mut self.state.spindle;
+        if (self.state.exec.runs() || matches!(self.state.exec, Exec::Stopped)) && turning.rotation != Rotation::Stopped
+        {
             let programmed = turning.rotation.sign() * turning.speed;
             self.out.report(Diagnostic::warning(msg!(
                 "motion.manual-speed-taken",
@@ -145,31 +146,31 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Cycle start: continues after a stop or hold, restarts after reset or program end. A hold of the PLC refuses it.
     fn start(&mut self, t: f64) {
         let waits = !matches!(self.program_state(), ProgramState::Running | ProgramState::Alarm);
-        if self.s.plc.follows && waits {
+        if self.state.plc.follows && waits {
             self.read_contacts(t);
         }
-        if self.s.plc.orders.program_held && waits {
+        if self.state.plc.orders.program_held && waits {
             self.out.report(Diagnostic::warning(msg!("motion.start-refused")));
             return;
         }
-        match self.s.exec {
+        match self.state.exec {
             Exec::Stopped => {
-                self.s.exec = Exec::Idle;
+                self.state.exec = Exec::Idle;
                 self.out.timeline.started(t);
             }
             Exec::Ready | Exec::Finished => {
-                let (position, scale) = (&self.s.path.position, &self.plant.scale);
-                self.s.program.restart(core::array::from_fn(|k| (position[k] / scale[k]).round() as i64));
+                let (position, scale) = (&self.state.path.position, &self.plant.scale);
+                self.state.program.restart(core::array::from_fn(|k| (position[k] / scale[k]).round() as i64));
                 self.clear();
-                self.s.reader.next_step = t;
-                self.s.exec = Exec::Idle;
+                self.state.reader.next_step = t;
+                self.state.exec = Exec::Idle;
             }
             _ => {}
         }
-        if self.s.exec.runs() {
-            self.s.operator.stepped = false;
-            self.s.operator.held = false;
-            self.s.path.flow_end = None;
+        if self.state.exec.runs() {
+            self.state.operator.stepped = false;
+            self.state.operator.held = false;
+            self.state.path.flow_end = None;
             // A PLC that holds the spindle releases it before the path speed is computed.
             self.show_state(t);
             self.pace(t);
@@ -181,7 +182,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.break_off(t);
         if self.plant.log {
             // Commands that were read and not begun are removed from the log.
-            if let Some(next) = self.s.reader.queue.front() {
+            if let Some(next) = self.state.reader.queue.front() {
                 self.out.log.truncate(next.logged.saturating_sub(self.out.taken));
             }
         }
@@ -189,24 +190,24 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.out.timeline.clear_message(t);
         let emergency = matches!(then, Exec::Emergency(_));
         if emergency || self.orients() {
-            self.s.spindle.orienting = None;
+            self.state.spindle.orienting = None;
         }
         let rules = &self.plant.spindle.rules;
         if emergency || !rules.turns_through_reset {
-            self.s.spindle.rotation = Rotation::Stopped;
+            self.state.spindle.rotation = Rotation::Stopped;
         }
         if emergency && rules.emergency_clears {
-            self.s.spindle.speed = 0.0;
+            self.state.spindle.speed = 0.0;
         }
-        self.s.exec = then;
-        self.s.plc.signals.clear_strobes();
-        (self.s.plc.signals.reset, self.s.plc.signals.emergency) = (true, emergency);
+        self.state.exec = then;
+        self.state.plc.signals.clear_strobes();
+        (self.state.plc.signals.reset, self.state.plc.signals.emergency) = (true, emergency);
         self.scan(t);
     }
 
     /// The state of a control after reset.
     fn clear(&mut self) {
-        let s = &mut *self.s;
+        let s = &mut *self.state;
         s.reader.queue.clear();
         s.reader.ahead = 0;
         s.reader.drains = false;

@@ -12,7 +12,7 @@ use crate::text::Diagnostic;
 impl<P: RunningProgram> Sim<'_, P> {
     /// Whether the spindle is on its way to an angle.
     pub(super) fn orients(&self) -> bool {
-        self.s.spindle.orienting.is_some_and(|orienting| !orienting.is_held())
+        self.state.spindle.orienting.is_some_and(|orienting| !orienting.is_held())
     }
 
     /// Starts the travel of the spindle to an angle.
@@ -22,11 +22,11 @@ impl<P: RunningProgram> Sim<'_, P> {
             let diagnostic = Diagnostic::error(msg!("motion.no-positioning")).alarm(self.plant.no_positioning);
             return self.stop_with(diagnostic);
         }
-        self.s.spindle.rotation = Rotation::Stopped;
-        self.s.spindle.surface = None;
-        self.s.spindle.locked = false;
+        self.state.spindle.rotation = Rotation::Stopped;
+        self.state.spindle.surface = None;
+        self.state.spindle.locked = false;
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
-        self.s.spindle.synced |= last.turns(plant, t).abs() >= 1.0;
+        self.state.spindle.synced |= last.turns(plant, t).abs() >= 1.0;
         self.set_off(t, if target.is_finite() { target } else { 0.0 }, approach);
     }
 
@@ -38,7 +38,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (rpm, turns) = (last.actual(plant, t), last.turns(plant, t));
         let from = turn(turns * 360.0);
         let present = Rotation::of(rpm);
-        let degrees = if self.s.spindle.synced || approach == Approach::Incremental {
+        let degrees = if self.state.spindle.synced || approach == Approach::Incremental {
             travel(from, target, approach, present)
         } else {
             let clockwise = match approach {
@@ -58,20 +58,20 @@ impl<P: RunningProgram> Sim<'_, P> {
                 Approach::Incremental => TravelPart::TurnsBack(goal * 360.0, approach),
                 _ => TravelPart::TurnsBack(target, approach),
             };
-            self.s.spindle.orienting =
+            self.state.spindle.orienting =
                 Some(Orienting { goal, rotation: present, travel: Travel::default(), part: back });
             return self.part(t, rpm, 0.0, faster, rpm.abs() / faster);
         }
         let first = if rpm.abs() > positioning.speed { faster } else { slower };
         let travel = Travel::new(degrees.abs() / 360.0, rpm.abs(), positioning.speed, first, slower);
         let goal = goal + travel.more * rotation.sign();
-        self.s.spindle.orienting = Some(Orienting { goal, rotation, travel, part: TravelPart::ToPeak });
+        self.state.spindle.orienting = Some(Orienting { goal, rotation, travel, part: TravelPart::ToPeak });
         self.part(t, rpm, travel.peak * rotation.sign(), first, travel.to_peak);
     }
 
     /// Ends a part of the travel to an angle and starts the next.
     pub(super) fn travel_on(&mut self, t: f64) {
-        let Some(orienting) = &mut self.s.spindle.orienting else { return };
+        let Some(orienting) = &mut self.state.spindle.orienting else { return };
         let (peak, travel) = (orienting.travel.peak * orienting.rotation.sign(), orienting.travel);
         let slower = self.plant.spindle.positioning.map_or(f64::INFINITY, |positioning| positioning.acceleration);
         match orienting.part {
@@ -93,10 +93,10 @@ impl<P: RunningProgram> Sim<'_, P> {
             TravelPart::ToRest => {
                 orienting.part = TravelPart::Held;
                 let goal = orienting.goal;
-                self.s.spindle.synced = true;
+                self.state.spindle.synced = true;
                 let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
                 let command = SpeedCommand { stage: last.command.stage, ..SpeedCommand::default() };
-                self.s.plc.signals.spindle_command = 0.0;
+                self.state.plc.signals.spindle_command = 0.0;
                 let control = SpindleMode::Held;
                 self.put(InverterRamp { t, start: 0.0, target: 0.0, rate: 0.0, turns: goal, command, control, ..last });
             }
@@ -118,12 +118,12 @@ impl<P: RunningProgram> Sim<'_, P> {
             stage,
             ..SpeedCommand::default()
         };
-        self.s.plc.signals.spindle_command = target;
+        self.state.plc.signals.spindle_command = target;
         self.put(InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Position, ..last });
         if t + seconds > t {
-            self.s.spindle.reached_at = t + seconds;
+            self.state.spindle.reached_at = t + seconds;
         } else {
-            self.s.spindle.reached_at = f64::INFINITY;
+            self.state.spindle.reached_at = f64::INFINITY;
             self.travel_on(t);
         }
     }

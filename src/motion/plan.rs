@@ -101,10 +101,11 @@ impl<P: RunningProgram> Planner<P> {
             if self.ended.is_some() {
                 break;
             }
-            let mut sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+            let mut sim =
+                Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
             let (t, who) = sim.next();
             match sim.end(t) {
-                None => sim.s.ended_at = None,
+                None => sim.state.ended_at = None,
                 Some(end) => {
                     let still = sim.standstill().min(self.plant.limits.seconds);
                     if t > still && still <= until {
@@ -143,7 +144,8 @@ impl<P: RunningProgram> Planner<P> {
             if t >= self.due {
                 self.checkpoint(t);
             }
-            let mut sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+            let mut sim =
+                Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
             sim.happen(t, who);
             // Other events may follow at the same time; the time counts as planned only after them.
             self.records.timeline.end = t.max(self.records.timeline.end);
@@ -218,7 +220,7 @@ impl<P: RunningProgram> Planner<P> {
 
     /// Whether only the operator can continue the run, and no operator event is left.
     fn is_over(&mut self) -> bool {
-        let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+        let sim = Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
         let (next, _) = sim.next();
         sim.end(next).is_some()
     }
@@ -231,7 +233,7 @@ impl<P: RunningProgram> Planner<P> {
 
     /// Ends the plan at `still`, the time when axes and spindle have settled after the end of the run.
     fn finish(&mut self, end: RunEnd, still: f64) {
-        let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+        let sim = Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
         if let Some(why) = sim.stuck() {
             self.last_word(why);
         }

@@ -24,12 +24,12 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Writes the commanded turns of the PMC axes to the PLC interface.
     pub(super) fn show_pmc(&mut self, t: f64) {
         let angles = self.out.timeline.pmc_commanded(t);
-        self.s.plc.signals.pmc_turns = core::array::from_fn(|k| angles[k] / 360.0);
+        self.state.plc.signals.pmc_turns = core::array::from_fn(|k| angles[k] / 360.0);
     }
 
     /// Turns the PMC axes at the speeds from the PLC.
     pub(super) fn turn_pmc(&mut self, t: f64) {
-        let speed = self.s.plc.orders.pmc_speed;
+        let speed = self.state.plc.orders.pmc_speed;
         let asked = |k: usize| speed.get(k).copied().filter(|rpm| rpm.is_finite()).unwrap_or(0.0) * DEGREES;
         let velocity: [f64; AXES] = core::array::from_fn(asked);
         if velocity != self.out.timeline.pmc.segments.last().map_or([0.0; AXES], |last| last.velocity) {

@@ -103,17 +103,17 @@ impl World for ReaderWorld<'_> {
 impl<P: RunningProgram> Sim<'_, P> {
     /// Reads one step of the program.
     pub(super) fn read(&mut self, t: f64) {
-        let before = self.s.program.blocks();
+        let before = self.state.program.blocks();
         if before.nc + before.macros >= self.plant.limits.blocks {
-            self.s.reader.over = Some(Over::Blocks);
+            self.state.reader.over = Some(Over::Blocks);
             return;
         }
-        if self.s.reader.drains {
-            self.s.reader.drains = false;
-            self.s.path.flow_end = None;
+        if self.state.reader.drains {
+            self.state.reader.drains = false;
+            self.state.path.flow_end = None;
         }
-        let (running, waiting) = (self.s.run_time_at(t), self.s.waiting());
-        let s = &mut *self.s;
+        let (running, waiting) = (self.state.run_time_at(t), self.state.waiting());
+        let s = &mut *self.state;
         let mut eyes = ReaderWorld {
             inputs: &s.plc.orders.macro_inputs,
             position: Axes::Rest(&s.path.position),
@@ -144,11 +144,11 @@ impl<P: RunningProgram> Sim<'_, P> {
             Step::Command(canon, place) => (canon, place),
             Step::Logic(_) => return,
             Step::Sync(_) => {
-                self.s.reader.drains = true;
+                self.state.reader.drains = true;
                 return;
             }
             Step::Ended(end) => {
-                self.s.reader.over = Some(end.into());
+                self.state.reader.over = Some(end.into());
                 return;
             }
         };
@@ -159,35 +159,35 @@ impl<P: RunningProgram> Sim<'_, P> {
         match canon {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
-                if self.s.plc.signals.macro_outputs.get(&variable) != Some(&value) {
+                if self.state.plc.signals.macro_outputs.get(&variable) != Some(&value) {
                     self.out.timeline.changes.push(VariableChange { t, number: variable, value });
                 }
-                self.s.plc.signals.macro_outputs.insert(variable, value);
+                self.state.plc.signals.macro_outputs.insert(variable, value);
                 self.scan(t);
             }
             Canon::Suppress { hold, feed_override, exact } => {
-                self.s.suppressed.hold = hold;
-                self.s.suppressed.feed_override = feed_override;
-                self.s.suppressed.exact = exact;
+                self.state.suppressed.hold = hold;
+                self.state.suppressed.feed_override = feed_override;
+                self.state.suppressed.exact = exact;
                 self.pace(t);
             }
             Canon::SuppressWaits { single_block, fin } => {
-                self.s.suppressed.single_block = single_block;
-                self.s.suppressed.fin = fin;
+                self.state.suppressed.single_block = single_block;
+                self.state.suppressed.fin = fin;
             }
             _ => {
-                self.s.reader.drains =
+                self.state.reader.drains =
                     matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
-                self.s.reader.ahead += usize::from(first);
-                let ready = self.s.reader.next_step;
-                self.s.reader.queue.push_back(Queued { canon, place, ready, first, block, logged });
+                self.state.reader.ahead += usize::from(first);
+                let ready = self.state.reader.next_step;
+                self.state.reader.queue.push_back(Queued { canon, place, ready, first, block, logged });
                 self.aim_ahead(t);
             }
         }
     }
 
     pub(super) fn reader_time(&self) -> f64 {
-        let s = &*self.s;
+        let s = &*self.state;
         let reads = s.exec.runs() || matches!(s.exec, Exec::Stopped);
         if !reads || s.reader.over.is_some() || s.reader.ahead >= self.plant.preread {
             return f64::INFINITY;

@@ -51,7 +51,7 @@ impl Once {
 
 /// The state, and everything that its events read and write.
 pub(super) struct Sim<'a, P> {
-    pub(super) s: &'a mut SimState<P>,
+    pub(super) state: &'a mut SimState<P>,
     pub(super) plant: &'a CheckedPlant,
     pub(super) out: &'a mut Records,
     pub(super) panel: &'a Panel,
@@ -74,14 +74,14 @@ impl<P> Sim<'_, P> {
     }
 
     fn once(&mut self, once: Once, finding: impl FnOnce() -> Diagnostic) {
-        if self.s.reported & once.bit() == 0 {
-            self.s.reported |= once.bit();
-            self.out.diagnostics.push(Diagnostic { place: self.s.place, ..finding() });
+        if self.state.reported & once.bit() == 0 {
+            self.state.reported |= once.bit();
+            self.out.diagnostics.push(Diagnostic { place: self.state.place, ..finding() });
         }
     }
 
     /// Adds a finding about the executing block.
     pub(super) fn report_in_block(&mut self, finding: Diagnostic) {
-        self.out.report_in_block(Diagnostic { place: self.s.place, ..finding });
+        self.out.report_in_block(Diagnostic { place: self.state.place, ..finding });
     }
 }

@@ -13,11 +13,11 @@ pub(super) const FASTEST: f64 = 1e9;
 impl<P: RunningProgram> Sim<'_, P> {
     /// Carries out the spindle's next event.
     pub(super) fn spindle(&mut self, t: f64) {
-        if self.s.spindle.reached_at <= t {
-            self.s.spindle.reached_at = f64::INFINITY;
+        if self.state.spindle.reached_at <= t {
+            self.state.spindle.reached_at = f64::INFINITY;
             self.travel_on(t);
         }
-        if let Some(surface) = &mut self.s.spindle.surface
+        if let Some(surface) = &mut self.state.spindle.surface
             && surface.again <= t
         {
             surface.again = f64::INFINITY;
@@ -35,27 +35,27 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Updates the spindle's command; returns whether it changed.
     pub(super) fn turn(&mut self, t: f64) -> bool {
-        if self.s.spindle.orienting.is_some() {
+        if self.state.spindle.orienting.is_some() {
             return false;
         }
         let (now, later, span) = match self.following(t) {
             Some((now, later, span)) => {
-                self.s.spindle.speed = later;
-                if let Some(surface) = &mut self.s.spindle.surface {
+                self.state.spindle.speed = later;
+                if let Some(surface) = &mut self.state.spindle.surface {
                     surface.again = if span > 0.0 { t + span } else { f64::INFINITY };
                 }
                 (now, later, span)
             }
-            None => (self.s.spindle.speed, self.s.spindle.speed, 0.0),
+            None => (self.state.spindle.speed, self.state.spindle.speed, 0.0),
         };
         let (to, bound) = self.held(later);
         let from = if now == later { to } else { self.held(now).0 };
         let span = if from == to { 0.0 } else { span };
-        let without_current = self.plant.is_without_current(t, &self.s.plc.signals);
-        let stands = without_current || self.s.plc.orders.spindle.held;
-        let rotation = match (self.s.spindle.rotation, self.s.plc.orders.spindle.shift_volts) {
+        let without_current = self.plant.is_without_current(t, &self.state.plc.signals);
+        let stands = without_current || self.state.plc.orders.spindle.held;
+        let rotation = match (self.state.spindle.rotation, self.state.plc.orders.spindle.shift_volts) {
             _ if stands => Rotation::Stopped,
-            (Rotation::Stopped, Some(_)) => self.s.plc.orders.shift_rotation,
+            (Rotation::Stopped, Some(_)) => self.state.plc.orders.shift_rotation,
             (programmed, _) => programmed,
         };
         let last = self.out.timeline.ramps.last();
@@ -70,7 +70,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if last.is_some_and(is_followed) {
             return false;
         }
-        let limited = self.s.spindle.surface.is_none() && command.rotation != Rotation::Stopped;
+        let limited = self.state.spindle.surface.is_none() && command.rotation != Rotation::Stopped;
         if limited && bound.is_upper() {
             let wanted = now * self.override_share();
             let stage = command.stage;
@@ -88,21 +88,21 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// The gear stage reported by the PLC; 1 if the spindle lacks it.
     fn gear(&self) -> u8 {
-        let gear = self.s.plc.orders.spindle.gear;
+        let gear = self.state.plc.orders.spindle.gear;
         if gear <= self.plant.spindle.stage_count { gear.max(1) } else { 1 }
     }
 
     /// The spindle override as a factor.
     pub(super) fn override_share(&self) -> f64 {
-        let whole = self.s.exec.threads() && !self.plant.spindle.rules.thread_override;
-        if whole { 1.0 } else { percent(self.s.plc.orders.spindle.percent) / 100.0 }
+        let whole = self.state.exec.threads() && !self.plant.spindle.rules.thread_override;
+        if whole { 1.0 } else { percent(self.state.plc.orders.spindle.percent) / 100.0 }
     }
 
     /// Speed (r/min) after override and limits, and the active limit.
     pub(super) fn held(&self, rpm: f64) -> (f64, Bound) {
-        let (plant, turning) = (&self.plant.spindle, &self.s.spindle);
+        let (plant, turning) = (&self.plant.spindle, &self.state.spindle);
         let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
-        if let Some(volts) = self.s.plc.orders.spindle.shift_volts {
+        if let Some(volts) = self.state.plc.orders.spindle.shift_volts {
             return (analog.speed(volts).min(FASTEST), Bound::Shift);
         }
         let mut set = turning.set;
@@ -144,8 +144,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             rate = rate.min((target - start).abs() / command.span);
         }
-        self.s.plc.signals.spindle_command = target;
-        let diameter_axis = self.s.spindle.diameter_axis;
+        self.state.plc.signals.spindle_command = target;
+        let diameter_axis = self.state.spindle.diameter_axis;
         let ramp = InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Speed, diameter_axis };
         self.put(ramp);
     }
@@ -153,7 +153,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Records a ramp and schedules its end as an event.
     pub(super) fn put(&mut self, ramp: InverterRamp) {
         let reached = ramp.reached();
-        self.s.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };
+        self.state.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };
         self.out.timeline.ramps.put(ramp);
     }
 }

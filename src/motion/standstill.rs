@@ -40,7 +40,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Time (s) at which axes and spindle have settled after the end of the run, at rest or at a constant commanded speed, provided that no
     /// event changes a command before.
     pub(super) fn standstill(&mut self) -> f64 {
-        let ended_at = *self.s.ended_at.get_or_insert(self.s.now);
+        let ended_at = *self.state.ended_at.get_or_insert(self.state.now);
         let timeline = &self.out.timeline;
         let tolerance = |k: usize| SETTLED * self.plant.scale[k];
         let axes = self.plant.axes.iter().enumerate();
@@ -52,8 +52,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let spindle = ramp.map_or(0.0, |ramp| ramp.reached().max(ramp.t + ramp.command.span));
         let longest = if ramp.is_some_and(|ramp| ramp.command.coasts) { COASTING } else { SETTLING };
         // The PLC still slows down its axes.
-        let turning = self.s.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
-        let plc = if turning && self.s.plc.next_scan.is_finite() { f64::INFINITY } else { 0.0 };
+        let turning = self.state.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+        let plc = if turning && self.state.plc.next_scan.is_finite() { f64::INFINITY } else { 0.0 };
         let settled = axes.chain(pmc).fold(spindle.max(plc), f64::max);
         math::clamp(settled, ended_at, ended_at + longest)
     }

@@ -13,14 +13,20 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn put_out(&mut self, t: f64, canon: Canon) {
         self.strobe(canon);
         // S, M and T of one block are put out together (reference/mitsubishi-e60.md section 5).
-        while self.s.reader.queue.front().is_some_and(|next| !next.first && next.ready <= t && self.free(&next.canon)) {
+        while self
+            .state
+            .reader
+            .queue
+            .front()
+            .is_some_and(|next| !next.first && next.ready <= t && self.free(&next.canon))
+        {
             if let Some(next) = self.pop() {
                 self.strobe(next.canon);
             }
         }
-        self.s.plc.orders.fin = false;
-        if !self.s.suppressed.fin {
-            self.s.exec = Exec::Fin;
+        self.state.plc.orders.fin = false;
+        if !self.state.suppressed.fin {
+            self.state.exec = Exec::Fin;
         }
         self.scan(t);
     }
@@ -28,11 +34,11 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Whether a code can be put out beside the waiting ones.
     fn free(&self, canon: &Canon) -> bool {
         match canon {
-            Canon::SpindleSpeed { .. } => self.s.plc.signals.s_strobe.is_none(),
+            Canon::SpindleSpeed { .. } => self.state.plc.signals.s_strobe.is_none(),
             Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } | Canon::Gear { .. } => {
-                self.s.plc.signals.m_strobe.is_none()
+                self.state.plc.signals.m_strobe.is_none()
             }
-            Canon::Tool { .. } => self.s.plc.signals.t_strobe.is_none(),
+            Canon::Tool { .. } => self.state.plc.signals.t_strobe.is_none(),
             _ => false,
         }
     }
@@ -40,36 +46,36 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn strobe(&mut self, canon: Canon) {
         match canon {
             Canon::SpindleSpeed { rpm } => {
-                let turning = &mut self.s.spindle;
+                let turning = &mut self.state.spindle;
                 turning.surface = None;
                 turning.speed = rpm.max(0.0);
                 turning.commanded = true;
-                self.s.plc.signals.s_strobe = Some(rpm);
+                self.state.plc.signals.s_strobe = Some(rpm);
                 if turning.automatic
-                    && let Some(stage) = stage_for(self.plant.spindle.stages(), self.s.plc.orders.spindle.gear, rpm)
-                    && stage != self.s.plc.orders.spindle.gear
+                    && let Some(stage) = stage_for(self.plant.spindle.stages(), self.state.plc.orders.spindle.gear, rpm)
+                    && stage != self.state.plc.orders.spindle.gear
                 {
-                    self.s.plc.signals.gear_wanted = Some(stage);
+                    self.state.plc.signals.gear_wanted = Some(stage);
                 }
             }
             Canon::Gear { stage } => {
-                self.s.spindle.automatic = stage == 0;
-                self.s.plc.signals.m_strobe = Some(40 + u32::from(stage));
+                self.state.spindle.automatic = stage == 0;
+                self.state.plc.signals.m_strobe = Some(40 + u32::from(stage));
                 let count = self.plant.spindle.stage_count;
                 if stage > count {
                     self.warn(Once::NoStage, || {
                         msg!("motion.no-stage", stage = u32::from(stage), count = u32::from(count))
                     });
                 } else if stage > 0 {
-                    self.s.plc.signals.gear_wanted = Some(stage);
+                    self.state.plc.signals.gear_wanted = Some(stage);
                 }
             }
             Canon::SpindleDirection { rotation } => {
-                self.s.spindle.orienting = None;
-                self.s.spindle.rotation = rotation;
-                self.s.spindle.locked = false;
-                self.s.spindle.commanded = true;
-                self.s.plc.signals.m_strobe = Some(match rotation {
+                self.state.spindle.orienting = None;
+                self.state.spindle.rotation = rotation;
+                self.state.spindle.locked = false;
+                self.state.spindle.commanded = true;
+                self.state.plc.signals.m_strobe = Some(match rotation {
                     Rotation::Clockwise => 3,
                     Rotation::CounterClockwise => 4,
                     Rotation::Stopped => 5,
@@ -77,13 +83,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Canon::Auxiliary { code } => {
                 let rules = &self.plant.spindle.rules;
-                let turning = &mut self.s.spindle;
+                let turning = &mut self.state.spindle;
                 // The M codes of tool change and coolant (M6 to M9) lock nothing.
                 turning.locked |= rules.lock.map_or(!matches!(code, 6..=9), |lock| lock == code);
                 turning.driven |= rules.driven_tool == Some(code);
-                self.s.plc.signals.m_strobe = Some(code);
+                self.state.plc.signals.m_strobe = Some(code);
             }
-            Canon::Tool { code } => self.s.plc.signals.t_strobe = Some(code),
+            Canon::Tool { code } => self.state.plc.signals.t_strobe = Some(code),
             _ => {}
         }
     }

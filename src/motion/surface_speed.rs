@@ -20,15 +20,15 @@ const LEAST: f64 = 1e-4;
 impl<P: RunningProgram> Sim<'_, P> {
     /// Speed (r/min) for a position of the axis, before override and limits.
     fn surface_rpm(&self, place: f64) -> Option<f64> {
-        let surface = self.s.spindle.surface?;
+        let surface = self.state.spindle.surface?;
         Some(surface_rpm(surface.speed, 2.0 * (place - surface.zero)).min(FASTEST))
     }
 
     /// Speed now, speed after a step, and the step (s), while a cut moves the axis of constant surface speed.
     pub(super) fn following(&mut self, t: f64) -> Option<(f64, f64, f64)> {
-        let mut surface = self.s.spindle.surface.filter(|surface| t < surface.until)?;
+        let mut surface = self.state.spindle.surface.filter(|surface| t < surface.until)?;
         let plant = self.plant.axes.get(surface.axis)?;
-        let end = match &self.s.exec {
+        let end = match &self.state.exec {
             Exec::Moving(motion) => motion.end_time().min(surface.until),
             _ => surface.until,
         };
@@ -36,7 +36,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let rpm = |diameter: f64| surface_rpm(surface.speed, diameter).min(FASTEST);
         if surface.seen.0 != t {
             surface.seen = (t, diameter(t));
-            self.s.spindle.surface = Some(surface);
+            self.state.spindle.surface = Some(surface);
         }
         let here = surface.seen.1;
         let whole = MEASURE.min(end - t);
@@ -66,13 +66,13 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn begin_surface(&mut self, t: f64, speed: f64, axis: u8, zero: i64) {
         let (Some(scale), at) = (self.plant.scale.get(usize::from(axis)), usize::from(axis)) else { return };
         let zero = zero as f64 * scale;
-        let before = self.s.spindle.surface.filter(|before| before.axis == at);
+        let before = self.state.spindle.surface.filter(|before| before.axis == at);
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
-        self.s.spindle.surface =
+        self.state.spindle.surface =
             Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, seen: (f64::NEG_INFINITY, 0.0) });
-        self.s.spindle.diameter_axis = Some((axis, zero));
+        self.state.spindle.diameter_axis = Some((axis, zero));
         // If the turning centre is unknown, it is assumed to be at the first work zero.
-        let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
+        let centre = *self.state.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
         let offset = (zero - centre).abs();
         if offset > 1e-9 {
             let letter = self.plant.axes[at].name();
@@ -83,41 +83,41 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
         }
         if self.plant.spindle.rules.surface_at_once || before.is_some_and(|before| before.until.is_finite()) {
-            self.s.spindle.commanded |= before.is_none();
-            self.aim(self.s.path.position[at]);
+            self.state.spindle.commanded |= before.is_none();
+            self.aim(self.state.path.position[at]);
         }
         self.follow(t);
     }
 
     /// Ends constant surface speed; the spindle keeps its speed.
     pub(super) fn end_surface(&mut self, t: f64) {
-        let (held, share) = (self.held(self.s.spindle.speed).0, self.override_share());
-        if self.s.spindle.surface.take().is_some() && share > 0.0 {
-            self.s.spindle.speed = held / share;
+        let (held, share) = (self.held(self.state.spindle.speed).0, self.override_share());
+        if self.state.spindle.surface.take().is_some() && share > 0.0 {
+            self.state.spindle.speed = held / share;
         }
         self.follow(t);
     }
 
     /// Sets the spindle speed for a position of the axis.
     fn aim(&mut self, place: f64) {
-        self.s.spindle.speed = self.surface_rpm(place).unwrap_or(self.s.spindle.speed);
+        self.state.spindle.speed = self.surface_rpm(place).unwrap_or(self.state.spindle.speed);
     }
 
     /// Before a cut: sets the speed for its start.
     pub(super) fn aim_at_cut(&mut self, t: f64) {
-        if let Some(surface) = self.s.spindle.surface
+        if let Some(surface) = self.state.spindle.surface
             && t >= surface.until
         {
-            self.aim(self.s.path.position[surface.axis]);
+            self.aim(self.state.path.position[surface.axis]);
             self.follow(t);
         }
     }
 
     /// Sets the speed of the rapid's end, if a cutting block has been read during the rapid.
     pub(super) fn aim_ahead(&mut self, t: f64) {
-        let rapid = || matches!(&self.s.exec, Exec::Moving(motion) if motion.pace == Pace::Rapid);
-        if self.s.spindle.surface.is_some()
-            && self.s.reader.queue.back().is_some_and(|queued| queued.canon.is_cut() == Some(true))
+        let rapid = || matches!(&self.state.exec, Exec::Moving(motion) if motion.pace == Pace::Rapid);
+        if self.state.spindle.surface.is_some()
+            && self.state.reader.queue.back().is_some_and(|queued| queued.canon.is_cut() == Some(true))
             && self.cut_follows()
             && rapid()
         {
@@ -128,11 +128,11 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Lets constant surface speed follow its axis in a new motion.
     pub(super) fn aim_at_motion(&mut self, t: f64) {
-        let (Exec::Moving(motion), Some(surface)) = (&self.s.exec, self.s.spindle.surface) else { return };
+        let (Exec::Moving(motion), Some(surface)) = (&self.state.exec, self.state.spindle.surface) else { return };
         if motion.pace != Pace::Rapid {
             // A cut directly after a cut continues from the present position of the axis.
             let still = t >= surface.until;
-            let place = self.s.path.position[surface.axis];
+            let place = self.state.path.position[surface.axis];
             self.watch(t);
             if still {
                 self.aim(place);
@@ -149,19 +149,19 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Whether a cut that follows the executing block is read, within the control's look-ahead.
     fn cut_follows(&self) -> bool {
         let last = match self.plant.spindle.rules.rapid {
-            RapidSpeed::BeforeCutBlock => self.s.reader.executed + 1,
+            RapidSpeed::BeforeCutBlock => self.state.reader.executed + 1,
             RapidSpeed::BeforeCut => u64::MAX,
             RapidSpeed::OfEnd | RapidSpeed::Kept => return false,
         };
-        let near = self.s.reader.queue.iter().take_while(|queued| queued.block <= last);
+        let near = self.state.reader.queue.iter().take_while(|queued| queued.block <= last);
         near.into_iter().find_map(|queued| queued.canon.is_cut()) == Some(true)
     }
 
     /// At a new segment of the path: stores the end of the cut's movement of the axis.
     pub(super) fn watch(&mut self, t: f64) {
-        let Some(surface) = &mut self.s.spindle.surface else { return };
+        let Some(surface) = &mut self.state.spindle.surface else { return };
         let settles = t + self.plant.axes.get(surface.axis).map_or(0.0, |axis| axis.time_constant);
-        surface.until = match &self.s.exec {
+        surface.until = match &self.state.exec {
             Exec::Moving(motion) if motion.pace.is_rapid() => f64::NEG_INFINITY,
             Exec::Moving(motion) if motion.moves(surface.axis) && motion.speed > 0.0 => f64::INFINITY,
             _ => surface.until.min(settles),

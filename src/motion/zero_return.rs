@@ -14,40 +14,40 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Starts the return of all axes in the mode "program zero return". Refused while a program runs, at an alarm, and if the path would go
     /// through the work.
     pub(super) fn return_to_zero(&mut self, t: f64) {
-        let ended = match self.s.exec {
+        let ended = match self.state.exec {
             _ if !self.plant.zero_return => {
                 return self.out.report(Diagnostic::warning(msg!("motion.no-zero-return")));
             }
             Exec::Finished => true,
             Exec::Ready => false,
-            _ if self.s.exec.returning().is_some() => return,
+            _ if self.state.exec.returning().is_some() => return,
             _ => return self.out.report(Diagnostic::warning(msg!("motion.zero-return-refused"))),
         };
-        let Some(goal) = self.s.path.reference else {
+        let Some(goal) = self.state.path.reference else {
             return self.out.report(Diagnostic::warning(msg!("motion.no-reference-point")));
         };
-        let mut at = self.s.path.position;
+        let mut at = self.state.path.position;
         while let Some(end) = leg(at, goal, &self.plant.axes) {
             if self.enters_work(at, end) {
                 return self.out.report(Diagnostic::error(msg!("motion.zero-return-through-work")));
             }
             at = end;
         }
-        self.s.path.flow_end = None;
+        self.state.path.flow_end = None;
         self.return_on(t, ended);
     }
 
     /// Continues to the arrival of the next axis; ends at rest when all have arrived.
     pub(super) fn return_on(&mut self, t: f64, ended: bool) {
-        let (at, axes) = (self.s.path.position, &self.plant.axes);
-        let end = self.s.path.reference.and_then(|goal| leg(at, goal, axes));
+        let (at, axes) = (self.state.path.position, &self.plant.axes);
+        let end = self.state.path.reference.and_then(|goal| leg(at, goal, axes));
         let Some(end) = end else {
-            self.s.exec = Exec::after_return(ended);
+            self.state.exec = Exec::after_return(ended);
             self.rest(t);
             return;
         };
-        self.s.exec = Exec::Moving(ActiveMove::line(at, end, Pace::Return { ended }, false, axes));
-        self.s.path.moving = true;
+        self.state.exec = Exec::Moving(ActiveMove::line(at, end, Pace::Return { ended }, false, axes));
+        self.state.path.moving = true;
         self.put_segment(t);
     }
 
