@@ -22,9 +22,17 @@ pub(super) const ANGLE_ERROR: f64 = 10.0;
 /// Enough for the three polygons of a work and one changed value of each.
 const KEPT_SECTIONS: usize = 6;
 
+/// A computed section, with what it was computed from.
+struct KeptSection {
+    setup: CutterSetup,
+    /// Radius of the stock, mm.
+    stock: f64,
+    section: Option<Section>,
+}
+
 thread_local! {
-    /// Setup, radius of the stock and section, the last one first.
-    static LAST_SECTIONS: RefCell<VecDeque<(CutterSetup, f64, Option<Section>)>> = const { RefCell::new(VecDeque::new()) };
+    /// The last one first.
+    static LAST_SECTIONS: RefCell<VecDeque<KeptSection>> = const { RefCell::new(VecDeque::new()) };
 }
 
 impl Params {
@@ -65,12 +73,12 @@ impl Params {
     pub(super) fn section_in(&self, stock: f64) -> Option<Section> {
         let setup = self.setup(self.across_flats)?;
         LAST_SECTIONS.with_borrow_mut(|last| {
-            if let Some((.., known)) = last.iter().find(|(of, radius, _)| *of == setup && *radius == stock) {
-                return known.clone();
+            if let Some(kept) = last.iter().find(|kept| kept.setup == setup && kept.stock == stock) {
+                return kept.section.clone();
             }
             let section = Section::new(&setup, stock);
             last.truncate(KEPT_SECTIONS - 1);
-            last.push_front((setup, stock, section.clone()));
+            last.push_front(KeptSection { setup, stock, section: section.clone() });
             section
         })
     }
