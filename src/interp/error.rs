@@ -133,11 +133,8 @@ impl RaisedAlarm {
         }
         if let Some(number) = self.number {
             // The program supplies the wording.
-            let prefix = parsed.control().macros.user_alarm_prefix;
-            (diagnostic.alarm, diagnostic.wording) = (
-                Some(if prefix.is_empty() { number.to_string() } else { format!("{prefix}{number:04}") }.into()),
-                None,
-            );
+            let shown = parsed.control().macros.user_alarm_shown(number);
+            (diagnostic.alarm, diagnostic.wording) = (Some(shown.into()), None);
         }
         diagnostic.hints = self.hints;
         diagnostic

@@ -6,8 +6,9 @@ use std::process::Output;
 use macroline::controls::{self, Control};
 use macroline::machines::form::{FieldKindInfo, Value};
 use macroline::machines::{self, AnyMachine};
+use macroline::nc::{Stmt, is_message};
 use macroline::project::Project;
-use macroline::project::help::content::{HelpKind, HelpPlace};
+use macroline::project::help::content::{HelpEntry, HelpKind, HelpPlace};
 use macroline::project::help::texts::{Text, Texts, words};
 use macroline::project::help::{Help, explain, pages, search};
 use macroline::text::catalog::{self, Language};
@@ -325,7 +326,7 @@ fn search_takes_any_text() {
 #[test]
 fn alarm_without_a_row_is_one_of_the_program() {
     let help = on(controls::find("gsk-980tdc").unwrap());
-    let place = help.find("alarm.5920").unwrap();
+    let place = help.find("alarm.5977").unwrap();
     assert_eq!(place.entry.unwrap().word, "5900");
     assert!(help.find("field.no-such-field").is_none() && help.find("").is_none() && help.find("/").is_none());
 }
@@ -374,4 +375,31 @@ fn explain_prints_causes_of_an_alarm_on_its_control() {
 fn explain_of_an_unknown_word_fails() {
     assert_eq!(run(&["explain", "no such word at all"]).status.code(), Some(1));
     assert_eq!(run(&["explain", "P62", "--control", "none"]).status.code(), Some(2));
+}
+
+/// The number that the control shows leads to the text of the program, its condition and its block, on every control with numbers.
+#[test]
+fn own_alarms_of_the_programs_have_entries() {
+    let mut missing = Vec::new();
+    for (machine, control) in subjects() {
+        let help = help(machine, control);
+        let parsed = Project::new(machine, control).written().parsed;
+        for block in &parsed.deck().blocks {
+            let text = match block.stmt {
+                Stmt::Message(text) => parsed.deck().text(text),
+                _ if is_message(parsed.deck(), control, block) => parsed.deck().text(block.comment),
+                _ => "",
+            };
+            let entries = help.pages[0].sections.iter().find(|section| section.id == "own-alarms").map(|s| &s.entries);
+            let entry = entries.and_then(|entries| entries.iter().find(|entry| entry.title == text));
+            let complete = |entry: &HelpEntry| entry.facts.len() == 2 && help.find(&entry.id).is_some();
+            if !text.is_empty() && !entry.is_some_and(complete) {
+                missing.push(format!("{} on {}: {text}", machine.id(), control.id));
+            }
+        }
+    }
+    assert_eq!(missing, Vec::<String>::new());
+    let help = help(machines::find("polygon-lathe").unwrap(), controls::find("knd-k2000t").unwrap());
+    let best = help.search("3011")[0].entry.unwrap();
+    assert_eq!((best.word.as_str(), best.title.as_str()), ("3011", "RETRACT THE CUTTER BY HAND"));
 }

@@ -136,6 +136,16 @@ pub struct Macros {
     pub cite: Citation,
 }
 
+impl Macros {
+    /// A number of a user alarm, its base included, as the control shows it.
+    pub(crate) fn user_alarm_shown(&self, number: u32) -> String {
+        match self.user_alarm_prefix {
+            "" => number.to_string(),
+            prefix => format!("{prefix}{number:04}"),
+        }
+    }
+}
+
 /// Local variable of each letter from A in argument specification I. G, L, N, O and P pass arguments in G66.1 only.
 pub const ARGUMENT: [u8; 26] =
     [1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];

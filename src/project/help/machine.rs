@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::content::{Fact, HelpEntry, HelpKind, HelpPage, HelpSection};
+use super::own_alarms;
 use super::texts::{Texts, links, plain};
 use crate::controls::{self, Control};
 use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
@@ -32,6 +33,7 @@ pub(super) fn page(machine: &'static dyn AnyMachine, control: &'static Control, 
     faults.text = texts.list(&format!("{id}.fault"));
     let depends = fields_by_result(&project);
     let mut sections = vec![about, parts, commissioning, first, loading, faults];
+    sections.push(own_alarms::section(&variants(machine, control), texts));
     sections.push(variables(&project, texts));
     sections.push(fields(&project, &depends, texts));
     sections.push(results(&project, &depends, texts));
@@ -122,17 +124,23 @@ fn readouts(project: &Project) -> Vec<Readout> {
         }
     };
     for control in machine.controls().iter().filter_map(|id| controls::find(id)) {
-        machine.examples().iter().for_each(|example| add(&Project::example(machine, control, example)));
-        let new = Project::new(machine, control);
-        for field in machine.fields() {
-            for value in choices(&field) {
-                let mut other = new.clone();
-                other.values.insert(field.id.to_owned(), value);
-                add(&other);
-            }
-        }
+        variants(machine, control).iter().for_each(&mut add);
     }
     all
+}
+
+/// The examples of a machine on a control, and new projects with each choice of the form taken.
+fn variants(machine: &'static dyn AnyMachine, control: &'static Control) -> Vec<Project> {
+    let examples = machine.examples().iter().map(|example| Project::example(machine, control, example));
+    let fields = machine.fields().into_iter();
+    let chosen = fields.flat_map(|field| choices(&field).into_iter().map(move |value| (field.id.to_owned(), value)));
+    let new = Project::new(machine, control);
+    let others = chosen.map(|(id, value)| {
+        let mut other = new.clone();
+        other.values.insert(id, value);
+        other
+    });
+    examples.chain(others).collect()
 }
 
 /// Values of a choice, or the other value of a flag; empty for numbers and texts.

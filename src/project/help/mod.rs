@@ -4,6 +4,7 @@ pub mod content;
 mod control;
 pub mod explain;
 mod machine;
+mod own_alarms;
 pub mod pages;
 pub mod search;
 mod terms;
