@@ -57,6 +57,8 @@ pub struct Names {
     pub extended: AddressSet,
     /// Statements known only to other controls of the maker.
     pub foreign: &'static [&'static str],
+    /// Statements that the control may have; no manual at hand has them, and a run stops there.
+    pub unsimulated: &'static [&'static str],
     /// `DEF` defines variables of a program; otherwise it is a foreign statement.
     pub local_data: bool,
     /// Endings and directories of program names, main program first, then subprogram: `MPF`, `SPF`.

@@ -182,9 +182,9 @@ impl Check<'_> {
         let line = after.find('\n').unwrap_or(after.len());
         let newline = line_end(self.text);
         let tail = after.get(..line).unwrap_or("");
-        // A `;` may end the block, and another program may begin after it in the same line.
+        // A `;` may end the block, and another program may begin after it in the same line; a `%` there ends the record.
         let more = tail.trim_ascii_start().strip_prefix(';').is_some_and(|rest| !rest.trim_ascii().is_empty());
-        let at = if more && self.control.syntax.names().is_none() {
+        let at = if (more || tail.trim_ascii_end().ends_with('%')) && self.control.syntax.names().is_none() {
             span.end
         } else {
             span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32

@@ -139,6 +139,20 @@ impl Lint<'_> {
             self.warn(place, msg!("lint.argument-before-call", word, call));
         }
     }
+
+    /// Reports a word behind the code that calls a macro whose letter no argument has, on controls without an alarm for it.
+    #[cold]
+    pub(super) fn word_without_argument(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
+        let Some(call) = words.iter().position(|word| roles.word(word) & CALL != 0) else { return };
+        let without = |word: &&Word| matches!(word.letter, Address::G | Address::N | Address::O);
+        let (Some(word), Some(call)) = (words.iter().skip(call + 1).find(without), words.get(call)) else { return };
+        if self.again < MOST && !self.control.raises(Alarm::ArgumentAddress) {
+            self.again += 1;
+            let call = self.written(at, call.span(block)).1;
+            let (place, word): (Place, &str) = self.written(at, word.span(block));
+            self.warn(place, msg!("lint.no-argument", word, call));
+        }
+    }
 }
 
 /// Whether a code of the group stays in force until another one of it.

@@ -123,6 +123,7 @@ impl Survey<'_> {
         }
         if bits & CALL != 0 {
             lint.argument_before_call(self.roles, (at, block), words);
+            lint.word_without_argument(self.roles, (at, block), words);
         } else {
             if again {
                 lint.word_again(at, block, words, self.rivals);

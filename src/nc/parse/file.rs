@@ -55,6 +55,11 @@ impl<'a> Reader<'a> {
                     closed = Some(to - 1);
                     self.program = None;
                 }
+                Some(byte) if *byte != b'%' && self.percent_behind_block(from, to) => {
+                    self.block_before_percent(from, to - 1);
+                    closed = Some(to - 1);
+                    self.program = None;
+                }
                 Some(b'%') => {
                     if !self.only_comments() {
                         closed = Some(from);
@@ -105,6 +110,27 @@ impl<'a> Reader<'a> {
         let number = line.strip_suffix(b"%").and_then(|head| head.strip_prefix(b"N").or(head.strip_prefix(b"n")));
         let digits = number.map(<[u8]>::trim_ascii).unwrap_or_default();
         !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) && !self.only_comments()
+    }
+
+    /// Whether a line is a block of a program with the `%` that ends the record behind it: `M30%`.
+    fn percent_behind_block(&self, from: usize, to: usize) -> bool {
+        let line = self.file.text.as_bytes().get(from..to).unwrap_or_default();
+        let comment = line.iter().rposition(|&b| b == b'(') > line.iter().rposition(|&b| b == b')');
+        line.ends_with(b"%") && !comment && !self.only_comments()
+    }
+
+    /// Reads the block before a `%` of the same line, and warns if no end of block is between them.
+    #[cold]
+    fn block_before_percent(&mut self, from: usize, percent: usize) {
+        let (from, to) = self.trimmed(from, percent);
+        self.blocks(from, to);
+        let bytes = self.file.text.as_bytes();
+        if bytes.get(to.saturating_sub(1)) != Some(&b';') {
+            let place = |from: usize, to: usize| self.place(Span::new(from as u32, to as u32));
+            let edit = (place(to, percent), self.newline().to_owned());
+            let finding = Diagnostic::warning(msg!("nc.percent-behind-block")).at(place(percent, percent + 1));
+            self.add_finding(finding.fix(msg!("nc.fix.percent-alone"), vec![edit]));
+        }
     }
 
     /// Start of the record, if its `%` follows text other than comments and programs: the leader of a tape.

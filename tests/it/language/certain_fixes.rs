@@ -51,8 +51,8 @@ fn statement_of_the_802d_becomes_no_comment() {
         "sinumerik-802d",
         "EXTCALL \"UP1\"",
         expect![[r#"
-        1:1 error 12550 EXTCALL is no code, address or program that the SINUMERIK 802D would know here.
-    "#]],
+            1:1 warning - EXTCALL is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        "#]],
     );
     check(
         "sinumerik-802d",

@@ -585,3 +585,24 @@ fn comma_corner_words_follow_each_controls_syntax() {
         "#]],
     );
 }
+
+/// AC and IC belong to positions; statements of which no manual at hand tells are warnings, and a run stops there.
+#[test]
+fn sinumerik_reads_dimensioning_of_positions_alone() {
+    let read = |block: &str| findings(&read_on(controls::find("sinumerik-802d").unwrap(), &format!("{block}\nM30\n")));
+    let found: String =
+        ["G1 X=IC(5) F=AC(100)", "G2 X10 Z=AC(5) CR=IC(8) F.1", "SPOS=IC(90)", "MCALL CYCLE82(1)", "EXTCALL \"A\""]
+            .map(|block| format!("--- {block}\n{}", read(block)))
+            .concat();
+    expect![[r#"
+        --- G1 X=IC(5) F=AC(100)
+        1:12 error 12080 F is no position: its value takes no AC, IC, DC, ACP or ACN.
+        --- G2 X10 Z=AC(5) CR=IC(8) F.1
+        1:16 error 12080 CR is no position: its value takes no AC, IC, DC, ACP or ACN.
+        --- SPOS=IC(90)
+        --- MCALL CYCLE82(1)
+        1:1 warning - MCALL is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        --- EXTCALL "A"
+        1:1 warning - EXTCALL is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+    "#]].assert_eq(&found);
+}

@@ -38,6 +38,7 @@ const ROWS: &[Row] = &[
         named: "G0 X1",
         switches: &[("call-parameters", "#9999=200")],
     },
+    row("lint.no-argument", "G65 P2 G01 A5.", ""),
     row("lint.calls-itself", "M98", ""),
     row("lint.calls-own-program", "M98 P1", ""),
     row("lint.cut-decimal", "#1=FIX[0.29*100]", "R1=TRUNC(0.29*100)"),
@@ -159,6 +160,7 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.unset-parameter
         gsk-980tdc lint.vacant-word
         gsk-980tdc lint.word-again
+        knd-k2000t lint.no-argument
         knd-k2000t lint.calls-itself
         knd-k2000t lint.feed-zero-digit
         knd-k2000t lint.feed-zero-rapid
@@ -166,6 +168,7 @@ fn every_warning_appears_on_every_control() {
         knd-k2000t lint.setting-unread
         knd-k2000t lint.small-offset
         knd-k2000t lint.unset-parameter
+        fanuc-0i-tf lint.no-argument
         fanuc-0i-tf lint.calls-itself
         fanuc-0i-tf lint.feed-per-minute
         fanuc-0i-tf lint.feed-zero-digit
@@ -175,6 +178,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-tf lint.small-offset
         fanuc-0i-tf lint.unset-parameter
         fanuc-0i-mf lint.axis-again
+        fanuc-0i-mf lint.no-argument
         fanuc-0i-mf lint.calls-itself
         fanuc-0i-mf lint.feed-per-revolution
         fanuc-0i-mf lint.feed-zero-digit
@@ -189,6 +193,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.code-again
         sinumerik-802d lint.cycle-ended
         sinumerik-802d lint.call-parameter
+        sinumerik-802d lint.no-argument
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.dwell-without-time
         sinumerik-802d lint.equal-decimals
@@ -211,6 +216,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.code-again
         sinumerik-808d lint.cycle-ended
         sinumerik-808d lint.call-parameter
+        sinumerik-808d lint.no-argument
         sinumerik-808d lint.calls-itself
         sinumerik-808d lint.dwell-without-time
         sinumerik-808d lint.equal-decimals

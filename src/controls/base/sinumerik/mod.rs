@@ -59,9 +59,9 @@ pub const NAMES: Names = Names {
     extended: AddressSet::letters("HIJKMSXYZ"),
     foreign: &[
         "CALL", "CASE", "COUPON", "DEF", "EGON", "ELSE", "ENDFOR", "ENDIF", "ENDLOOP", "ENDWHILE", "EXTERN", "FGROUP",
-        "FOR", "GOTOC", "LOOP", "MCALL", "PCALL", "PROC", "REPEAT", "SETAL", "SPOSA", "TRAILON", "UNTIL", "WAITS",
-        "WHILE",
+        "FOR", "GOTOC", "LOOP", "PCALL", "PROC", "SETAL", "SPOSA", "TRAILON", "UNTIL", "WAITS", "WHILE",
     ],
+    unsimulated: &["EXTCALL", "MCALL", "REPEAT", "REPEATB"],
     local_data: false,
     endings: ["MPF", "SPF"],
     numbered: &["L", "MPF", "SPF"],

@@ -271,6 +271,10 @@ impl<'a> Reader<'a> {
             self.local_data();
             return Ok(Some(Stmt::Empty));
         }
+        if names.unsimulated.contains(&name.as_str()) {
+            let message = msg!("nc.unsimulated-statement", word = name, control = self.control.name);
+            return Err(self.stops_here(start, self.cursor.line.len(), message));
+        }
         if names.foreign.contains(&name.as_str()) {
             let message = msg!("nc.foreign-statement", word = name, control = self.control.name);
             return Err(self.failure(Alarm::Format, start, start + written.len(), message));
@@ -654,7 +658,9 @@ impl<'a> Reader<'a> {
             return false;
         };
         let address = names.addresses.iter().any(|row| name.starts_with(row.0));
-        let statement = SYMBOLIC_STATEMENTS.contains(&name.as_str()) || names.foreign.contains(&name.as_str());
+        let statement = SYMBOLIC_STATEMENTS.contains(&name.as_str())
+            || names.foreign.contains(&name.as_str())
+            || names.unsimulated.contains(&name.as_str());
         !(statement || address || names.code(&name).is_some() || self.missing_equals(&name))
     }
 

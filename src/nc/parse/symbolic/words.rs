@@ -20,6 +20,9 @@ const FORMS: [(&str, Dimensioning); 5] = [
     ("ACN", Dimensioning::Negative),
 ];
 
+/// Addresses whose values may have a dimensioning of their own, beside AP, RP and SPOS.
+const POSITIONS: AddressSet = AddressSet::letters("ABCIJKUVWXYZ");
+
 /// Facts about the words of a block that decide whether [`Reader::check_symbolic_words`] is needed.
 #[derive(Default)]
 struct Seen {
@@ -281,6 +284,10 @@ impl Reader<'_> {
         }
         let dimensioning = self.dimensioning();
         if dimensioning != Dimensioning::Plain {
+            if !POSITIONS.contains(letter) && !matches!(letter, Address::Ap | Address::Rp | Address::Spos) {
+                let address = self.control.address(letter);
+                self.report(Alarm::Format, start, self.cursor.at, msg!("nc.no-dimensioning", address));
+            }
             self.pass_blanks();
             self.deeper()?;
             let open = self.open(b')');
