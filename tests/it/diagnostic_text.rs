@@ -249,7 +249,10 @@ fn text_outside_the_record_is_one_finding() {
 /// `M30%`: the block is read, and the record is closed.
 #[test]
 fn percent_behind_a_block_goes_to_its_own_line() {
-    check("mitsubishi-e60", "%\nO1\nG00 X1.\nM30 %\n", expect![[r#"
+    check(
+        "mitsubishi-e60",
+        "%\nO1\nG00 X1.\nM30 %\n",
+        expect![[r#"
         warning[nc.percent-behind-block]: The % ends the record, and no end of block is in front of it: the control may not read the block.
          --> O1.nc:4:5
           |
@@ -261,9 +264,13 @@ fn percent_behind_a_block_goes_to_its_own_line() {
         5 + %
 
         1 warning
-    "#]]);
+    "#]],
+    );
     // The end of block stands in front of it.
-    check("mitsubishi-e60", "%\nO1\nG00 X1.;\nM30;%\n", expect![[r#"
+    check(
+        "mitsubishi-e60",
+        "%\nO1\nG00 X1.;\nM30;%\n",
+        expect![[r#"
         info[nc.semicolon]: The control shows the end of a block as “;”; in a file the line end stands for it.
          --> O1.nc:3:8
           |
@@ -271,7 +278,8 @@ fn percent_behind_a_block_goes_to_its_own_line() {
           |        ^
 
         1 remark
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

@@ -126,6 +126,8 @@ pub(crate) fn follow<T: Send + Sync + 'static>(
 /// Progress bar of a slow answer, with a button that cancels it.
 #[component]
 pub(crate) fn Working(
+    /// Id of the words for the work.
+    work: &'static str,
     /// The progress.
     progress: AnswerProgress,
 ) -> impl IntoView {
@@ -139,7 +141,8 @@ pub(crate) fn Working(
                     <button type="button" class="chip" on:click=move |_| again.run(())>{t("page.again")}</button>
                 }
             >
-                <progress aria-label=t("page.progress") max="1" value=move || far.get().unwrap_or(1.0).to_string()></progress>
+                <span aria-hidden="true">{t(work)}</span>
+                <progress aria-label=t(work) max="1" value=move || far.get().unwrap_or(1.0).to_string()></progress>
                 <button type="button" class="chip" on:click=move |_| cancel.run(())>{t("page.cancel")}</button>
             </Show>
         </div>

@@ -74,7 +74,7 @@ mod tests {
             Client::here().answer_here(|_, _| Some(Response::Html(String::new())));
             let read = |response| if let Response::Html(html) = response { Some(html) } else { None };
             let sheets = follow(|| Request::Chance, REST, read);
-            view! { <Working progress=sheets.progress /> <SheetView sheets=sheets /> }
+            view! { <Working work="page.runs-work" progress=sheets.progress /> <SheetView sheets=sheets /> }
         })
         .await;
         bench.press(".working button").await;

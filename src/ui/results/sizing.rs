@@ -66,7 +66,7 @@ pub(crate) fn SizingTab() -> impl IntoView {
     view! {
         <div class="sizing" aria-busy=move || sizing.progress.outdated.get().to_string() on:click=choose>
             <p class="lead">{lead}</p>
-            <Working progress=sizing.progress />
+            <Working work="page.runs-work" progress=sizing.progress />
             <For each=ids key=Clone::clone let:place>
                 <Section section=shown(place.0) />
             </For>
@@ -129,7 +129,7 @@ fn ChanceSheet() -> impl IntoView {
             _ => None,
         },
     );
-    view! { <Working progress=sheet.progress /> <SheetView sheets=sheet /> }
+    view! { <Working work="page.chance-work" progress=sheet.progress /> <SheetView sheets=sheet /> }
 }
 
 /// Time (s) of the part of the run whose line in a chart was clicked.

@@ -122,7 +122,7 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     callout(d, "start-x", (RIGHT, 450.0), Anchor::End, &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
-        d.text((DETAILS[1], ABOVE), Anchor::Start, &text, Font::Label, Paint::Dim);
+        d.text((RIGHT, ABOVE), Anchor::End, &text, Font::Label, Paint::Dim);
     });
     // The distance of the axes, in the middle between them.
     d.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);

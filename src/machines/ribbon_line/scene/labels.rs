@@ -97,7 +97,10 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
         end = middle + half + gap;
     }
     let note = format!("{} {}", say("ribbon.scene.thickness"), factor(layout.thickness / p.ribbon_thickness));
-    drawing.text((end, y), Anchor::Start, &note, Font::Label, Paint::Dim);
+    // Apart from the print station, whose caption it is not.
+    let half = 0.5 * wide(&note);
+    let middle = (0.5 * (layout.print.x + layout.take_up.x)).max(end + half);
+    drawing.text((middle, y), Anchor::Middle, &note, Font::Label, Paint::Dim);
 }
 
 /// Limits of the loop, ruler and pointer.

@@ -64,7 +64,7 @@ pub(crate) fn Stage() -> impl IntoView {
                 // The labels make room for the elements over the drawing.
                 {fitted.refit()}
                 <div class="state">
-                    <span class=move || format!("mode {}", state.get().1)>{move || state.get().0}</span>
+                    <span class=move || format!("mode {}", state.get().tone)>{move || state.get().into_view()}</span>
                     <WrongValues />
                 </div>
                 <AlarmScreen />
@@ -100,23 +100,40 @@ fn open_field(event: MouseEvent) {
     }
 }
 
-/// Words and weight of the state: of the machine while the film shows it in motion; while the program runs, the operation on the work.
-fn shown_state(page: Page) -> (String, Tone) {
+/// The state of the film or of the machine.
+#[derive(Clone, PartialEq)]
+struct ShownState {
+    words: String,
+    /// In a pause, the operation on the work; without it where the drawing is narrow.
+    operation: Option<String>,
+    tone: Tone,
+}
+
+impl ShownState {
+    fn into_view(self) -> impl IntoView {
+        let operation = self.operation.map(|operation| view! { <span class="operation">" · " {operation}</span> });
+        view! { <span>{self.words} {operation}</span> }
+    }
+}
+
+/// The state: of the machine while the film shows it in motion; while the program runs, the operation on the work.
+fn shown_state(page: Page) -> ShownState {
     let player = page.player;
     let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
     let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
-    let (words, tone) = match player.playing.get() {
-        _ if page.program.has_errors() => ("page.mode-errors", Tone::Fail),
-        _ if mode == Mode::EmergencyStop => (mode_words(mode), Tone::Fail),
-        _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", Tone::Fail),
-        false if moves && begun => ("page.mode-paused", Tone::Info),
-        false if !begun => ("page.mode-ready", Tone::Info),
-        _ => match player.activity.get().filter(|_| mode == Mode::Running) {
-            Some(activity) => return (sentence(&activity), Tone::from(mode)),
-            None => (mode_words(mode), Tone::from(mode)),
-        },
-    };
-    (t(words).to_owned(), tone)
+    let operation = player.activity.get().filter(|_| mode == Mode::Running).map(|activity| sentence(&activity));
+    let plain = |words: &'static str, tone| ShownState { words: t(words).to_owned(), operation: None, tone };
+    match player.playing.get() {
+        _ if page.program.has_errors() => plain("page.mode-errors", Tone::Fail),
+        _ if mode == Mode::EmergencyStop => plain(mode_words(mode), Tone::Fail),
+        _ if page.outlook.stopped.with(Option::is_some) => plain("page.mode-at-once", Tone::Fail),
+        false if moves && begun => ShownState { operation, ..plain("page.mode-paused", Tone::Info) },
+        false if !begun => plain("page.mode-ready", Tone::Info),
+        _ => {
+            let running = plain(mode_words(mode), Tone::from(mode));
+            ShownState { words: operation.unwrap_or(running.words), ..running }
+        }
+    }
 }
 
 /// Count of wrong fields, for a form that is out of sight; a press leads to them.
@@ -255,7 +272,8 @@ mod tests {
         let bench = stage().await;
         bench.seek(3.0).await;
         let activity = bench.page.player.activity.get_untracked().unwrap();
-        assert!(activity.id == "ribbon.printing" && bench.text(".mode") == t("page.mode-paused"));
+        let paused = format!("{} · {}", t("page.mode-paused"), sentence(&activity));
+        assert!(activity.id == "ribbon.printing" && bench.text(".mode") == paused);
         bench.page.player.playing.set(true);
         crate::ui::testing::settled().await;
         let activity = bench.page.player.activity.get_untracked().unwrap();

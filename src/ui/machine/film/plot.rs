@@ -13,6 +13,7 @@ use crate::text::number::filled;
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::player::Player;
+use crate::ui::words::t;
 
 /// Fingers on the chart, by their number and place in pixels.
 #[derive(Clone, Copy)]
@@ -126,6 +127,7 @@ pub(super) fn Plot(
         let class = if part > 0.5 { "pointed left" } else { "pointed" };
         Some(view! { <span class=class style:left=filled("#%", &[100.0 * part])>{text}</span> })
     };
+    let stops_at_once = Memo::new(move |_| player.planned.with(|planned| planned.is_over && planned.end <= 0.0));
     view! {
         <div
             class="plots" node_ref=plot on:pointerdown=point on:pointermove=point on:wheel=wheel
@@ -137,6 +139,7 @@ pub(super) fn Plot(
             on:dblclick=move |_| player.show_window(0.0)
         ></div>
         {readout}
+        <Show when=move || stops_at_once.get()><p class="no-run">{t("page.no-run")}</p></Show>
     }
 }
 
@@ -177,6 +180,15 @@ mod tests {
         bench.find(".plots").dispatch_event(&event("PointerEvent", "pointerleave", &[])).unwrap();
         bench.drawn().await;
         assert!(!bench.has(".pointed"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn run_without_time_has_a_sentence_in_place_of_curves() {
+        let bench = film().await;
+        assert!(!bench.has(".no-run"));
+        bench.page.edit(|project| project.edited = project.listing());
+        bench.run().await;
+        assert_eq!(bench.text(".no-run"), t("page.no-run"));
     }
 
     #[wasm_bindgen_test]
