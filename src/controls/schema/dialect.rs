@@ -62,6 +62,8 @@ pub(crate) struct ReadingRules {
     pub(crate) assignments: bool,
     /// `IF [ ] THEN` is read, not an alarm.
     pub(crate) if_then: bool,
+    /// `AND`, `OR` and `XOR` between conditions in brackets are read, not an alarm; `None` where no setting of the control joins them.
+    pub(crate) joined_conditions: Option<bool>,
     /// `MOD` is read, not an alarm.
     pub(crate) modulo: bool,
     /// A formula after an address needs brackets.
@@ -252,6 +254,7 @@ impl ReadingRules {
             number_jumps: is_set_to(set.block_number_jumps, BlockNumberJumps::Yes).unwrap_or(false),
             variable_point: is_set_to(set.point_after_variable, PointAfterVariable::Ignored).unwrap_or(false),
             assignments: is_set_to(set.assignments, Assignments::Several).unwrap_or(false),
+            joined_conditions: is_set_to(set.joined_conditions, JoinedConditions::Read),
             if_then: syntax.if_then || is_set_to(set.if_then, IfThen::Read).unwrap_or(false),
             modulo: syntax.modulo || is_set_to(set.modulo, Modulo::Read).unwrap_or(false),
             enclosed: is_set_to(set.word_formula, WordFormula::InBrackets).unwrap_or(false),

@@ -169,6 +169,8 @@ switches! {
         word_formula: WordFormula = "word-formula" { AsIs = "as-is", InBrackets = "in-brackets" }
         /// Whether `IF [ ] THEN` is read.
         if_then: IfThen = "if-then" { Alarm = "alarm", Read = "read" }
+        /// `AND`, `OR` and `XOR` between conditions in brackets.
+        joined_conditions: JoinedConditions = "joined-conditions" { Alarm = "alarm", Read = "read" }
         /// Whether `MOD` is read.
         modulo: Modulo = "modulo" { Alarm = "alarm", Read = "read" }
         /// Rounding step of `ROUND` after an address, `X[ROUND[#1]]`.

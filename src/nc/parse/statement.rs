@@ -3,7 +3,7 @@
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::nc::ast::{Assignment, Expr, ExprId, Extent, JumpDirection, Op, Stmt};
-use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
+use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, LOGIC, OUTSIDE, SIGNS, letters_of};
 use crate::nc::lex::spelling::{meant, zero_as_letter};
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::formula::VariableAccess;
@@ -219,6 +219,11 @@ impl Reader<'_> {
         };
         let open = self.open(close);
         self.pass_blanks();
+        if self.tables.rules.joined_conditions == Some(true) && self.condition_ahead() {
+            let joined = self.joined_conditions(alarm, keyword, start)?;
+            self.close(open)?;
+            return Ok(joined);
+        }
         if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.cursor.ahead(word)) {
             return Err(self.failure(alarm, self.cursor.at, self.cursor.at + word.len(), msg!("nc.comparison-sides")));
         }
@@ -259,6 +264,42 @@ impl Reader<'_> {
             self.close(open)?;
         }
         self.add_expr(Expr::Binary(op, left, right), start)
+    }
+
+    /// Whether a bracket follows that has a comparison directly inside, and is not only a part of one.
+    fn condition_ahead(&self) -> bool {
+        let rest = self.cursor.rest();
+        let mut depth = 0;
+        for (at, byte) in rest.iter().enumerate() {
+            match byte {
+                b'[' => depth += 1,
+                b']' if depth <= 1 => return false,
+                b']' => depth -= 1,
+                _ if depth == 0 => return false,
+                _ => {}
+            }
+            let tail = rest.get(at..).unwrap_or_default();
+            let compares =
+                |word: &str| tail.get(..word.len()).is_some_and(|text| text.eq_ignore_ascii_case(word.as_bytes()));
+            if depth == 1 && COMPARISONS.iter().any(|row| compares(row.0)) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Reads conditions in brackets with AND, OR or XOR between them, from left to right.
+    fn joined_conditions(&mut self, alarm: Alarm, keyword: &str, start: usize) -> Read<ExprId> {
+        self.deeper()?;
+        let mut joined = self.bracketed_condition(alarm, keyword)?;
+        self.pass_blanks();
+        while let Some(&(_, op)) = LOGIC.iter().find(|(word, _)| self.take(word)) {
+            let next = self.bracketed_condition(alarm, keyword)?;
+            joined = self.add_expr(Expr::Binary(op, joined, next), start)?;
+            self.pass_blanks();
+        }
+        self.formulas.depth -= 1;
+        Ok(joined)
     }
 
     /// Length of the word of letters that follows.
@@ -334,6 +375,9 @@ impl Reader<'_> {
         let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message);
         if condition {
             failure.finding = failure.finding.hint(msg!("nc.hint.two-conditions"));
+            if self.tables.rules.joined_conditions == Some(false) {
+                failure.finding = failure.finding.hint(msg!("nc.hint.joined-conditions"));
+            }
         }
         failure
     }

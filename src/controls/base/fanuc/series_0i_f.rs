@@ -50,6 +50,7 @@ const SWITCHES: &[Switch] = &[
     switch(UserAlarmBase::of(&[UserAlarmBase::From3000, UserAlarmBase::From0]), MEMORY)
         .label("switch.user-alarm-base-3000")
         .parameter("6008#1"),
+    switch(JoinedConditions::of(&[JoinedConditions::Alarm, JoinedConditions::Read]), MEMORY).parameter("6006#0"),
 ];
 
 /// Switches of a lathe.
