@@ -4,6 +4,7 @@ use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
 use super::turned_end_form::{TURNED_ENDS, TurnedEnd};
 use crate::drives::MainSpindle;
+use crate::drives::analog::FEW_VOLTS;
 use crate::drives::cutting;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::shaft_motion::{CutSpan, Motion};
@@ -20,7 +21,7 @@ use crate::math::RPM;
 use crate::motion::Stretch;
 use crate::msg;
 use crate::text::Message;
-use crate::view::Limit::AtMost;
+use crate::view::Limit::{AtLeast, AtMost};
 use crate::view::{Advice, Chart};
 
 /// Catalog id of the name of the drive.
@@ -110,6 +111,21 @@ pub(super) fn power(lathe: &PolygonLathe) -> f64 {
 /// Voltage (V) of the control's output at the greatest speed.
 pub(super) fn volts(lathe: &PolygonLathe) -> f64 {
     lathe.control.analog_output.with_speed(lathe.p.main_speed).output(programmed_speed(lathe))
+}
+
+/// Voltage (V) of the control's output at the slowest turned end.
+pub(super) fn least_volts(lathe: &PolygonLathe) -> f64 {
+    let slowest = lathe.turned_ends().map(|(end, _)| end.speed).fold(f64::INFINITY, f64::min);
+    lathe.control.analog_output.with_speed(lathe.p.main_speed).output(slowest)
+}
+
+/// The voltage at the slowest turned end against the one beside which offsets and noise are small.
+pub(super) fn judge_volts(lathe: &PolygonLathe) -> Option<Judgement> {
+    let (volts, limit) = (least_volts(lathe), AtLeast(FEW_VOLTS));
+    if limit.holds(volts) {
+        return ok(limit);
+    }
+    warn(limit, [msg!("polygon.few-volts", volts = (volts, 3)).into()])
 }
 
 /// Cut and friction against the continuous torque of the motor.

@@ -128,6 +128,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", MAIN_TORQUE, main_spindle::torque, PolygonLathe::has_main_spindle),
     row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", MAIN_TORQUE, main_spindle::power, PolygonLathe::has_main_spindle),
     row!("main-volts", "polygon.readout.main-volts", "V", 3, false, "10 V · n / n10, in steps", OUTPUT, main_spindle::volts, PolygonLathe::has_main_spindle),
+    row!("main-least-volts", "polygon.readout.main-least-volts", "V", 3, false, "10 V · n / n10, at the slowest turned end", OUTPUT, main_spindle::least_volts, PolygonLathe::has_main_spindle),
     row!("main-inertia", "polygon.readout.main-inertia", "kg m²", 4, false, "J work + J rotor · (n m / n10)²", INERTIA, |lathe| lathe.p.main_spindle().load_at_spindle.inertia, PolygonLathe::has_main_spindle),
     row!("main-shortest-ramp", "polygon.readout.main-shortest-ramp", "s", 2, false, "J · 2π n10 / 60 / (short-time torque at the highest speed - friction); braking with that + friction", RUN_UP, |lathe| lathe.p.main_spindle().shortest_ramp(main_spindle::programmed_speed(lathe)), PolygonLathe::has_main_spindle),
     row!("main-run-up-time", "polygon.readout.main-run-up-time", "s", 2, false, "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", RUN_UP, |lathe| lathe.p.main_spindle().run_up(main_spindle::programmed_speed(lathe)), PolygonLathe::has_main_spindle),

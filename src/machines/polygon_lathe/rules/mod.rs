@@ -76,6 +76,7 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
         main_spindle::judge_speed,
         Citation::new("greatest speed of the work axis", Grade::Manual),
     ),
+    Rule::new("main-least-volts", main_spindle::judge_volts, Citation::new("engineering choice", Grade::Inferred)),
     Rule::new("main-torque", main_spindle::judge_torque, MOTOR),
     Rule::new(
         "main-shortest-ramp",

@@ -307,6 +307,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("polygon.no-twist", "G512 has no word for it; the figure is for a control with G51.2"),
     ("polygon.no-choice", "no way turns the polygon"),
     ("polygon.not-flat", "a fact; the larger cutter or the choice behind it has the button"),
+    ("polygon.few-volts", "a deed: another belt, which changes torque and motor"),
     ("polygon.other-sides", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.round-corners", "a fact about the stock, no fault"),
     ("polygon.scarce-relief", "a fact: relief suffices"),

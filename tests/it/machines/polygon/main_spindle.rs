@@ -45,6 +45,19 @@ fn cut_of_a_turned_end_is_judged_by_the_main_motor() {
     assert!(readout(&less, "main-torque").verdict < Verdict::Fail);
 }
 
+/// 3000 r/min at 10 V: 0.5 V are 150 r/min. The slower of both ends counts.
+#[test]
+fn few_volts_at_the_slowest_turned_end_warn() {
+    for (before, after, volts, verdict) in
+        [("800", "150", 0.5, Verdict::Ok), ("800", "120", 0.4, Verdict::Warn), ("90", "800", 0.3, Verdict::Warn)]
+    {
+        let slow = shaft(&[("before-speed", before), ("after", "true"), ("after-speed", after)]);
+        let least = readout(&slow, "main-least-volts");
+        near(least.value, volts, 0.003);
+        assert_eq!((least.verdict, least.advice.len()), (verdict, usize::from(verdict == Verdict::Warn)), "{volts}");
+    }
+}
+
 #[test]
 fn cut_too_heavy_for_the_shaft_fan_gets_forced_cooling() {
     // 1750 N: 23.9 Nm of 22.6 with a fan on the motor's shaft, of 32.2 with forced cooling.
