@@ -173,13 +173,16 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
             fed().into_iter().chain([command]).chain(enable).collect()
         }
         BillItem::Turret => {
-            vec![wire(Strip::Cables, "size.terminal.tool-number", of_machine(BillItem::Control), own)]
+            let command = wire(Strip::Cables, "size.terminal.tool-number", of_machine(BillItem::Control), own.clone());
+            fed().into_iter().chain(of_electronics(own)).chain([command]).collect()
         }
         BillItem::Dancer => {
             let inverter = of(BillItem::Inverter);
             let input = WireEnd { place: headed(inverter.text(), say("size.terminal.trim-input")), ..inverter };
-            analog(["size.terminal.dancer", "size.terminal.dancer-common", "size.terminal.screen"], own, input)
+            let signals = ["size.terminal.dancer", "size.terminal.dancer-common", "size.terminal.screen"];
+            analog(signals, own.clone(), input).into_iter().chain(of_electronics(own)).collect()
         }
+        BillItem::StandstillMonitor | BillItem::LoopSensor | BillItem::ReelSensor => of_electronics(own).into(),
         BillItem::Control => ["size.terminal.control-plus", "size.terminal.control-zero"]
             .map(|signal| wire(Strip::Supply, signal, of_machine(BillItem::ControlSupply), own.clone()))
             .into(),
@@ -195,15 +198,12 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
         | BillItem::EmergencyStop
         | BillItem::OverrideSwitch
         | BillItem::Key
-        | BillItem::StandstillMonitor
         | BillItem::GearSwitch
         | BillItem::GearValve
         | BillItem::ClampSwitch
         | BillItem::ClampValve
         | BillItem::TailstockSwitch
-        | BillItem::LoopSensor
         | BillItem::TensionSwitch
-        | BillItem::ReelSensor
         | BillItem::MainSwitch => Vec::new(),
     }
 }
@@ -222,6 +222,12 @@ fn of_brake_contactor(drive: BillItem, axis: Option<&'static str>) -> Vec<Wire> 
         wire(Strip::Contacts, "size.terminal.brake-coil", output, own.clone()),
     ];
     power.into_iter().chain(coil).collect()
+}
+
+/// The supply of a device with electronics of its own: sensors, monitors, controllers.
+fn of_electronics(own: WireEnd) -> [Wire; 2] {
+    ["size.terminal.device-plus", "size.terminal.device-zero"]
+        .map(|signal| wire(Strip::Supply, signal, WireEnd::of(BillItem::ControlSupply, None), own.clone()))
 }
 
 /// A wire with its signal (catalog id).

@@ -11,6 +11,7 @@ use macroline::project::{Project, parts};
 use macroline::text::catalog::{number_text, sentence, words};
 use macroline::view::Verdict;
 
+use super::wiring::ELECTRONICS;
 use crate::queries::{sized, sized_without_envelope};
 
 fn line() -> Project {
@@ -465,9 +466,12 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             // A set speed where an inverter is, and nowhere else; the position of a dancer beside it.
             let inverter = usize::from(project.prepared().inverter_drive().is_some());
             assert_eq!(rows("X3:"), 3 * (inverter + billed(BillItem::Dancer)), "{name}");
-            // Mains and PE of every drive and of the supplies; voltage of the control and of the relay of the emergency stop.
+            // Mains and PE of every drive, of the turret and of the supplies; voltage of the control, of the relay of the emergency stop and of
+            // every device with electronics.
             let drives = billed(BillItem::Amplifier) + billed(BillItem::Inverter);
-            assert_eq!(rows("X0:"), 2 * (drives + supplies + fans) + 6, "{name}");
+            let electronics: usize = ELECTRONICS.map(billed).iter().sum();
+            let fed = drives + supplies + fans + billed(BillItem::Turret) + electronics;
+            assert_eq!(rows("X0:"), 2 * fed + 6, "{name}");
             let enabled = sizing.terminals.iter().filter(|row| row.signal.starts_with("Enable")).count();
             assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
             // The table of stops lets them brake to rest; work and tool coast only with that entry of the form.

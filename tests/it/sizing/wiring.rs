@@ -62,6 +62,31 @@ fn agree(name: &str, project: &Project) -> Sizing {
     sizing
 }
 
+/// Items with electronics of their own, which the contacts and signals of the PLC do not supply.
+pub(crate) const ELECTRONICS: [BillItem; 5] =
+    [BillItem::Dancer, BillItem::StandstillMonitor, BillItem::Turret, BillItem::LoopSensor, BillItem::ReelSensor];
+
+#[test]
+fn each_device_with_electronics_has_its_supply() {
+    let mut found = BTreeSet::new();
+    for machine in ALL {
+        for example in machine.examples() {
+            let project = Project::named(machine.id(), None, Some(example.id)).unwrap();
+            let sizing = answered(&project.with_entries(&[("dancer", "true")]).unwrap_or(project));
+            for item in ELECTRONICS.into_iter().filter(|item| sizing.bill.iter().any(|row| row.item == *item)) {
+                let of_device = sizing.terminals.iter().filter(|row| row.to.item == item);
+                let supply = of_device
+                    .filter(|row| row.from.item == BillItem::ControlSupply && row.terminal.starts_with("X0:"))
+                    .map(|row| row.signal.as_str());
+                let wanted = ["Supply of the device, 24 V", "Supply of the device, 0 V"];
+                assert_eq!(Vec::from_iter(supply), wanted, "{item:?}");
+                found.insert(item);
+            }
+        }
+    }
+    assert_eq!(found, BTreeSet::from(ELECTRONICS));
+}
+
 #[test]
 fn each_wire_ends_at_items_of_the_bill_and_each_item_has_wires() {
     for machine in ALL {
