@@ -115,7 +115,7 @@ fn cut_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -
             found.push((msg!("polygon.above-clamp", feed = (feed, 0), clamp = (most, 0)), field));
         }
     }
-    if end.is_endless(p.stock_diameter) {
+    if end.is_endless(end.blank(p)) {
         found.push((msg!("polygon.many-cuts"), fields.depth));
     }
     found

@@ -147,7 +147,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let share = (most - p.main.friction) / (torque - p.main.friction);
     let set = at_most(FIELDS, field, end.depth * share);
     let depth = set.value;
-    let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(p.stock_diameter);
+    let is_endless = TurnedEnd { depth, ..end.clone() }.is_endless(end.blank(p));
     advice.push(if depth >= cutting::LEAST_DEPTH && !is_endless {
         weak.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
     } else {

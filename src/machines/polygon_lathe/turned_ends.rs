@@ -18,6 +18,14 @@ const RUN_OUT: f64 = 2.0;
 const MOST: f64 = 100.0;
 
 impl TurnedEnd {
+    /// Diameter (mm) from which it is cut: that of the end turned before it where it lies on that one, else that of the bar.
+    pub(super) fn blank(&self, p: &Params) -> f64 {
+        let [before, _] = &p.turned_ends;
+        let lies_on_it =
+            before.on && self != before && self.length <= before.length && self.diameter <= before.diameter;
+        if lies_on_it { before.diameter.min(p.stock_diameter) } else { p.stock_diameter }
+    }
+
     /// Number of cuts; the last one is to size.
     pub(super) fn cuts(&self, stock: f64) -> f64 {
         math::whole_up(0.5 * (stock - self.diameter) / self.depth).max(1.0)
@@ -46,11 +54,12 @@ impl TurnedEnd {
             PassStep::Feed(SlideTarget::Across(p.clear_diameter()), p.clamped_retract_feed()),
             PassStep::Rapid(SlideTarget::Along(p.clearance)),
         ];
-        let cuts = self.cuts(p.stock_diameter).min(MOST) as u32;
+        let stock = self.blank(p);
+        let cuts = self.cuts(stock).min(MOST) as u32;
         let mut all = Vec::new();
         for cut in 1..=cuts {
             let last = cut == cuts;
-            let size = if last { self.diameter } else { p.stock_diameter - 2.0 * f64::from(cut) * self.depth };
+            let size = if last { self.diameter } else { stock - 2.0 * f64::from(cut) * self.depth };
             if last && self.chamfer > 0.0 {
                 all.push(PassStep::Rapid(SlideTarget::Across(size - 2.0 * self.chamfer)));
                 all.push(PassStep::Feed(SlideTarget::Along(0.0), feed));

@@ -575,6 +575,23 @@ fn polygon_on_a_turned_end_is_cut_from_that_end() {
     assert_eq!(value(&short, "passes"), 4.0);
 }
 
+/// An end of Ø 12 after the polygon, on one of Ø 20 that is turned before it: two cuts, none of them in the air. One that is longer has the
+/// bar of Ø 25 at its shoulder: four.
+#[test]
+fn end_turned_on_a_turned_end_is_cut_from_that_end() {
+    let cuts = |entries: &[(&'static str, &'static str)]| {
+        let before = [("before", "true"), ("before-length", "20"), ("before-diameter", "20"), ("before-depth", "9")];
+        let place = [("from-face", "20"), ("across-flats", "14"), ("after", "true"), ("after-depth", "2")];
+        let text = project(&[&before[..], &place, entries].concat()).written().files.0[0].text.clone();
+        let after = text.rsplit("POLYGON TURNING OFF").next().unwrap().to_owned();
+        after.lines().filter(|line| line.starts_with("G01 Z-")).count()
+    };
+    assert_eq!(cuts(&[("after-length", "10")]), 2);
+    assert_eq!(cuts(&[("after-length", "10"), ("after-diameter", "20")]), 1);
+    assert_eq!(cuts(&[("after-length", "20.5"), ("from-face", "25")]), 4);
+    assert_eq!(cuts(&[("after-length", "10"), ("before", "false")]), 4);
+}
+
 /// Flats of 10 mm over 80 mm behind an end bend with it: 900 N over 92 mm, of a bar of Ø 25 less than 0.1 mm.
 #[test]
 fn end_turned_after_slender_flats_gives_way() {
