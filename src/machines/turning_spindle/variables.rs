@@ -33,12 +33,6 @@ pub(super) const SPEED_LIMIT: u32 = 107;
 /// Distance of the tool from the stock before and behind a cut, mm.
 pub(super) const CLEARANCE: u32 = 108;
 
-/// Speed at the largest diameter, r/min: kept through the cut, or set after it.
-pub(super) const SPEED: u32 = 109;
-
-/// Stock that remains after the pass, mm: in diameter, on a face along Z.
-pub(super) const LEFT: u32 = 110;
-
 /// X where the program begins and ends, as a diameter, mm.
 pub(super) const START_X: u32 = 111;
 
@@ -87,7 +81,15 @@ pub(super) const REACH: u32 = 125;
 /// Room that the turret needs beside the work to turn, mm.
 pub(super) const ROOM: u32 = 126;
 
-/// Length of a taper per diameter; 0 for a cylinder. Local, as all of the program's own below.
+/// Speed at the largest diameter, r/min: kept through the cut, or set after it. Local, as all of the program's own below: they drive the tool,
+/// and neither the operator's entries nor another program may reach them while a part is cut. It has the place of a copy of 109, which is no
+/// entry.
+pub(super) const SPEED: u32 = copy(109);
+
+/// Stock that remains after the pass, mm: in diameter, on a face along Z. It has the place of a copy of 110, which is no entry.
+pub(super) const LEFT: u32 = copy(110);
+
+/// Length of a taper per diameter; 0 for a cylinder.
 pub(super) const SLOPE: u32 = 28;
 
 /// Diameter at which a pass of a taper begins, mm.

@@ -186,14 +186,14 @@ fn differences_between_controls_match_the_table() {
             sinumerik-808d  N27 LB27: G96 S=R1 LIMS=R8 M3
             knd-k2000t      N27 G96 S#1 M3
             fanuc-0i-tf     N27 G96 S#1 M3
-            mitsubishi-e60  N27 G97 S#109 M3
+            mitsubishi-e60  N27 G97 S#10 M3
         fixed speed
-            gsk-980tdc      N27 G97 S#109 M3
-            sinumerik-802d  N27 LB27: G97 S=R109 M3
-            sinumerik-808d  N27 LB27: G97 S=R109 M3
-            knd-k2000t      N27 G97 S#109 M3
-            fanuc-0i-tf     N27 G97 S#109 M3
-            mitsubishi-e60  N27 G97 S#109 M3
+            gsk-980tdc      N27 G97 S#10 M3
+            sinumerik-802d  N27 LB27: G97 S=R10 M3
+            sinumerik-808d  N27 LB27: G97 S=R10 M3
+            knd-k2000t      N27 G97 S#10 M3
+            fanuc-0i-tf     N27 G97 S#10 M3
+            mitsubishi-e60  N27 G97 S#10 M3
         limit
             gsk-980tdc      N20 G50 S#8
             sinumerik-802d  -
@@ -230,12 +230,12 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     N36 G01 X#4 F#2
             mitsubishi-e60  N36 G01 X[#4/2] F#2
         jump of the loop
-            gsk-980tdc      N31 WHILE[#110 GT 0]DO1
-            sinumerik-802d  N31 LB31: IF R110<=0 GOTOF LB50
-            sinumerik-808d  N31 LB31: IF R110<=0 GOTOF LB50
-            knd-k2000t      N31 WHILE[#110 GT 0]DO1
-            fanuc-0i-tf     N31 WHILE[#110 GT 0]DO1
-            mitsubishi-e60  N31 WHILE[#110 GT 0]DO1
+            gsk-980tdc      N31 WHILE[#11 GT 0]DO1
+            sinumerik-802d  N31 LB31: IF R11<=0 GOTOF LB50
+            sinumerik-808d  N31 LB31: IF R11<=0 GOTOF LB50
+            knd-k2000t      N31 WHILE[#11 GT 0]DO1
+            fanuc-0i-tf     N31 WHILE[#11 GT 0]DO1
+            mitsubishi-e60  N31 WHILE[#11 GT 0]DO1
         entry of 0
             gsk-980tdc      alarm 5902
             sinumerik-802d  message, stop
