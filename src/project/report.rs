@@ -90,7 +90,7 @@ impl Project {
                 Figure { label: "form.report.cycle-time", value: time, unit: "s", decimals: 1 },
                 Figure {
                     label: "form.report.parts-per-hour",
-                    value: 3600.0 / (time + prepared.pause()),
+                    value: 3600.0 / (time + prepared.pause() + prepared.change_time()),
                     unit: "1/h",
                     decimals: 1,
                 },

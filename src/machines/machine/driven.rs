@@ -65,6 +65,10 @@ pub trait DrivenMachine {
     fn pause(&self) -> f64 {
         0.0
     }
+    /// Mean time (s) of changes of material that a part takes beside the pause.
+    fn change_time(&self) -> f64 {
+        0.0
+    }
     /// Variable and present value of the product's size, if the program accepts another size while the machine runs.
     fn product_size(&self) -> Option<ProductSize> {
         None

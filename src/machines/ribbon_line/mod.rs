@@ -213,6 +213,10 @@ impl DrivenMachine for RibbonLine {
         self.p.pause
     }
 
+    fn change_time(&self) -> f64 {
+        reel_demand::change_time(self)
+    }
+
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
     }

@@ -338,6 +338,7 @@ pub(crate) struct UnwindingParams {
     pub reel_diameter: f64,
     pub core_diameter: f64,
     pub core_inertia: f64,
+    pub reel_change: f64,
     pub inertia: f64,
     pub brake: f64,
     pub friction: f64,
@@ -476,6 +477,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(10.0..=5000.0).default(68.0).decimals(1).step(1.0).fact(),
     number("reel-core-inertia", member!(Params.unwinding.core_inertia)).group("ribbon.group.reel").label("ribbon.reel-core-inertia").help("ribbon.reel-core-inertia.help")
         .unit("kg cm²").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
+    number("reel-change", member!(Params.unwinding.reel_change)).group("ribbon.group.reel").label("ribbon.reel-change").help("ribbon.reel-change.help")
+        .unit("s").range(0.0..=36000.0).default(180.0).decimals(0).step(30.0).fact(),
     number("loop-capacity", member!(Params.loop_capacity)).group("ribbon.group.reel").label("ribbon.loop-capacity").help("ribbon.loop-capacity.help")
         .unit("mm").range(0.0..=100000.0).default(500.0).decimals(1).step(10.0).fact(),
     flag("dancer", member!(Params.dancer)).group("ribbon.group.reel").label("ribbon.dancer").help("ribbon.dancer.help")

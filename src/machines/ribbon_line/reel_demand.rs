@@ -19,9 +19,27 @@ pub(super) fn time(line: &RibbonLine) -> f64 {
     if length > 0.0 { 60e3 * length / line.d.feeds.line_speed } else { 0.0 }
 }
 
+/// Products that a reel makes until its sensor holds the program.
+fn products_of_ribbon(line: &RibbonLine) -> f64 {
+    (1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product.length
+}
+
 /// Whole products that a reel makes until its sensor holds the program.
 pub(super) fn products(line: &RibbonLine) -> f64 {
-    ((1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product.length).floor()
+    products_of_ribbon(line).floor()
+}
+
+/// Time (s) of reel changes for a product: that of a change over the whole products of a reel, or over the part of a product that a reel makes;
+/// 0 of a reel without ribbon.
+pub(super) fn change_time(line: &RibbonLine) -> f64 {
+    let products = products_of_ribbon(line);
+    let change = line.p.unwinding.reel_change;
+    if products > 0.0 { change / if products >= 1.0 { products.floor() } else { products } } else { 0.0 }
+}
+
+/// Products per hour at the line speed: `3600 / (time of a product + pause + time of reel changes)`.
+pub(super) fn products_per_hour(line: &RibbonLine) -> f64 {
+    3600.0 / (line.d.product.time + line.p.pause + change_time(line))
 }
 
 /// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.

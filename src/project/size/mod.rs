@@ -45,6 +45,8 @@ pub struct Cycle {
     pub seconds: f64,
     /// Pause (s) from the end of the program to the next start.
     pub pause: f64,
+    /// Mean time (s) of changes of material for a part.
+    pub change: f64,
     /// Energy of its motors; none if nothing is known of them.
     pub energy: Option<PartEnergy>,
 }
@@ -57,7 +59,7 @@ impl Cycle {
 
     /// Parts in an hour of the shift.
     pub fn parts_per_hour(&self) -> f64 {
-        3600.0 / self.between_starts()
+        3600.0 / (self.between_starts() + self.change)
     }
 }
 
@@ -177,5 +179,6 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let mut motors = project.machine.info().motors.iter().filter(has);
     let is_known = !drives.is_empty() && motors.all(|motor| drives.contains(&motor.drive));
     let energy = PartEnergy { given, returned, returned_on_one_bus };
-    Some(Cycle { seconds, pause: prepared.pause(), energy: is_known.then_some(energy) })
+    let (pause, change) = (prepared.pause(), prepared.change_time());
+    Some(Cycle { seconds, pause, change, energy: is_known.then_some(energy) })
 }

@@ -173,6 +173,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
         [("ribbon-line", None, 60.0), ("polygon-lathe", None, 120.0), ("turning-spindle", Some("shaft"), 120.0)]
     {
         let project = Project::named(machine, None, example).unwrap();
+        let project = project.with_entries(&[("reel-change", "0")]).unwrap_or(project);
         let with = |pause: f64| sized(&project.with_entries(&[("pause", format!("{pause}"))]).unwrap());
         let (now, later) = (with(0.0), with(pause));
         let seconds = now.cycle.unwrap().seconds;
@@ -188,6 +189,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
     // Motors that turn for all of a product have S1; with a pause of a minute after it S3.
     let mut line = Project::named("ribbon-line", None, None).unwrap();
     line.values.insert("pitch-count".to_owned(), Value::Number(100.0));
+    line.values.insert("reel-change".to_owned(), Value::Number(0.0));
     let duty = |line: &Project| {
         let sheet = sized(line).sheets().into_iter().find(|sheet| sheet.id == "cycle").unwrap();
         sheet.rows.into_iter().map(|row| row.cells.join(" ")).find(|row| row.contains("Pull roller")).unwrap()

@@ -9,7 +9,7 @@ use macroline::view::{FieldEntry, Verdict};
 use proptest::prelude::*;
 
 use super::{line, same};
-use crate::queries::readout;
+use crate::queries::{readout, sized_without_envelope};
 
 fn reels() -> impl Strategy<Value = Reel> {
     let sizes = (0.02..2.0_f64, 0.01..0.99_f64, 0.005..1.0_f64, 1e-5..2e-3_f64);
@@ -135,6 +135,39 @@ fn mended(project: &Project, id: &str) -> (Verdict, Vec<(&'static str, Verdict)>
 fn a_reel_of_the_line_passes() {
     for id in ["reel-products", "reel-pull", "reel-brake-needed"] {
         assert_eq!(readout(&line(&[]), id).verdict, Verdict::Ok, "{id}");
+    }
+}
+
+/// A reel makes whole products, and its change counts for each of them; a product that is longer than the reel takes more than one change.
+#[test]
+fn products_per_hour_count_the_change_of_the_reel() {
+    let seconds = |project: &Project| 3600.0 / readout(project, "products-per-hour").value;
+    for (pitches, products) in [(10.0, None), (100_000.0, None), (100.0, Some(0.0))] {
+        let diameter = if products.is_some() { 68.0 } else { 224.0 };
+        let with = |change: f64| {
+            let job = [("pitch-count", pitches), ("reel-diameter", diameter), ("reel-change", change)];
+            let project = Project::named("ribbon-line", None, None).unwrap();
+            project.with_entries(&job.map(|(id, value)| (id, value.to_string()))).unwrap()
+        };
+        let (none, some) = (with(0.0), with(300.0));
+        let value = |id: &str| readout(&some, id).value;
+        same("time", seconds(&none), value("product-time"), 1e-9);
+        let of_reel = value("reel-products");
+        let changes = match products {
+            Some(changes) => changes,
+            None if of_reel >= 1.0 => 1.0 / of_reel,
+            // The sensor leaves the ribbon of a stop.
+            None => {
+                let left = PI * 100.5 / 50.0 * 1480.0 / 60.0;
+                value("product-length") / (1e3 * value("reel-length") - left)
+            }
+        };
+        same("change", seconds(&some) - seconds(&none), 300.0 * changes, 1e-6);
+        let parts = |project: &Project| 3600.0 / sized_without_envelope(project).cycle.unwrap().parts_per_hour();
+        // A reel that ends in the product holds the program, and no cycle is known.
+        if of_reel >= 1.0 {
+            same("parts", parts(&some) - parts(&none), 300.0 * changes, 1e-6);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! The product: its pitches, its length and how many an hour gives.
+//! The product: its pitches, its length and its time.
 
 use super::timing::LineTiming;
 use crate::machines::ribbon_line::params::{Job, Params, Rest};
@@ -18,13 +18,11 @@ pub(in crate::machines::ribbon_line) struct Product {
     pub length: f64,
     /// s.
     pub time: f64,
-    pub per_hour: f64,
 }
 
 impl Product {
     pub(super) fn new(p: &Params, timing: &LineTiming) -> Product {
-        let time = timing.product;
-        Product { dots: p.count(), length: p.printed_length(), time, per_hour: 3600.0 / (time + p.pause) }
+        Product { dots: p.count(), length: p.printed_length(), time: timing.product }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::machines::ribbon_line::coasting;
 use crate::machines::ribbon_line::contacts::CONTACTS;
+use crate::machines::ribbon_line::reel_demand::products_per_hour;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::rules::coordinates;
 use crate::machines::ribbon_line::rules::feeds;
@@ -186,8 +187,8 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "products-per-hour", label: "ribbon.readout.products-per-hour", unit: "1/h", decimals: 1,
-        formula: "3600 / (time of a product + pause), a change of the reel only as far as the pause has it",
-        cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.product.per_hour, ..ReadoutRow::BASE
+        formula: "3600 / (time of a product + pause + reel change / products of a reel)",
+        cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: products_per_hour, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "range-time", label: "ribbon.readout.range-time", unit: "s", decimals: 1,

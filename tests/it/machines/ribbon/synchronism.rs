@@ -198,7 +198,9 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
             let Some(Value::Number(macro_time)) = line.values.get("macro-time") else { panic!("{name}") };
             let reads = 0.1 + 0.07 * macro_time;
             assert!((end - product).abs() < 0.005 * product + reads, "{name}: {end} {product}");
-            assert!((value("products-per-hour") * product - 3600.0).abs() < 1e-6);
+            let Some(Value::Number(change)) = line.values.get("reel-change") else { panic!("{name}") };
+            let with_change = product + change / value("reel-products");
+            assert!((value("products-per-hour") * with_change - 3600.0).abs() < 1e-6);
             let charts = line.prepared().charts(&planner, 0.0, planner.timeline().end(), 8001);
             let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
             let at = |t: f64| slack[slack.partition_point(|point| point.0 < t).min(slack.len() - 1)].1;
