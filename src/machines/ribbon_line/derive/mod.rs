@@ -15,7 +15,7 @@ mod timing;
 mod unwinder;
 
 pub(super) use product::{PITCH_TOLERANCE, SHORTEST};
-pub(super) use start::{AT_SPEED, FIN_DELAY};
+pub(super) use start::{AT_SPEED, FIN_DELAY, least_dwell};
 
 use super::params::Params;
 use crate::controls::AnalogOutput;

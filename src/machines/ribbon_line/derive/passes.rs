@@ -26,6 +26,26 @@ impl Params {
         }
     }
 
+    /// Blocks from the start of the spindle to the first pull: NC blocks, and macro blocks. The ready-made program checks all entries and
+    /// calculates anew. A test holds their time against a run of the text.
+    fn blocks_before_pull(&self) -> (u32, u32) {
+        match self.variant {
+            Variant::ReadyMade => (1, 44 + u32::from(self.typed_override) + self.blocks_of_a_length()),
+            Variant::Published => (0, 1),
+            Variant::Precomputed => (0, 5),
+        }
+    }
+
+    /// Seconds in which the control reads the blocks from the start of the spindle to the first pull.
+    pub(super) fn first_reading(&self) -> f64 {
+        self.reading(self.blocks_before_pull())
+    }
+
+    /// Seconds in which the control reads NC blocks and macro blocks.
+    fn reading(&self, (nc, macros): (u32, u32)) -> f64 {
+        (f64::from(nc) * self.block_time + f64::from(macros) * self.macro_time) / 1000.0
+    }
+
     /// Macro blocks that one step of the knob adds to a pass, where the speed clamp does not act. The published listing computes everything
     /// in each pass.
     fn blocks_of_a_knob_step(&self) -> u32 {
@@ -38,20 +58,23 @@ impl Params {
         }
     }
 
-    /// Macro blocks by which the precomputed listing calculates again.
-    fn blocks_of_a_calculation(&self, form: FeedForm) -> u32 {
-        let of_a_length = match (self.job, self.rest) {
+    /// Macro blocks that count the pitches left of a length.
+    fn blocks_of_a_length(&self) -> u32 {
+        match (self.job, self.rest) {
             (Job::Length, Rest::Alarm) => 4,
             (Job::Length, Rest::Round | Rest::Shorten) => 3,
             (Job::Pitches, _) => 0,
-        };
-        19 + of_a_length + u32::from(form == FeedForm::PerRevolution)
+        }
+    }
+
+    /// Macro blocks by which the precomputed listing calculates again.
+    fn blocks_of_a_calculation(&self, form: FeedForm) -> u32 {
+        19 + self.blocks_of_a_length() + u32::from(form == FeedForm::PerRevolution)
     }
 
     /// Seconds that the control needs for a pass of the running loop.
     pub(in crate::machines::ribbon_line) fn pass_needed(&self) -> f64 {
-        let (nc, macros) = self.blocks_of_a_pass();
-        (f64::from(nc) * self.block_time + f64::from(macros) * self.macro_time) / 1000.0
+        self.reading(self.blocks_of_a_pass())
     }
 
     /// Share (0 to 1) of the control's time that remains while the knob is turned at [`KNOB_RATE`]; 0 if none remains:

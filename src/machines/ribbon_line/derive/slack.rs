@@ -1,7 +1,7 @@
 //! Ribbon between unwinder and pull roller: what start, run, stop and interruption lay down, and the loop that takes it.
 
 use super::feeds::{LineFeeds, k};
-use super::start::{laid_at_start, ramp, wait};
+use super::start::{first_wait, laid_at_start, ramp, wait};
 use super::timing::LineTiming;
 use super::unwinder::UnwinderSpeed;
 use crate::drives::web;
@@ -54,11 +54,13 @@ impl Slack {
         // Each exact stop has its ramps and the lag in its time.
         let stops = p.path_mode == PathMode::ExactStop;
         let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };
-        let start = if started { laid_at_start(p, second, feed_ramp, edge) + edge_lag } else { 0.0 };
+        let start =
+            if started { laid_at_start(p, second, feed_ramp, edge, first_wait(p, true)) + edge_lag } else { 0.0 };
         // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
-        // at the start.
+        // at the start, with their blocks read.
         let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
-        let resume = if in_step { second * tau / 2.0 + lag } else { laid_at_start(p, second, feed_ramp, tau) + lag };
+        let resumed = || laid_at_start(p, second, feed_ramp, tau, wait(p, true));
+        let resume = if in_step { second * tau / 2.0 + lag } else { resumed() + lag };
         let resume = if started { resume } else { 0.0 };
         let timed = p.wait == Wait::Dwell && !in_step;
         let short = if timed { web::slack_of_short_stop(second, feed_ramp, wait(p, started)) } else { 0.0 };

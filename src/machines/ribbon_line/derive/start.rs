@@ -9,7 +9,18 @@ pub(in crate::machines::ribbon_line) const FIN_DELAY: f64 = crate::machines::lad
 /// Share of the commanded speed from which the PLC reports the spindle at speed.
 pub(in crate::machines::ribbon_line) const AT_SPEED: f64 = 0.95;
 
-/// Time from M3 to the first pull, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
+/// Time from M3 to the first pull, s: the wait, or the time in which the control reads the blocks from M3 to that pull, if that is longer; 0 at
+/// standstill.
+pub(super) fn first_wait(p: &Params, moves: bool) -> f64 {
+    if moves { wait(p, true).max(p.first_reading()) } else { 0.0 }
+}
+
+/// Dwell (s) beyond which it delays the first pull: a shorter one ends while the control still reads.
+pub(in crate::machines::ribbon_line) fn least_dwell(p: &Params) -> f64 {
+    (p.first_reading() - FIN_DELAY).max(0.0)
+}
+
+/// Time from M3 to the release of X, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
 pub(super) fn wait(p: &Params, moves: bool) -> f64 {
     match p.wait {
         _ if !moves => 0.0,
@@ -32,8 +43,7 @@ pub(super) fn ramp(p: &Params) -> f64 {
 /// Ribbon unwound at a start before X pulls at the same speed, mm. With F per revolution and a wait t_w shorter than the spindle ramp t_r:
 /// `s = v · (t_w² / (2 t_r) + τ / 2)`, with ribbon speed v [mm/s] and time constant τ of X [s]; else [`web::slack_after_start`].
 /// Source: sizing facts 2.6.
-pub(super) fn laid_at_start(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
-    let wait = wait(p, true);
+pub(super) fn laid_at_start(p: &Params, speed: f64, ramp: f64, tau: f64, wait: f64) -> f64 {
     if p.feed_form == FeedForm::PerRevolution && wait < ramp {
         speed * (wait * wait / (2.0 * ramp) + tau / 2.0)
     } else {

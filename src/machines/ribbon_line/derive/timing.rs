@@ -2,7 +2,7 @@
 
 use super::feeds::LineFeeds;
 use super::passes::{exact_stop, kept, pass};
-use super::start::{still_to_ramp, wait};
+use super::start::{first_wait, still_to_ramp};
 use super::unwinder::UnwinderSpeed;
 use crate::machines::ribbon_line::params::{Params, PathMode};
 
@@ -41,13 +41,14 @@ impl LineTiming {
         let programmed = p.pitch / feeds.line_speed * 60.0;
         let driven = |error: f64| programmed / p.followed(error);
         let pitch_time = driven(unwinder.error);
-        let wait = wait(p, pitch_time.is_finite());
+        let wait = first_wait(p, pitch_time.is_finite());
         let exact_stop = exact_stop(p, pitches, pitch_time, y_stroke);
         let (needed, whole) = (p.pass_needed(), (count / pitches).floor());
         let rest = count - whole * pitches;
         let pass = |pitches: f64| pass(p, pitches, pitch_time, y_stroke);
-        // Blocks that the control has read when X starts; from then on it reads one in the time that it needs for a pass.
-        let ahead = (wait / needed).floor().min(p.preread);
+        // Blocks that the control has read when X starts, the first pull and those that it reads in the rest of the wait; from then on it reads
+        // one in the time that it needs for a pass.
+        let ahead = (1.0 + ((wait - p.first_reading()).max(0.0) / needed).floor()).min(p.preread);
         let passes = match p.path_mode {
             PathMode::ExactStop => whole * pass(pitches) + if rest > 0.0 { pass(rest) } else { 0.0 },
             PathMode::Continuous => {

@@ -2,7 +2,7 @@
 
 use crate::controls::Code;
 use crate::machines::form::entry::{NumberEntry, at_least, nearest};
-use crate::machines::ribbon_line::derive::{Derived, greatest};
+use crate::machines::ribbon_line::derive::{Derived, greatest, least_dwell};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wait};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::tension_switch::{TensionSwitch, with_pinch};
@@ -68,7 +68,8 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
 fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack.start / (fast.feeds.line_speed / 60.0) };
-    at_least(FIELDS, "dwell", short.max(0.0))
+    let dwell = if short > 0.0 { least_dwell(p) + short } else { 0.0 };
+    at_least(FIELDS, "dwell", dwell)
 }
 
 /// The results at that position of the knob at which a product may lay most ribbon into the loop.

@@ -439,7 +439,7 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
         [
             "Set a loop of 1840 mm: loop-capacity=1840".to_owned(),
             format!("Set a dwell of {dwell} s; Set a loop of 1140 mm: wait=dwell dwell={dwell} loop-capacity=1140"),
-            "Set a ramp of 0.558 s; Set a dwell of 0.149 s; Set a loop of 580 mm: inverter-ramp=0.558 wait=dwell dwell=0.149 loop-capacity=580"
+            "Set a ramp of 0.558 s; Set a dwell of 0.149 s; Set a loop of 590 mm: inverter-ramp=0.558 wait=dwell dwell=0.149 loop-capacity=590"
                 .to_owned(),
         ]
     );

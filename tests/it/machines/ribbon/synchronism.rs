@@ -224,6 +224,41 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
     }
 }
 
+/// A start with a dwell shorter than the control needs for its blocks, by variant and product.
+const READING: [&[(&str, &str)]; 5] = [
+    &[("macro-time", "8"), ("pitches-per-block", "4")],
+    &[("macro-time", "8"), ("pitches-per-block", "4"), ("job", "product-length"), ("product-length", "1920")],
+    &[
+        ("macro-time", "8"),
+        ("pitches-per-block", "4"),
+        ("job", "product-length"),
+        ("product-length", "1920"),
+        ("rest", "alarm"),
+    ],
+    &[("macro-time", "2"), ("variant", "published")],
+    &[("macro-time", "2"), ("variant", "precomputed")],
+];
+
+/// Without a dwell the unwinder turns while the control reads on to the first pull: 44 macro blocks of the ready-made program, 0.36 s.
+#[test]
+fn start_lays_the_ribbon_of_the_blocks_before_the_first_pull() {
+    for control in controls() {
+        for more in READING {
+            let rest = [("dwell", "0"), ("inverter-ramp", "0.2"), ("pitch-count", "240"), ("loop-capacity", "100000")];
+            let line = line(control.id, &[more, &rest].concat());
+            let planner = over_time(&line, vec![]);
+            let half = 0.5 * planner.ended_at().unwrap();
+            let charts = line.prepared().charts(&planner, 0.0, half, 4001);
+            let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
+            let laid = slack[slack.len() - 1].1;
+            let Some(Value::Number(macro_time)) = line.values.get("macro-time") else { panic!("{more:?}") };
+            let of_block = macro_time / 1000.0 * readout(&line, "line-speed").value / 60.0;
+            let wanted = readout(&line, "slack-start").value;
+            assert!((laid - wanted).abs() < 3.0 * of_block + 0.5, "{} {more:?}: {laid} {wanted}", control.id);
+        }
+    }
+}
+
 #[test]
 fn range_of_the_control_is_reached_in_the_calculated_time() {
     let e60 = |more: &[(&str, &str)]| project("mitsubishi-e60", more);
