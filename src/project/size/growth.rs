@@ -21,7 +21,7 @@ const HALVINGS: u32 = 12;
 /// The reason why no fastest operation is known; none if it is.
 pub(super) fn no_fastest(limits: &[Growth], fastest: Option<&Fastest>) -> Option<Message> {
     let Some(speed) = limits.first().filter(|_| fastest.is_none()) else {
-        return fastest.is_none().then(|| msg!("size.no-speed"));
+        return fastest.is_none().then(|| msg!("size.at-rest"));
     };
     let (quantity, value) = (say(speed.label), units::text(speed.value, 3, speed.unit));
     Some(match speed.binding {
@@ -86,8 +86,18 @@ pub struct Fastest {
     pub entry: FieldEntry,
 }
 
-/// The growth of each field that the machine names, and the fastest operation by the first of them; none if no tried speed holds.
+/// Whether the machine stands with its entries, for instance with the knob at 0.
+fn is_at_rest(project: &Project) -> bool {
+    let speed = project.machine.info().speed_result;
+    speed.is_some_and(|id| project.prepared().results().readouts.iter().any(|row| row.id == id && row.value == 0.0))
+}
+
+/// The growth of each field that the machine names, and the fastest operation by the first of them; none if no tried speed holds. No growth of a
+/// machine at rest: whatever grows, no verdict fails.
 pub(super) fn growth(project: &Project) -> (Vec<Growth>, Option<Fastest>) {
+    if is_at_rest(project) {
+        return (Vec::new(), None);
+    }
     let fields = project.machine.fields();
     let hidden = project.prepared();
     let named = project.machine.info().growth.iter().filter(|id| !hidden.hidden().contains(id));

@@ -100,6 +100,9 @@ impl Sizing {
 
     /// The limit with the least margin.
     fn limit_answer(&self) -> (Verdict, String) {
+        if self.limits.is_empty() {
+            return (Verdict::None, say("size.at-rest"));
+        }
         let next = self.limits.iter().filter(|growth| growth.holds && growth.binding.is_some());
         let answer = next.min_by(|a, b| a.margin.total_cmp(&b.margin)).map(next_limit);
         let fails = self.limits.iter().any(|growth| !growth.holds || !growth.failing_anyway.is_empty());

@@ -55,6 +55,19 @@ fn fastest_entry_fails_only_in_the_named_results() {
 }
 
 #[test]
+fn machine_at_rest_has_no_limits_of_growth() {
+    let line = Project::named("ribbon-line", None, None).unwrap();
+    for (percent, stands) in [("0", true), ("50", false)] {
+        let sizing = sized(&line.with_entries(&[("override", percent)]).unwrap());
+        assert_eq!((sizing.limits.is_empty(), sizing.fastest.is_none()), (stands, stands), "{percent}");
+        let reason = sizing.json()["inverse_reason"].as_str().map(str::to_owned);
+        assert_eq!(reason.is_some_and(|reason| reason.starts_with("The machine stands")), stands, "{percent}");
+        let section = sizing.sections().into_iter().find(|section| section.id == "limits").unwrap();
+        assert_eq!(section.answer.starts_with("The machine stands"), stands, "{}", section.answer);
+    }
+}
+
+#[test]
 fn json_has_the_reason_for_no_fastest_speed() {
     let reason_of = |project: &Project| {
         let json = sized(project).json();
