@@ -174,7 +174,7 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
         }
         BillItem::Turret => {
             let command = wire(Strip::Cables, "size.terminal.tool-number", of_machine(BillItem::Control), own.clone());
-            fed().into_iter().chain(of_electronics(own)).chain([command]).collect()
+            fed().into_iter().chain(of_electronics(own)).chain([command]).chain(enable).collect()
         }
         BillItem::Dancer => {
             let inverter = of(BillItem::Inverter);

@@ -473,7 +473,8 @@ fn terminals_name_every_motor_contact_and_the_set_speed() {
             let fed = drives + supplies + fans + billed(BillItem::Turret) + electronics;
             assert_eq!(rows("X0:"), 2 * fed + 6, "{name}");
             let enabled = sizing.terminals.iter().filter(|row| row.signal.starts_with("Enable")).count();
-            assert_eq!(enabled, drives, "{name}: the emergency stop takes the enable from every drive");
+            let turning = drives + billed(BillItem::Turret);
+            assert_eq!(enabled, turning, "{name}: the emergency stop takes the enable from every drive");
             // The table of stops lets them brake to rest; work and tool coast only with that entry of the form.
             let at_once = |project: &Project| {
                 let rows = sized_without_envelope(project).terminals;

@@ -131,12 +131,14 @@ fn keyway_takes_the_time_of_its_clamps() {
 
 /// Mains, earth, command and the enable that an emergency stop takes away.
 #[test]
-fn driven_tool_is_fed_and_stops_with_the_emergency_stop() {
+fn driven_tool_and_turret_are_fed_and_stop_at_emergency() {
     let wires = sized_without_envelope(&keyway(&[])).terminals;
-    let ends = wires.iter().filter(|row| row.to.item == BillItem::DrivenTool).map(|row| row.from.item);
-    let ends: Vec<BillItem> = ends.collect();
-    for item in [BillItem::MainSwitch, BillItem::Control, BillItem::SafetyRelay] {
-        assert!(ends.contains(&item), "{item:?}: {ends:?}");
+    for device in [BillItem::DrivenTool, BillItem::Turret] {
+        let ends = wires.iter().filter(|row| row.to.item == device).map(|row| row.from.item);
+        let ends: Vec<BillItem> = ends.collect();
+        for item in [BillItem::MainSwitch, BillItem::Control, BillItem::SafetyRelay] {
+            assert!(ends.contains(&item), "{item:?}: {ends:?}");
+        }
     }
 }
 
