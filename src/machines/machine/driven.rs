@@ -65,6 +65,10 @@ pub trait DrivenMachine {
     fn pause(&self) -> f64 {
         0.0
     }
+    /// Highest position (%) of the spindle override that the PLC of the machine passes on.
+    fn highest_knob(&self) -> f64 {
+        f64::INFINITY
+    }
     /// Mean time (s) of changes of material that a part takes beside the pause.
     fn change_time(&self) -> f64 {
         0.0

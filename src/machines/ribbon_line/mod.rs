@@ -213,6 +213,10 @@ impl DrivenMachine for RibbonLine {
         self.p.pause
     }
 
+    fn highest_knob(&self) -> f64 {
+        self.highest_position()
+    }
+
     fn change_time(&self) -> f64 {
         reel_demand::change_time(self)
     }

@@ -192,6 +192,7 @@ impl SizingRuns {
         let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
         let Steps { low, high, .. } = project.control_context().dialect().spindle().knob;
+        let high = high.min(prepared.highest_knob());
         let other = |percent: f64| Some(percent).filter(|_| now.is_some_and(|now| now != percent));
         let (lowest, highest) = (other(low.max(LOWEST)), other(high));
         let at = |knob: Option<f64>, feed: Option<f64>| WholeRun::new(&prepared, begun.clone(), knob, feed);

@@ -67,6 +67,19 @@ fn loop_at_start(project: &Project) -> f64 {
     project.prepared().gauges(&run, (0.0, contact), 400)[0].value
 }
 
+/// The byte of some controls has up to 254 %, of which the ladder of the line passes on 200 %.
+#[test]
+fn envelope_names_positions_of_the_knob_that_the_line_takes() {
+    for (control, highest) in [("fanuc-0i-mf", 200.0), ("knd-k2000t", 200.0), ("gsk-980tdc", 120.0)] {
+        let line = Project::named("ribbon-line", Some(control), None).unwrap();
+        let line = line.with_entries(&[("pitch-count", "20")]).unwrap();
+        let sizing = sized(&line);
+        let knobs =
+            sizing.envelope.iter().filter_map(|row| row.knob).chain(sizing.axes.iter().filter_map(|axis| axis.knob));
+        assert_eq!(knobs.fold(0.0, f64::max), highest, "{control}");
+    }
+}
+
 #[test]
 fn loop_at_every_stop_is_that_of_the_formulas() {
     let project = line();
