@@ -59,7 +59,7 @@ test('taper on another control is written for it and exported', () =>
     await field(page, 'large-diameter').waitFor();
     await page.locator('.listing li', { hasText: 'G01 Z#30 F#2' }).waitFor();
     await page.selectOption('select.control', 'mitsubishi-e60');
-    await page.locator('.listing li', { hasText: 'G97 S#109 M3' }).waitFor();
+    await page.locator('.listing li', { hasText: 'G97 S#10 M3' }).waitFor();
     assert.equal(await field(page, 'speed-mode').isVisible(), false);
     await page.locator('#export').click();
     await page.getByText('O9201.nc').last().waitFor();
