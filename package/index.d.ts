@@ -320,6 +320,8 @@ export interface Size {
     time_s: number;
     /** From its end to the next start. */
     pause_s: number;
+    /** Mean of changes of material for a part. */
+    change_s: number;
     parts_per_hour: number;
     /** Null where nothing is known of its motors. */
     energy_given_j: number | null;
