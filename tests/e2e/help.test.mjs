@@ -17,10 +17,12 @@ test('alarm on the control screen leads to help', () =>
     assert.ok(!requests.some((request) => request.includes('help-')), 'help is loaded at the opening of the page');
     await page.selectOption('select.control', 'gsk-980tdc');
     await takeExample(page, PAPER);
+    const [, number, text] = (await page.locator('.alarm-screen h2').innerText()).match(/(\d+) (.+)/);
     await page.locator('.alarm-screen .unfold').click();
     await page.locator('.alarm-screen .more').click();
-    await arrives(page, 'alarm.5900');
-    assert.match(await page.locator('#help-alarm\\.5900').innerText(), /The program raises this alarm itself/);
+    await arrives(page, `alarm.${number}`);
+    const entry = await page.locator(`#help-alarm\\.${number}`).innerText();
+    assert.ok(entry.includes(text) && entry.includes(`#3000=${Number(number) - 5900}(`), entry);
   }));
 
 test('search finds an alarm by its number, and Enter opens it', () =>

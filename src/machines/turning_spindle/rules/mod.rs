@@ -73,6 +73,9 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
     if lathe.form.speed_mode != p.speed_mode {
         found.push(Diagnostic::info(msg!("turning.no-surface-speed", control = lathe.control.name)));
     }
+    if lathe.form.keyway && !lathe.positions() {
+        found.push(Diagnostic::info(msg!("turning.no-keyway", control = lathe.control.name)));
+    }
     found.extend(p.encoder.finding(lathe.control));
     keyway::findings(lathe, &mut found);
     found.extend(stages::missing_stage(p));

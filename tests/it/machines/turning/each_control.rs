@@ -353,3 +353,15 @@ fn spindle_encoder_is_on_the_sheet_with_its_ratio() {
     let of = |changes: &[(&'static str, &str)]| rows.map(|(control, _)| warns(control, changes));
     assert_eq!([of(&[]), of(&half), of(&third)], [[false; 3], [false, true, false], [false, true, true]]);
 }
+
+/// A keyway needs a spindle that a word positions; elsewhere the program goes without it, and says so.
+#[test]
+fn keyway_that_a_control_cannot_cut_is_named() {
+    let keyway = machine().examples().iter().find(|example| example.id == "keyway").unwrap();
+    for control in controls() {
+        let project = Project::example(machine(), control, keyway);
+        let named = project.design().diagnostics.iter().any(|found| found.message.id == "turning.no-keyway");
+        let cut = project.written().files.0.iter().any(|file| file.text.contains("SPOS"));
+        assert_ne!(named, cut, "{}", control.id);
+    }
+}
