@@ -53,7 +53,7 @@ const focusIs = (page, id, column) =>
   );
 const modeAt = async (page, seconds, mode) => {
   await goTo(page, seconds);
-  await page.waitForFunction((mode) => document.querySelector('.drawing .mode').textContent === mode, mode);
+  await page.waitForFunction((mode) => document.querySelector('.drawing .mode').textContent.startsWith(mode), mode);
 };
 
 test('action added, edited, removed at the play head, a step each', () =>

@@ -150,7 +150,7 @@ test('operator acts at the play head and is told the change', () =>
     await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Feed hold');
     await page.getByRole('button', { name: 'Cycle start' }).click();
     await goTo(page, 6);
-    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Paused');
+    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent.startsWith('Paused'));
     await page.getByRole('button', { name: 'Emergency stop' }).click();
     await goTo(page, 7);
     await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Emergency stop');
