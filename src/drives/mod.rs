@@ -12,6 +12,8 @@ pub mod servo;
 
 pub mod shaft_motion;
 
+pub mod motor_trial;
+
 pub mod holding_brake;
 
 pub mod derating;

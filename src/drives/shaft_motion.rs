@@ -35,6 +35,8 @@ impl SpeedSegment {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
     segments: Vec<SpeedSegment>,
+    /// The work during each segment: every motor that is tried asks for it.
+    works: Vec<Work>,
     load: Load,
     hold: f64,
     weight: f64,
@@ -44,6 +46,15 @@ pub struct Motion {
     loaded_spans: Option<Vec<(f64, f64)>>,
     /// Further steady torques, in order and without overlaps; `None` for a load that is always in work.
     cut_spans: Option<Vec<CutSpan>>,
+}
+
+/// The work during a segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Work {
+    /// Steady torque of load and cut at the shaft, Nm.
+    torque: f64,
+    /// Whether the cut asks torque, or the steady torque of a load without cuts.
+    is_at_work: bool,
 }
 
 /// A span of a cut with one torque, which acts besides the steady torque of the load.
@@ -100,6 +111,20 @@ pub struct MotorLoad {
     pub seconds: f64,
 }
 
+/// The torque of a segment over the inertia of the rotor: `a + b J`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TorqueLine {
+    pub segment: SpeedSegment,
+    /// Torque without a rotor, Nm.
+    pub torque: f64,
+    /// Acceleration, rad/s².
+    pub slope: f64,
+    /// Greatest torque of its strikes, Nm.
+    pub strike: f64,
+    /// Addition of its strikes to the mean square, (Nm)².
+    pub spread: f64,
+}
+
 /// Load on a brake resistor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ResistorLoad {
@@ -144,8 +169,9 @@ impl Motion {
     /// Nm.
     pub fn new(segments: impl IntoIterator<Item = SpeedSegment>, load: Load, hold: f64) -> Motion {
         let segments = segments.into_iter().flat_map(at_reversal).filter(|segment| segment.seconds > 0.0).collect();
-        Motion {
+        let motion = Motion {
             segments,
+            works: Vec::new(),
             load,
             hold,
             weight: 0.0,
@@ -153,7 +179,21 @@ impl Motion {
             pause: 0.0,
             loaded_spans: None,
             cut_spans: None,
-        }
+        };
+        motion.with_works()
+    }
+
+    /// The motion, with the work during each of its segments looked up.
+    fn with_works(self) -> Motion {
+        let works = self.segments.iter().map(|segment| self.work(segment)).collect();
+        Motion { works, ..self }
+    }
+
+    /// The same motion with these of its segments alone, which need not follow one another.
+    pub(super) fn of_segments(&self, places: &[usize]) -> Motion {
+        let segments = places.iter().filter_map(|at| self.segments.get(*at).copied()).collect();
+        let works = places.iter().filter_map(|at| self.works.get(*at).copied()).collect();
+        Motion { segments, works, loaded_spans: None, cut_spans: None, ..*self }
     }
 
     /// The motion, with an interrupted cut during all steady speeds.
@@ -175,13 +215,13 @@ impl Motion {
     /// idles.
     pub fn with_loaded_spans(self, spans: Vec<(f64, f64)>) -> Motion {
         let segments = split_at(&self.segments, spans.iter().flat_map(|(from, to)| [*from, *to]));
-        Motion { segments, loaded_spans: Some(spans), ..self }
+        Motion { segments, loaded_spans: Some(spans), ..self }.with_works()
     }
 
     /// The motion with the torques of a cut besides the steady torque of the load.
     pub fn with_cuts(self, spans: Vec<CutSpan>) -> Motion {
         let segments = split_at(&self.segments, spans.iter().flat_map(|cut| [cut.begin, cut.end]));
-        Motion { segments, cut_spans: Some(spans), ..self }
+        Motion { segments, cut_spans: Some(spans), ..self }.with_works()
     }
 
     /// The motion of a load without inertia: its steady torques alone.
@@ -212,19 +252,27 @@ impl Motion {
         })
     }
 
-    /// Whether the cut asks torque during a segment, or the steady torque of a load without cuts.
-    fn has_working_torque(&self, segment: &SpeedSegment) -> bool {
-        self.cut_torque(segment).map_or_else(|| self.is_loaded(segment), |torque| torque > 0.0)
+    /// The work during a segment.
+    fn work(&self, segment: &SpeedSegment) -> Work {
+        let (is_loaded, cut) = (self.is_loaded(segment), self.cut_torque(segment));
+        Work {
+            torque: if is_loaded { self.load.torque } else { 0.0 } + cut.unwrap_or(0.0),
+            is_at_work: cut.map_or(is_loaded, |torque| torque > 0.0),
+        }
+    }
+
+    /// Its segments, each with its work.
+    fn worked(&self) -> impl Iterator<Item = (&SpeedSegment, Work)> {
+        self.segments.iter().zip(self.works.iter().copied())
     }
 
     /// Time (s) under load: with the steady torque, or while the speed changes.
     pub fn loaded_time(&self) -> f64 {
-        let counts = |segment: &&SpeedSegment| {
+        let counts = |(segment, work): &(&SpeedSegment, Work)| {
             let speed = segment.from.abs().max(segment.to.abs());
-            speed >= REST_SPEED
-                && (self.has_working_torque(segment) || (segment.to - segment.from).abs() > STEADY * speed)
+            speed >= REST_SPEED && (work.is_at_work || (segment.to - segment.from).abs() > STEADY * speed)
         };
-        self.segments.iter().filter(counts).map(|segment| segment.seconds).sum()
+        self.worked().filter(counts).map(|(segment, _)| segment.seconds).sum()
     }
 
     /// Its segments; none reverses its direction.
@@ -235,6 +283,11 @@ impl Motion {
     /// Torque in Nm during a segment, positive in the positive direction: steady torque and `(J_L / η + J_M) α` while the shaft accelerates,
     /// `(J_L η + J_M) α` while it decelerates; a weight takes `T / η` upwards and gives `T η` downwards. Source: sizing facts 2.2.
     pub fn torque(&self, segment: &SpeedSegment, rotor: f64) -> f64 {
+        self.torque_against(self.work(segment).torque, segment, rotor)
+    }
+
+    /// The same against a steady torque (Nm) of the work.
+    fn torque_against(&self, steady: f64, segment: &SpeedSegment, rotor: f64) -> f64 {
         let SpeedSegment { from, to, seconds, .. } = *segment;
         if from.abs() < REST_SPEED && to.abs() < REST_SPEED {
             return self.at_rest();
@@ -242,8 +295,6 @@ impl Motion {
         let side = (from + to).signum();
         let rises = side * (to - from) > 0.0;
         let change = |by: f64| by * (to - from).abs() / seconds;
-        let steady =
-            if self.is_loaded(segment) { self.load.torque } else { 0.0 } + self.cut_torque(segment).unwrap_or(0.0);
         let along = if rises {
             steady + change(self.load.accelerating(rotor, 1.0, 1.0))
         } else {
@@ -252,11 +303,27 @@ impl Motion {
         side * along + through_gear(side * self.weight, 1.0, self.load.efficiency) * side
     }
 
+    /// Each segment with its torque as `a + b J` of the rotor's inertia, as [`Motion::greatest`] takes it.
+    pub(super) fn torque_lines(&self) -> impl Iterator<Item = TorqueLine> {
+        self.worked().map(|(segment, work)| {
+            let torque = self.torque_against(work.torque, segment, 0.0);
+            let (greatest, spread) = self.greatest(segment, work, 0.0);
+            let rests = segment.from.abs() < REST_SPEED && segment.to.abs() < REST_SPEED;
+            let slope = if rests { 0.0 } else { (segment.to - segment.from) / segment.seconds };
+            TorqueLine { segment: *segment, torque, slope, strike: greatest, spread }
+        })
+    }
+
+    /// Pause (s) after the motion, and the torque (Nm) at its standstill.
+    pub(super) fn rest(&self) -> (f64, f64) {
+        (self.pause, self.at_rest())
+    }
+
     /// Greatest torque in Nm during a segment, without sign, and the addition of its strikes to the mean square, (Nm)².
-    fn greatest(&self, segment: &SpeedSegment, torque: f64) -> (f64, f64) {
+    fn greatest(&self, segment: &SpeedSegment, work: Work, torque: f64) -> (f64, f64) {
         let speed = segment.from.abs().max(segment.to.abs());
         let is_steady = speed >= REST_SPEED && (segment.to - segment.from).abs() <= STEADY * speed;
-        let strikes = is_steady && self.has_working_torque(segment);
+        let strikes = is_steady && work.is_at_work;
         if strikes { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
     }
 
@@ -264,10 +331,10 @@ impl Motion {
     pub fn motor_load(&self, rotor: f64) -> MotorLoad {
         let mut load = MotorLoad::default();
         let mut square = 0.0;
-        for segment in &self.segments {
-            let torque = self.torque(segment, rotor);
+        for (segment, work) in self.worked() {
+            let torque = self.torque_against(work.torque, segment, rotor);
             let energy = 0.5 * torque * (segment.from + segment.to) * segment.seconds;
-            let (greatest, spread) = self.greatest(segment, torque);
+            let (greatest, spread) = self.greatest(segment, work, torque);
             if greatest > load.peak.torque {
                 load.peak = PeakTorque { torque: greatest, t: segment.t };
             }
@@ -292,9 +359,9 @@ impl Motion {
     /// first argument of `most` is whether the drive brakes.
     pub fn worst_point_under(&self, rotor: f64, most: impl Fn(bool, f64) -> f64) -> OperatingPoint {
         let mut worst_point = OperatingPoint::default();
-        for segment in &self.segments {
-            let signed = self.torque(segment, rotor);
-            let (torque, _) = self.greatest(segment, signed);
+        for (segment, work) in self.worked() {
+            let signed = self.torque_against(work.torque, segment, rotor);
+            let (torque, _) = self.greatest(segment, work, signed);
             let brakes = signed * (segment.from + segment.to) < 0.0;
             // Torque of a motor with a shaft fan is least at the slow end; of equal shares the fast end is taken.
             let fast = segment.from.abs().max(segment.to.abs()) / RPM;
@@ -313,9 +380,10 @@ impl Motion {
     /// speed the curve falls, so that a torque heats the motor as a greater one does below. Source: turning spindle facts, 4.
     pub fn effective_share(&self, rotor: f64, curve: &MotorCurve) -> f64 {
         let (mut square, mut seconds) = (0.0, self.counted_pause());
-        for segment in &self.segments {
+        for (segment, work) in self.worked() {
             let speeds = (segment.from / RPM, segment.to / RPM);
-            square += curve.mean_square(self.torque(segment, rotor), speeds) * segment.seconds;
+            let torque = self.torque_against(work.torque, segment, rotor);
+            square += curve.mean_square(torque, speeds) * segment.seconds;
             seconds += segment.seconds;
         }
         if seconds > 0.0 { (square / seconds).sqrt() } else { 0.0 }
@@ -325,8 +393,9 @@ impl Motion {
     /// 2.4.
     pub fn returns(&self, rotor: f64) -> Vec<f64> {
         let mut all = vec![0.0];
-        for segment in &self.segments {
-            let back = -0.5 * self.torque(segment, rotor) * (segment.from + segment.to) * segment.seconds;
+        for (segment, work) in self.worked() {
+            let back =
+                -0.5 * self.torque_against(work.torque, segment, rotor) * (segment.from + segment.to) * segment.seconds;
             match all.last_mut() {
                 Some(last) if back > 0.0 => *last += back,
                 Some(last) if *last > 0.0 => all.push(0.0),
@@ -367,16 +436,25 @@ impl Motion {
     /// Load of the regenerated energy on a brake resistor, after the capacitors have taken their part at each stop. Source: sizing facts
     /// 2.4.
     pub fn to_resistor(&self, rotor: f64, regeneration: &Regeneration) -> ResistorLoad {
+        self.to_resistor_over(self.counted_seconds(), rotor, regeneration)
+    }
+
+    /// Time (s) of the motion and the part of its pause that counts.
+    pub(super) fn counted_seconds(&self) -> f64 {
+        self.segments.iter().fold(self.counted_pause(), |sum, segment| sum + segment.seconds)
+    }
+
+    /// The same load with its mean over a time (s).
+    pub(super) fn to_resistor_over(&self, seconds: f64, rotor: f64, regeneration: &Regeneration) -> ResistorLoad {
         let mut taken = ResistorLoad::default();
-        let (mut sum, mut stop, mut seconds) = (0.0, 0.0, self.counted_pause());
+        let (mut sum, mut stop) = (0.0, 0.0);
         let mut end = |stop: &mut f64, most: &mut f64| {
             let joules = regeneration.to_resistor(core::mem::take(stop));
             sum += joules;
             *most = most.max(joules);
         };
-        for segment in &self.segments {
-            seconds += segment.seconds;
-            let torque = self.torque(segment, rotor);
+        for (segment, work) in self.worked() {
+            let torque = self.torque_against(work.torque, segment, rotor);
             let back = -0.5 * torque * (segment.from + segment.to) * segment.seconds;
             if back > 0.0 {
                 stop += back;
@@ -400,8 +478,8 @@ pub fn on_one_bus(motors: &[(&Motion, f64)]) -> (f64, f64) {
     // Power is linear within a segment, so power and slope change only at the start and end of a segment.
     let mut changes: Vec<(f64, f64, f64)> = Vec::new();
     for (motion, rotor) in motors {
-        for segment in &motion.segments {
-            let torque = motion.torque(segment, *rotor);
+        for (segment, work) in motion.worked() {
+            let torque = motion.torque_against(work.torque, segment, *rotor);
             let (begin, end) = (power(torque, segment.from), power(torque, segment.to));
             let slope = (end - begin) / segment.seconds;
             changes.push((segment.t, begin, slope));

@@ -21,6 +21,7 @@ mod slides;
 mod taut;
 mod timeline;
 mod tornado;
+mod trials;
 mod unwinder;
 mod wiring;
 

@@ -226,11 +226,10 @@ fn candidate(part: &Part, axis: &DrivenAxis, runs: &RunsDemand, catalogue: &[&Pa
         let amplifier = amplifier(part, (0.0, 0.0), catalogue, control);
         return Candidate { amplifier: amplifier.cloned(), ..unknown(part) };
     };
-    let load = runs.motor_load(motor.rotor);
-    let torques = (load.effective, load.peak.torque);
+    let demand = runs.on_motor(motor.rotor);
+    let torques = (demand.effective, demand.peak);
     let amplifier = amplifier(part, torques, catalogue, control);
     let shortage = if amplifier.is_none() { shortage(part, torques, catalogue, control) } else { None };
-    let demand = MotorDemand { peak: load.peak.torque, effective: load.effective, speed: load.speed / RPM };
     let worst_point = runs.worst_point(&motor);
     let shares = Shares { peak: worst_point.share, ..motor.shares(&axis.load, &demand) };
     let starts_per_minute = runs.starts_per_minute.max(axis.starts_per_minute);

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::runs::WholeRun;
 use crate::drives::load::Regeneration;
-use crate::drives::servo::Servo;
+use crate::drives::motor_trial::MotorTrial;
+use crate::drives::servo::{MotorDemand, Servo};
 use crate::drives::shaft_motion::{Motion, MotorLoad, OperatingPoint, ResistorLoad};
 use crate::machines::driven::DrivenAxis;
 use crate::math::RPM;
@@ -36,6 +37,8 @@ pub(super) struct RunsDemand {
     fed: Vec<Motion>,
     /// That position, %.
     feed: Option<f64>,
+    /// All motions, for the motors of the catalogue.
+    trials: Vec<MotorTrial>,
 }
 
 impl RunsDemand {
@@ -54,7 +57,8 @@ impl RunsDemand {
         let greatest = |figure: fn(&Motion) -> f64| motions.iter().chain(&fed).map(figure).fold(0.0, f64::max);
         let (mean_speed, starts_per_minute) = (greatest(Motion::mean_speed), greatest(Motion::starts_per_minute));
         let knob = runs.iter().find_map(|whole| whole.knob);
-        RunsDemand { motions, mean_speed, starts_per_minute, knob, fed, feed }
+        let trials = motions.iter().chain(&fed).map(MotorTrial::new).collect();
+        RunsDemand { motions, mean_speed, starts_per_minute, knob, fed, feed, trials }
     }
 
     /// The motions of all runs.
@@ -92,15 +96,25 @@ impl RunsDemand {
         MotorLoad { given, returned, ..worst }
     }
 
+    /// The demand on a motor with a rotor (kg m²): the greatest value of each figure over all runs.
+    pub(super) fn on_motor(&self, rotor: f64) -> MotorDemand {
+        let greatest = |figure: &dyn Fn(&MotorTrial) -> f64| self.trials.iter().map(figure).fold(0.0, f64::max);
+        MotorDemand {
+            peak: greatest(&|trial| trial.peak(rotor).torque),
+            effective: greatest(&|trial| trial.effective(rotor)),
+            speed: greatest(&MotorTrial::speed) / RPM,
+        }
+    }
+
     /// Moment with the greatest share of the motor's short-time torque.
     pub(super) fn worst_point(&self, motor: &Servo) -> OperatingPoint {
-        let all = self.all().map(|motion| motion.worst_point(motor));
+        let all = self.trials.iter().map(|trial| trial.worst_point(motor));
         all.reduce(|worst, next| if next.share > worst.share { next } else { worst }).unwrap_or_default()
     }
 
     /// Energy and power beyond the capacitors, the greatest value of each figure over all runs.
     pub(super) fn to_resistor(&self, rotor: f64, back: &Regeneration) -> ResistorLoad {
-        let all = self.all().map(|motion| motion.to_resistor(rotor, back));
+        let all = self.trials.iter().map(|trial| trial.to_resistor(rotor, back));
         all.reduce(ResistorLoad::max).unwrap_or_default()
     }
 
