@@ -135,11 +135,11 @@ impl HasSlides for TurningSpindle {
     }
 }
 
-/// Highest speed (r/min) that the spindle may turn: at a fixed speed the operator's limit too, which the control does not hold there. Under
-/// constant surface speed the control holds it.
+/// Highest speed (r/min) that the spindle may turn: the operator's limit too, where the control does not hold it: at a fixed speed, and
+/// against an override that acts after the limits.
 fn highest_speed(lathe: &TurningSpindle) -> f64 {
     let p = &lathe.p;
-    if lathe.surface() { p.chuck_limit } else { p.chuck_limit.min(p.upper_limit) }
+    if lathe.surface() && !lathe.rules().override_last { p.chuck_limit } else { p.chuck_limit.min(p.upper_limit) }
 }
 
 /// Quantity checked during operation: the speed of the spindle.

@@ -4,7 +4,7 @@ use super::bending;
 use super::gears;
 use super::keyway;
 use super::resolved::TurningSpindle;
-use super::run_up::{engaged, positioning_torque, programmed_speed};
+use super::run_up::{engaged, greatest_speed, positioning_torque, programmed_speed};
 use super::travel;
 use super::worst_cut::worst_cut_point;
 use crate::machines::driven::scaling;
@@ -45,6 +45,10 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "speed-smallest", label: "turning.readout.speed-smallest", unit: "r/min", decimals: 1, headline: true,
         formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |lathe| lathe.d.speeds.smallest, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "speed-greatest", label: "turning.readout.speed-greatest", unit: "r/min", decimals: 1,
+        formula: "the greater of both, the knob at its highest position", cite: SURFACE, value: greatest_speed, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "limit-diameter", label: "turning.readout.limit-diameter", unit: "mm", decimals: 3, headline: true,

@@ -31,6 +31,11 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("z-scaling-drift", slides::scaling_z, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("speed-smallest", speed::top_speed, Citation::new("highest speed of the chuck", Grade::Manual)),
     Rule::new(
+        "speed-greatest",
+        speed::passes_limit,
+        Citation::new("turning spindle facts 2: the upper limit wins", Grade::Inferred),
+    ),
+    Rule::new(
         "limit-diameter",
         speed::limit_diameter,
         Citation::new("turning spindle facts 2: the upper limit wins", Grade::Inferred),

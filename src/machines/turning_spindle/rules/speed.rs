@@ -5,6 +5,7 @@ use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::machines::form::entry::at_most;
 use crate::machines::turning_spindle::params::{FIELDS, Params};
 use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::machines::turning_spindle::run_up::programmed_speed_of;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Diagnostic;
@@ -63,11 +64,10 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(Some(AtMost(d.acceleration.ramp)).filter(|_| d.acceleration.ramp.is_finite()))
 }
 
-/// The limits of the speed against each other, and against the knob at a fixed speed.
+/// The limits of the speed against each other.
 pub(super) fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
     found.extend(lifted_speed(lathe));
-    found.extend(passed_limit(lathe));
     let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
     if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {
         let message = msg!("turning.limits-crossed", lower = show(p.lower_limit, 0), upper = show(upper, 0));
@@ -89,28 +89,48 @@ fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
     Some(Diagnostic::warning(message).about("lower-limit").mended_by(asked.floor()))
 }
 
-/// A fixed speed that the override knob lifts over the operator's limit, with the cutting speed that stays below it.
-fn passed_limit(lathe: &TurningSpindle) -> Option<Diagnostic> {
+/// The greatest speed over the override knob against the operator's limit, with the cutting speed that stays below it: neither a fixed speed
+/// nor an override that acts after the limits is held by the control.
+pub(super) fn passes_limit(lathe: &TurningSpindle) -> Option<Judgement> {
     let p = &lathe.p;
-    let (percent, speed) = fastest_fixed(lathe);
-    if lathe.surface() || speed <= p.upper_limit {
-        return None;
+    let most = p.chuck_limit.min(p.upper_limit);
+    let (limit, (percent, speed)) = (AtMost(most), fastest(lathe));
+    if speed <= most * (1.0 + ROUNDING) {
+        return ok(limit);
     }
-    let message =
-        msg!("turning.override-passes-limit", percent = (percent, 0), speed = (speed, 0), limit = (p.upper_limit, 0));
-    let slower = surface_speed(p.upper_limit * 100.0 / percent, p.stock_diameter).floor();
-    let held = slower >= 1.0
-        && fastest_fixed(&lathe.with(Params { cutting_speed: slower, ..lathe.form.clone() })).1 <= p.upper_limit;
-    let found = Diagnostic::warning(message).about("cutting-speed");
-    Some(if held { found.mended_by(slower) } else { found })
+    let (percent_now, turns, held_at) = ((percent, 0), (speed, 0), (most, 0));
+    let (message, diameter) = if lathe.surface() {
+        let message = msg!("turning.override-after-limits", percent = percent_now, speed = turns, limit = held_at);
+        (message, lathe.d.cut.smallest)
+    } else {
+        let message = msg!("turning.override-passes-limit", percent = percent_now, speed = turns, limit = held_at);
+        (message, p.stock_diameter)
+    };
+    let slower = surface_speed(most * 100.0 / percent, diameter).floor();
+    let holds = |slower: f64| {
+        let form = Params { cutting_speed: slower, ..lathe.form.clone() };
+        fastest(&lathe.with(form)).1 <= most * (1.0 + ROUNDING)
+    };
+    let advice = Advice::from(message);
+    let advice = if slower >= 1.0 && holds(slower) {
+        let set = at_most(FIELDS, "cutting-speed", slower);
+        let button = msg!("advice.set-cutting-speed", speed = set.text.as_str());
+        advice.setting(button, [set])
+    } else {
+        advice
+    };
+    fail(limit, [advice])
 }
 
-/// The fixed speed at the position of the override knob where it is greatest, with that position in percent.
-fn fastest_fixed(lathe: &TurningSpindle) -> (f64, f64) {
-    let present = (lathe.p.override_percent, lathe.d.speeds.fixed);
+/// Part of a speed by which rounding may lift it.
+const ROUNDING: f64 = 1e-9;
+
+/// The position (%) of the override knob where the speed of the program is greatest, and that speed.
+fn fastest(lathe: &TurningSpindle) -> (f64, f64) {
+    let present = (lathe.p.override_percent, programmed_speed_of(&lathe.d));
     lathe
         .at_highest_knob()
-        .map(|(percent, d)| (percent, d.speeds.fixed))
+        .map(|(percent, d)| (percent, programmed_speed_of(d)))
         .filter(|fast| fast.1 > present.1)
         .unwrap_or(present)
 }

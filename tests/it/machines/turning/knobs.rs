@@ -1,5 +1,6 @@
 //! The cut of the turning spindle with both override knobs at their ends: torque, power, slides and bending.
 
+use macroline::controls::options::{OverrideOrder, SwitchChoice};
 use macroline::math;
 use macroline::project::Project;
 use macroline::project::size::{OperatingEvent, Sizing};
@@ -131,7 +132,7 @@ fn envelope_of_the_polygon_has_the_feed_knob() {
 
 /// 300 m/min at Ø 60 are S1591, 1909 r/min at 120 % of the knob. 1600 r/min / 1.2 are 251.3 m/min.
 #[test]
-fn knob_that_lifts_a_fixed_speed_over_its_limit_warns() {
+fn knob_that_lifts_a_fixed_speed_over_its_limit_fails() {
     let lathe = |entries: &[(&'static str, &'static str)]| {
         let fixed = [
             ("path", "turning"),
@@ -143,18 +144,45 @@ fn knob_that_lifts_a_fixed_speed_over_its_limit_warns() {
         ];
         project("gsk-980tdc", &[&fixed[..], entries].concat())
     };
-    let found = |project: &Project| {
-        let all = project.design().diagnostics;
-        all.into_iter().find(|found| found.message.id == "turning.override-passes-limit")
-    };
+    let speed = |project: &Project| readout(project, "speed-greatest");
     for percent in ["100", "120"] {
-        let passed = found(&lathe(&[("override", percent)])).unwrap();
-        let message = sentence(&passed.message);
+        let passed = speed(&lathe(&[("override", percent)]));
+        let message = sentence(&passed.advice[0].message);
         assert!(message.contains("override at 120 %") && message.contains("1909 r/min"), "{message}");
-        assert_eq!((passed.field, passed.entry), (Some("cutting-speed"), Some(251.0)));
+        assert_eq!((passed.verdict, passed.limit), (Verdict::Fail, Some(Limit::AtMost(1600.0))));
+        let sets: Vec<_> = passed.advice[0].entries.iter().map(|set| (set.field, set.text.as_str())).collect();
+        assert_eq!(sets, [("cutting-speed", "251")]);
     }
-    assert_eq!(found(&lathe(&[("cutting-speed", "251")])), None);
-    assert_eq!(found(&lathe(&[("speed-mode", "surface")])), None);
+    assert_eq!(speed(&lathe(&[("cutting-speed", "251")])).verdict, Verdict::Ok);
+    assert_eq!(speed(&lathe(&[("speed-mode", "surface")])).verdict, Verdict::Ok);
+}
+
+/// 400 m/min at Ø 56 ask 2274 r/min: #107 holds 1600, and a knob behind the limit makes 1920 of them.
+#[test]
+fn knob_behind_the_limits_has_one_verdict_in_form_and_envelope() {
+    for (cutting_speed, verdict) in [("400", Verdict::Fail), ("200", Verdict::Ok)] {
+        let entries = [
+            ("path", "turning"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "56"),
+            ("speed-mode", "surface"),
+            ("cutting-speed", cutting_speed),
+            ("upper-limit", "1600"),
+        ];
+        let mut lathe = project("gsk-980tdc", &entries);
+        assert_eq!(readout(&lathe, "speed-greatest").verdict, Verdict::Ok, "{cutting_speed}: held before the limit");
+        let row = lathe.control.switch(OverrideOrder::SWITCH).unwrap();
+        lathe.switches.set(row, OverrideOrder::AfterLimits.option().id);
+        let judged = readout(&lathe, "speed-greatest");
+        assert_eq!((judged.verdict, judged.limit), (verdict, Some(Limit::AtMost(1600.0))), "{cutting_speed}");
+        let sizing = sized(&lathe);
+        let worst = sizing.envelope.iter().filter(|row| row.id == "speed").map(|row| row.verdict).max();
+        assert_eq!(worst, Some(verdict), "{cutting_speed}");
+        for advice in judged.advice {
+            let held = lathe.with_entries(&advice.entries).unwrap();
+            assert_eq!(readout(&held, "speed-greatest").verdict, Verdict::Ok);
+        }
+    }
 }
 
 /// S796 stays below its limit at 120 % of the knob; S1600, held by the limit, does not.
