@@ -113,7 +113,7 @@ impl Prepared for RibbonLine {
     }
 
     fn summary(&self) -> Option<Message> {
-        let speed = units::four_digits(self.d.feeds.line_speed, 3, "mm/min");
+        let speed = units::four_digits(self.line_speed(), 3, "mm/min");
         Some(msg!("ribbon.summary", speed, dots = four_digits(self.d.timing.dots_per_second, 4)))
     }
 

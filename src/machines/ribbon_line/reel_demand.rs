@@ -16,7 +16,7 @@ pub(super) fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
 /// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
 pub(super) fn time(line: &RibbonLine) -> f64 {
     let length = wound(&line.p).length();
-    if length > 0.0 { 60e3 * length / line.d.feeds.line_speed } else { 0.0 }
+    if length > 0.0 { 60e3 * length / line.line_speed() } else { 0.0 }
 }
 
 /// Products that a reel makes until its sensor holds the program.

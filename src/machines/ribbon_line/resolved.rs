@@ -132,7 +132,12 @@ impl RibbonLine {
     /// Driven speed over commanded speed, now or with the knob at its highest position: a feed per revolution follows the measured speed of
     /// the unwinder.
     pub(super) fn driven_share(&self, at: &Derived) -> f64 {
-        if self.feeds_per_revolution() { 1.0 + at.unwinder.error } else { 1.0 }
+        self.p.followed(at.unwinder.error)
+    }
+
+    /// Driven speed of the ribbon, mm/min.
+    pub(super) fn line_speed(&self) -> f64 {
+        self.d.feeds.line_speed * self.driven_share(&self.d)
     }
 
     /// Letter of the print roller's axis.

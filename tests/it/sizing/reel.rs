@@ -96,6 +96,19 @@ const LARGE: [(&str, f64); 6] = [
     ("web-density", 1000.0),
 ];
 
+/// A motor that slips more than expected: with F per revolution the axes follow its measured speed.
+#[test]
+fn speed_of_the_line_is_the_driven_one() {
+    let project = line(&[("unwinder-load", 100.0), ("rated-load-speed", 1400.0)]);
+    let in_step = [("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dancer", "false")];
+    let project = project.with_entries(&in_step).unwrap();
+    let value = |id: &str| readout(&project, id).value;
+    let pitch = value("product-length") / value("dots-per-product");
+    assert!((value("line-speed") / value("x-feed") - 1.0).abs() > 0.01);
+    same("dots", value("line-speed"), value("dots-per-second") * 60.0 * pitch, 1e-12);
+    same("time", value("reel-time"), value("reel-length") * 60e3 / value("line-speed"), 1e-12);
+}
+
 #[test]
 fn results_of_the_reel_follow_the_formulas() {
     let project = line(&LARGE);

@@ -85,7 +85,7 @@ impl Params {
 
     /// Driven speed of the axes over their programmed one, where the unwinder misses its speed by `error`: a feed per revolution follows the
     /// measured speed.
-    pub(super) fn followed(&self, error: f64) -> f64 {
+    pub(in crate::machines::ribbon_line) fn followed(&self, error: f64) -> f64 {
         if self.feeds_per_revolution() && error > -1.0 { 1.0 + error } else { 1.0 }
     }
 }

@@ -16,8 +16,8 @@ use crate::text::{Citation, Grade};
 pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "line-speed", label: "ribbon.readout.line-speed", unit: "mm/min", decimals: 3, headline: true,
-        formula: "#105 = K · #104",
-        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |line| line.d.feeds.line_speed, ..ReadoutRow::BASE
+        formula: "#105 = K · #104; F per revolution: K · measured speed",
+        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: RibbonLine::line_speed, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "dots-per-second", label: "ribbon.readout.dots-per-second", unit: "1/s", decimals: 4, headline: true,

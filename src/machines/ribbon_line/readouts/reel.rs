@@ -38,7 +38,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "reel-speed-empty", label: "ribbon.readout.reel-speed-empty", unit: "r/min", decimals: 1,
         formula: "line speed / (π · d)", cite: FACTS,
-        value: |line| reel::speed(wound(&line.p).core, line.d.feeds.line_speed / 60e3) / RPM, ..ReadoutRow::BASE
+        value: |line| reel::speed(wound(&line.p).core, line.line_speed() / 60e3) / RPM, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "reel-brake-torque-full", label: "ribbon.readout.reel-brake-torque-full", unit: "Nm", decimals: 3,

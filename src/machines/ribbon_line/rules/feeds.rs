@@ -115,7 +115,9 @@ pub(in crate::machines::ribbon_line) fn clamped_line_speed(line: &RibbonLine) ->
         return ok(None);
     }
     let clamped = d.feeds.line_speed * (p.clamp_x / d.feeds.line_speed).min(p.clamp_y / d.feeds.y_feed);
-    within_or_error(d.feeds.line_speed, clamped, line)
+    // The speed of the line is the driven one.
+    let driven = line.driven_share(d);
+    within_or_error(driven * d.feeds.line_speed, driven * clamped, line)
 }
 
 pub(in crate::machines::ribbon_line) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {

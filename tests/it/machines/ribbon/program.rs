@@ -762,7 +762,7 @@ proptest! {
             prop_assert_eq!(run.variable(number), Some(value), "{} was written", name);
         }
         // The digits of π in the text are 2e-10 off, and the vector feed has them twice.
-        for (number, id) in [(104, "actual-speed"), (105, "line-speed"), (110, "y-stroke"), (115, "vector-feed")] {
+        for (number, id) in [(104, "actual-speed"), (105, "x-feed"), (110, "y-stroke"), (115, "vector-feed")] {
             let wanted = result_on(on, &values, id);
             near(variable(&run, number), wanted, wanted * 1e-9);
         }
