@@ -126,5 +126,19 @@ pub fn judge<M>(row: &ReadoutRow<M>, machine: &M, rules: &[Rule<M>]) -> Readout 
         readout.limit = readout.limit.or(judgement.limit);
         readout.advice.extend(judgement.advice);
     }
+    readout.advice = each_button_once(readout.advice);
     readout
+}
+
+/// The advice, with the button of a remedy at the first sentence that has it: a short sentence may come before the whole account.
+fn each_button_once(mut advice: Vec<Advice>) -> Vec<Advice> {
+    for at in 1..advice.len() {
+        let (before, rest) = advice.split_at_mut(at);
+        if let Some(next) = rest.first_mut()
+            && before.iter().any(|of| of.entries == next.entries)
+        {
+            (next.button, next.entries) = (None, Vec::new());
+        }
+    }
+    advice
 }

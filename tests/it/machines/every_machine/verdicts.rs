@@ -425,10 +425,7 @@ fn buttons(project: &Project, id: &str) -> Vec<String> {
 #[test]
 fn buttons_of_the_defaults_of_the_ribbon_line() {
     let line = project("ribbon-line", "mitsubishi-e60", &[]);
-    assert_eq!(
-        buttons(&line, "surface-ratio"),
-        ["Set 47 heads: heads=47", "Set 47 heads: heads=47", "Set a pitch of 62.832 mm: pitch=62.832",]
-    );
+    assert_eq!(buttons(&line, "surface-ratio"), ["Set 47 heads: heads=47", "Set a pitch of 62.832 mm: pitch=62.832",]);
     assert_eq!(buttons(&line, "slack-rate"), ["Add a dancer: dancer=true"]);
     // No slack with the knob at its highest position: the wait is half of the spindle ramp to 1480 r/min, less half of the time constant, less the servo lag.
     let (ramp, tau, gain): (f64, f64, f64) = (2.0, 0.1, 33.0);

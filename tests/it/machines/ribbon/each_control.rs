@@ -133,7 +133,6 @@ fn feed_above_control_range_names_the_possible_speed() {
             "That makes another result fail: Grip of the nip in use.",
             "The vector feed would be 119391.393 mm/min, the control takes 15000 at most.",
             "At most 150 r/min of the unwinder keep within the limits of the axes and of F: as its S, and as its clamp, beyond which the knob cannot go.",
-            "That makes another result fail: Grip of the nip in use.",
             "Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.",
         ]
     );
