@@ -260,6 +260,9 @@ impl Envelope<'_> {
             OperatingEvent::SpeedChange => whole.knob.is_none(),
             _ => true,
         });
+        // A run that never works has no middle of its work; a knob at 0 leaves nothing else.
+        let begins = matches!(event, OperatingEvent::Start | OperatingEvent::Run);
+        let runs = runs.filter(|whole| begins || self.counts(whole));
         let rows = runs.map(|whole| at_knob(self.rows_of(event, whole), whole));
         let fed = self.runs.fed.iter().filter(|_| event == OperatingEvent::FeedKnob);
         worst(rows.chain(fed.map(|whole| at_knob(self.fed_rows(event, whole), whole))))
@@ -270,12 +273,17 @@ impl Envelope<'_> {
         self.prepared.panel().spindle_override.unwrap_or(100.0)
     }
 
+    /// Whether a run works, or none does.
+    fn counts(&self, whole: &WholeRun) -> bool {
+        whole.works_before_its_end() || !self.runs.all().any(WholeRun::works_before_its_end)
+    }
+
     fn rows_of(&self, event: OperatingEvent, whole: &WholeRun) -> Vec<EnvelopeRow> {
         let at = whole.middle();
         match event {
             OperatingEvent::Start => {
                 let mut rows = self.read(&self.present, event, &whole.run, (0.0, whole.contact));
-                rows.push(time(event, whole.contact));
+                rows.extend(self.counts(whole).then(|| time(event, whole.contact)));
                 rows.extend(hold(event, &whole.run).filter(|_| !whole.works_before_its_end()));
                 rows
             }
