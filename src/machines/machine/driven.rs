@@ -9,6 +9,9 @@ use crate::machines::driven::{
 use crate::motion::Stretch;
 use crate::text::Message;
 
+/// Lowest position (%) of the override knob of the spindle at which a machine is judged: at 0 % nothing moves. Engineering choice.
+pub const LOWEST_KNOB: f64 = 10.0;
+
 /// The drives of a machine. Without an answer of its own a machine has none. All functions are total.
 pub trait DrivenMachine {
     /// The servo motors for the sizing.

@@ -14,7 +14,7 @@ pub use any::{AnyMachine, Erased, Machine, MachineInfo, PreparedMachine};
 pub use defaults::Defaults;
 pub use design::{ControlContext, Design, MachineFile, MachineProgram, MachineVariable, PanelSetup};
 pub use drawn::{DrawnMachine, Frame};
-pub use driven::DrivenMachine;
+pub use driven::{DrivenMachine, LOWEST_KNOB};
 pub use examples::{Example, KnownFault};
 pub use left_out::LeftOut;
 pub use prepared::Prepared;

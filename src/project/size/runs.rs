@@ -3,6 +3,7 @@
 use crate::drives::shaft_motion::Motion;
 use crate::drives::speed::Steps;
 use crate::machines::driven::{DrivenAxis, SpindleRun};
+use crate::machines::machine::LOWEST_KNOB;
 use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, Stretch};
 use crate::msg;
@@ -13,9 +14,6 @@ use crate::text::Message;
 
 /// Budget of a run: blocks, and seconds of machine time. A longer run is sized up to there, and the sizing reports the cut.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
-
-/// Lowest position (%) of the knob in a run: at 0 % nothing moves.
-const LOWEST: f64 = 10.0;
 
 /// Moments of a run among which that of the highest spindle speed is sought.
 const MOMENTS: u32 = 400;
@@ -194,7 +192,7 @@ impl SizingRuns {
         let Steps { low, high, .. } = project.control_context().dialect().spindle().knob;
         let high = high.min(prepared.highest_knob());
         let other = |percent: f64| Some(percent).filter(|_| now.is_some_and(|now| now != percent));
-        let (lowest, highest) = (other(low.max(LOWEST)), other(high));
+        let (lowest, highest) = (other(low.max(LOWEST_KNOB)), other(high));
         let at = |knob: Option<f64>, feed: Option<f64>| WholeRun::new(&prepared, begun.clone(), knob, feed);
         let feed = prepared.with_highest_feed().map(|(highest, _)| (project.control.feed_knob.positions.low, highest));
         let at_feed = |(_, highest_feed): (f64, f64)| {

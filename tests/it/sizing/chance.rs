@@ -17,14 +17,14 @@ fn measured() -> Project {
 #[test]
 fn one_assumed_fact_gives_the_share_of_its_range() {
     let mut project = measured();
-    let needed = project.design().readouts.iter().find(|row| row.id == "loop-needed").unwrap().value;
+    let needed = project.design().readouts.iter().find(|row| row.id == "loop-turned").unwrap().value;
     // Loops are drawn from 0.9 to 1.1 of this one; loops below 0.95 of it are too small, a quarter of the range.
     project.values.insert("loop-capacity".to_owned(), Value::Number((10.0 * needed / 0.95).round() / 10.0));
     project.provenance.remove("loop-capacity");
     let found = chance(&project, 4000, 7);
     assert_eq!((found.draws, found.facts), (4000, 1));
     assert!((found.probability() - 0.75).abs() < 0.03, "{found:?}");
-    assert_eq!(found.failing.iter().map(|row| row.0).collect::<Vec<_>>(), ["loop-needed"]);
+    assert_eq!(found.failing.iter().map(|row| row.0).collect::<Vec<_>>(), ["loop-turned"]);
     assert_eq!(found.failing[0].2 + found.hold, 4000);
 }
 

@@ -8,6 +8,7 @@ use macroline::project::run::{self, RunOptions};
 use macroline::project::size::{EnvelopeRow, OperatingEvent, Sizing};
 use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
+use proptest::prelude::*;
 
 use crate::queries::{sized, value};
 
@@ -263,6 +264,75 @@ fn knob_turned_up_overfills_the_loop_by_the_formula() {
     assert_eq!((judged.verdict, judged.advice.len()), (Verdict::Warn, 1));
     let longer = project.with_entries(&judged.advice[0].entries).unwrap();
     assert_eq!(row(&longer).verdict, Verdict::Ok);
+}
+
+/// A macro time of 10 ms and four pitches a block: 240 mm keep the feed of 10 % while the unwinder goes to 100 %.
+#[test]
+fn turn_that_the_envelope_holds_fails_in_the_form() {
+    let line = Project::named("ribbon-line", None, None).unwrap();
+    let line = line.with_entries(&[("macro-time", "10"), ("pitches-per-block", "4")]).unwrap();
+    let verdicts = |project: &Project| {
+        let form = project.design().readouts.into_iter().find(|row| row.id == "loop-turned").unwrap();
+        let sizing = sized(project);
+        let holds = sizing.envelope.iter().any(|row| row.event == OperatingEvent::Knob && row.id == "hold");
+        (form, holds, row(&sizing, OperatingEvent::Knob, "loop").verdict)
+    };
+    let (form, holds, of_run) = verdicts(&line);
+    assert_eq!((form.verdict, holds, of_run), (Verdict::Fail, true, Verdict::Fail));
+    let after = line.with_entries(&form.advice[0].entries).unwrap();
+    let (form, holds, of_run) = verdicts(&after);
+    assert_eq!((form.verdict, holds, of_run), (Verdict::Ok, false, Verdict::Ok));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// A loop that every result of the form passes takes the ribbon of every event, within 5 % and a look of the PLC.
+    #[test]
+    fn loop_that_the_form_passes_holds_at_every_event(
+        control in 0_usize..7,
+        (speed, percent, capacity) in (100_u32..1400, 50_u32..150, 100_u32..4000),
+        (ramp, dwell) in (0.05..4.0_f64, 0.0..2.0_f64),
+        (tau, gain, macro_time) in (20_u32..300, 20_u32..80, 1_u32..13),
+        (pitches, dancer) in (1_u32..6, any::<bool>()),
+    ) {
+        let ids = macroline::machines::find("ribbon-line").unwrap().controls();
+        let line = Project::named("ribbon-line", Some(ids[control]), None).unwrap();
+        let entries = [
+            ("spindle-speed", speed.to_string()),
+            ("override", percent.to_string()),
+            ("loop-capacity", capacity.to_string()),
+            ("inverter-ramp", format!("{ramp:.3}")),
+            ("dwell", format!("{dwell:.3}")),
+            ("time-constant-x", tau.to_string()),
+            ("time-constant-y", tau.to_string()),
+            ("position-gain-x", gain.to_string()),
+            ("position-gain-y", gain.to_string()),
+            ("macro-time", macro_time.to_string()),
+            ("pitches-per-block", pitches.to_string()),
+            ("dancer", dancer.to_string()),
+            ("pitch-count", "300".to_owned()),
+        ];
+        let line = line.with_entries(&entries.each_ref().map(|(field, text)| (*field, text.as_str()))).unwrap();
+        let judged = line.design().readouts;
+        prop_assume!(judged.iter().filter(|row| row.id.starts_with("loop-")).all(|row| row.verdict <= Verdict::Ok));
+        let look = 0.1 * value(&line, "line-speed") / 60.0;
+        for row in sized(&line).envelope.iter().filter(|row| row.id == "loop") {
+            let most = 1.05 * f64::from(capacity) + look;
+            prop_assert!(row.value <= most, "{} at {:?} %: {} of {capacity} mm", row.event.id(), row.knob, row.value);
+        }
+    }
+}
+
+/// The axes wait under a knob at 0: the other positions of the knob have the rows.
+#[test]
+fn knob_at_zero_leaves_the_rows_to_the_runs_that_work() {
+    let line = Project::named("ribbon-line", None, None).unwrap();
+    let sizing = sized(&line.with_entries(&[("override", "0"), ("pitch-count", "100")]).unwrap());
+    assert!(row(&sizing, OperatingEvent::Start, "time").value < 10.0);
+    let of_knob = [OperatingEvent::Knob, OperatingEvent::SpeedChange];
+    assert!(sizing.envelope.iter().all(|row| !of_knob.contains(&row.event) || row.value > 0.0 || row.id != "x-torque"));
+    assert!(row(&sizing, OperatingEvent::EmergencyStop, "loop").knob.is_some());
 }
 
 #[test]

@@ -276,6 +276,12 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::lowest_turn, ..ReadoutRow::BASE
     },
     ReadoutRow {
+        id: "loop-turned", label: "ribbon.readout.loop-turned", unit: "mm", decimals: 1,
+        formula: "|start| + |run| + q · (v / v with the knob at its lowest - 1), q = (1 + blocks read ahead) · pitches · #107",
+        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::loop_for_turn,
+        shown: slack::turns_with_queue, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
         id: "stop-room", label: "ribbon.readout.stop-room", unit: "mm", decimals: 1,
         formula: "(T - T1) · L / (E · A) - v · (τ / 2 + 1 / Kx), T at which the ribbon tears or the nip slips, the knob at its highest position",
         cite: CONTACTS, value: tension_switch::room_for_the_stop, ..ReadoutRow::BASE

@@ -2,6 +2,7 @@
 
 use crate::controls::Code;
 use crate::machines::form::entry::{NumberEntry, at_least, nearest};
+use crate::machines::machine::LOWEST_KNOB;
 use crate::machines::ribbon_line::derive::{Derived, greatest, least_dwell};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wait};
 use crate::machines::ribbon_line::resolved::RibbonLine;
@@ -251,6 +252,45 @@ pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<J
         advice.push(with_pinch(line, message, missing - least_laid_by_start(line)));
     }
     if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
+}
+
+/// Whether one turn of the knob lays ribbon: the unwinder follows it at once, and the queued blocks keep their feed.
+pub(in crate::machines::ribbon_line) fn turns_with_queue(line: &RibbonLine) -> bool {
+    let p = &line.p;
+    !line.feeds_per_revolution() && !p.knob_is_locked() && !p.knob_turns_alone() && line.d.unwinder.actual > 0.0
+}
+
+/// Ribbon (mm) that one turn of the knob from its lowest position in a run to that of the form lays more than X pulls, and that lowest
+/// position, %: `queued · (v / v_low - 1)`. Source: ribbon line facts, 5.
+fn laid_by_turn_up(line: &RibbonLine) -> (f64, f64) {
+    let (p, now) = (&line.p, line.d.unwinder.actual);
+    let lowest = line.dialect.spindle().knob.low.max(LOWEST_KNOB);
+    (queued(p) * (now / p.speed_at(lowest) - 1.0).max(0.0), lowest)
+}
+
+/// Loop (mm) that takes start, run and one turn of the knob from its lowest position to that of the form.
+pub(in crate::machines::ribbon_line) fn loop_for_turn(line: &RibbonLine) -> f64 {
+    laid_so_far(line) + laid_by_turn_up(line).0
+}
+
+/// Judges one turn of the knob up from its lowest position as the operating envelope does: the loop has to take its ribbon.
+pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Judgement> {
+    let (p, needed) = (&line.p, loop_for_turn(line));
+    let limit = AtMost(p.loop_capacity);
+    if needed <= p.loop_capacity {
+        return ok(limit);
+    }
+    let (laid, lowest) = laid_by_turn_up(line);
+    let message = msg!(
+        "ribbon.knob-fills-loop",
+        low = (lowest, 0),
+        high = (line.d.unwinder.effective_override, 0),
+        laid = (laid.ceil(), 0),
+        queued = (queued(p), 0),
+        before = (laid_so_far(line).ceil(), 0),
+        capacity = (p.loop_capacity, 0)
+    );
+    fail(limit, [with_loop(message.into(), needed, Vec::new())])
 }
 
 /// A form with the dwell that matches it.
