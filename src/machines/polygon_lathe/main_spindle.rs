@@ -74,9 +74,18 @@ impl PolygonLathe {
         self.p.turns_ends()
     }
 
-    /// Torque (Nm) of cut and friction at a turned end, at the stock's diameter: `F D / 2000 + M_f`. Source: turning spindle facts, 4.
+    /// Torque (Nm) of the cut at a turned end, at the diameter from which it is cut: `F D / 2000`. Source: turning spindle facts, 4.
+    fn cut_torque(&self, end: &TurnedEnd) -> f64 {
+        let [before, _] = &self.p.turned_ends;
+        // By its place: at another feed it is the same end.
+        let is_before = (end.diameter, end.length) == (before.diameter, before.length);
+        let blank = if is_before { self.p.stock_diameter } else { end.blank(&self.p) };
+        cutting::torque(self.end_force(end), blank)
+    }
+
+    /// Torque (Nm) of cut and friction at a turned end.
     fn end_torque(&self, end: &TurnedEnd) -> f64 {
-        cutting::torque(self.end_force(end), self.p.stock_diameter) + self.p.main.friction
+        self.cut_torque(end) + self.p.main.friction
     }
 
     /// The turned end that asks most of the motor's continuous torque, with the field of its depth.
@@ -248,7 +257,7 @@ fn load_at_motor(p: &Params) -> Load {
 pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
     let p = &lathe.p;
     let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
-    let cut = cutting::torque(lathe.greatest_end_force(), p.stock_diameter);
+    let cut = lathe.turned_ends().map(|(end, _)| lathe.cut_torque(end)).fold(0.0, f64::max);
     let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
     let idle = Motion::new(speed_segments(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
     let spans = super::progress::turning_spans(lathe, run, until);

@@ -124,6 +124,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("after-run-in", "polygon.readout.after-run-in", "mm", 2, false, "V (t - τ/2 - 0.99/K), t = τ + ln(100 (1 - e^(-Kτ)) / (Kτ)) / K", RUN_IN, |lathe| lathe.p.turned_ends[1].run_in(&lathe.p), |lathe| lathe.p.turned_ends[1].threads()),
     row!("before-run-out", "polygon.readout.before-run-out", "mm", 2, false, "2 P, at least V (τ/2 + 1/K)", RUN_OUT, |lathe| lathe.p.turned_ends[0].run_out(&lathe.p), |lathe| lathe.p.turned_ends[0].threads()),
     row!("after-run-out", "polygon.readout.after-run-out", "mm", 2, false, "2 P, at least V (τ/2 + 1/K)", RUN_OUT, |lathe| lathe.p.turned_ends[1].run_out(&lathe.p), |lathe| lathe.p.turned_ends[1].threads()),
+    row!("after-reached", "polygon.readout.after-reached", "mm", 3, false, "the diameter, at most that of the end turned before under it", MECHANICS, |lathe| lathe.p.turned_ends[1].reached(&lathe.p), |lathe| lathe.p.turned_ends.iter().all(|end| end.on)),
     row!("main-top-speed", "polygon.readout.main-top-speed", "r/min", 0, false, "S · highest override, up to the clamp", OUTPUT, main_spindle::greatest_speed, PolygonLathe::has_main_spindle),
     row!("main-torque", "polygon.readout.main-torque", "Nm", 1, false, "F D / 2000 + friction", MAIN_TORQUE, main_spindle::torque, PolygonLathe::has_main_spindle),
     row!("main-cutting-power", "polygon.readout.main-power", "kW", 2, false, "M n / 9549.3", MAIN_TORQUE, main_spindle::power, PolygonLathe::has_main_spindle),

@@ -26,6 +26,13 @@ impl TurnedEnd {
         if lies_on_it { before.diameter.min(p.stock_diameter) } else { p.stock_diameter }
     }
 
+    /// Diameter (mm) that the part gets: on a thinner end turned before it the tool cuts air.
+    pub(super) fn reached(&self, p: &Params) -> f64 {
+        let [before, _] = &p.turned_ends;
+        let lies_on_it = before.on && self != before && self.length <= before.length;
+        if lies_on_it { self.diameter.min(before.diameter) } else { self.diameter }
+    }
+
     /// Number of cuts; the last one is to size.
     pub(super) fn cuts(&self, stock: f64) -> f64 {
         math::whole_up(0.5 * (stock - self.diameter) / self.depth).max(1.0)

@@ -8,6 +8,7 @@ mod place;
 mod scaling;
 mod speeds;
 mod threads;
+mod turned;
 
 use super::bending;
 use super::main_spindle;
@@ -58,6 +59,7 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("after-run-in", threads::run_in_after, RUN_IN),
     Rule::new("before-run-out", threads::run_out_before, RUN_OUT),
     Rule::new("after-run-out", threads::run_out_after, RUN_OUT),
+    Rule::new("after-reached", turned::reached, Citation::new("mechanics", Grade::Inferred)),
     Rule::new("feed", feeds::clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("infeed", feeds::infeed_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("free-length", place::jaws, Citation::new("mechanics", Grade::Inferred)),

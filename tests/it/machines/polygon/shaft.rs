@@ -2,7 +2,7 @@
 
 use super::project;
 use crate::machines::every_machine::drawn::area;
-use crate::queries::value;
+use crate::queries::{readout, value};
 use macroline::controls::Address;
 use macroline::interp::{Canon, Interp};
 use macroline::machines::form::Value;
@@ -590,6 +590,35 @@ fn end_turned_on_a_turned_end_is_cut_from_that_end() {
     assert_eq!(cuts(&[("after-length", "10"), ("after-diameter", "20")]), 1);
     assert_eq!(cuts(&[("after-length", "20.5"), ("from-face", "25")]), 4);
     assert_eq!(cuts(&[("after-length", "10"), ("before", "false")]), 4);
+}
+
+/// An end of Ø 22 after the polygon on one of Ø 20: the tool cuts air, and the part stays at Ø 20.
+#[test]
+fn end_thicker_than_the_one_under_it_fails() {
+    let of = |diameter: &'static str, length: &'static str| {
+        let before = [("before", "true"), ("before-length", "20"), ("before-diameter", "20")];
+        let after = [("after", "true"), ("after-diameter", diameter), ("after-length", length)];
+        project(&[&before[..], &after, &[("from-face", "25"), ("across-flats", "14")]].concat())
+    };
+    let thick = of("22", "10");
+    let row = readout(&thick, "after-reached");
+    assert_eq!((row.value, row.verdict), (20.0, Verdict::Fail));
+    let thin = thick.with_entries(&row.advice[0].entries).unwrap();
+    assert_eq!(readout(&thin, "after-reached").verdict, Verdict::Ok);
+    // A longer one has its shoulder in the bar.
+    assert_eq!(readout(&of("22", "22"), "after-reached").verdict, Verdict::Ok);
+}
+
+/// The cut of an end on one of Ø 20 asks four fifths of the torque that it asks on the bar of Ø 25.
+#[test]
+fn torque_of_an_end_is_that_at_the_end_under_it() {
+    let torque = |before: &'static str| {
+        let ends = [("before", before), ("before-length", "20"), ("before-diameter", "20"), ("before-depth", "0.3")];
+        let after = [("after", "true"), ("after-length", "10"), ("after-diameter", "12"), ("after-depth", "3")];
+        let place = [("from-face", "25"), ("across-flats", "14"), ("material", "c45"), ("main-friction", "0.01")];
+        value(&project(&[&ends[..], &after, &place].concat()), "main-torque")
+    };
+    assert!((torque("true") / torque("false") - 0.8).abs() < 1e-3, "{} {}", torque("true"), torque("false"));
 }
 
 /// Flats of 10 mm over 80 mm behind an end bend with it: 900 N over 92 mm, of a bar of Ø 25 less than 0.1 mm.

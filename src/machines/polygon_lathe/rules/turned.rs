@@ -1,0 +1,24 @@
+//! The rule of an end that is turned after the polygons on a thinner one: the part never gets its diameter.
+
+use crate::machines::form::entry::at_most;
+use crate::machines::polygon_lathe::params::FIELDS;
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
+use crate::machines::polygon_lathe::turned_end_form::TURNED_ENDS;
+use crate::machines::verdict::{Judgement, fail, ok};
+use crate::msg;
+use crate::view::Advice;
+use crate::view::Limit::Equal;
+
+/// The diameter that the end turned after gets, against its own.
+pub(super) fn reached(lathe: &PolygonLathe) -> Option<Judgement> {
+    let p = &lathe.p;
+    let [_, after] = &p.turned_ends;
+    let (reached, limit) = (after.reached(p), Equal(after.diameter));
+    if reached >= after.diameter {
+        return ok(limit);
+    }
+    let set = at_most(FIELDS, TURNED_ENDS[1].diameter, reached);
+    let message = msg!("polygon.thinner-end", diameter = (reached, 3), asked = (after.diameter, 3));
+    let button = msg!("advice.set-diameter", diameter = (set.value, 3));
+    fail(limit, [Advice::from(message).setting(button, [set])])
+}
