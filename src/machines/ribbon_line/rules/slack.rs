@@ -290,7 +290,21 @@ pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Jud
         before = (laid_so_far(line).ceil(), 0),
         capacity = (p.loop_capacity, 0)
     );
-    fail(limit, [with_loop(message.into(), needed, Vec::new())])
+    let longer = with_loop(message.into(), needed, Vec::new());
+    fail(limit, [longer].into_iter().chain(fewer_pitches(line, laid)).collect::<Vec<_>>())
+}
+
+/// The greatest number of pitches per block at which the loop takes a turn of the knob that lays `laid` mm now; none where one is too many.
+fn fewer_pitches(line: &RibbonLine, laid: f64) -> Option<Advice> {
+    let p = &line.p;
+    let room = p.loop_capacity - laid_so_far(line);
+    let pitches = (p.block_pitches() * room / laid).floor();
+    if p.variant != Variant::ReadyMade || pitches < 1.0 || pitches >= p.block_pitches() {
+        return None;
+    }
+    let set = nearest(FIELDS, "pitches-per-block", pitches);
+    let message = msg!("ribbon.fewer-pitches-to-turn", count = (set.value, 0));
+    Some(Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set]))
 }
 
 /// A form with the dwell that matches it.
