@@ -32,7 +32,7 @@ impl TurnedEnd {
 impl PolygonLathe {
     /// Length (mm) of the bar from face to jaws: that of the form, or the least for the cutter.
     fn free_length(&self) -> f64 {
-        if self.p.free_length > 0.0 { self.p.free_length } else { self.length_to_jaws() }
+        if self.params.free_length > 0.0 { self.params.free_length } else { self.length_to_jaws() }
     }
 
     /// Deflection (mm) under a force (N) across the work at a distance from the face, of a bar that is free up to the jaws, with the parts of
@@ -44,20 +44,20 @@ impl PolygonLathe {
         let steps = places.windows(2).filter_map(|pair| {
             let [from, to] = pair else { return None };
             let here = thinner.iter().filter(|part| part.from <= *from && *to <= part.to);
-            Some((to - from, here.map(|part| part.diameter).fold(self.p.stock_diameter, f64::min)))
+            Some((to - from, here.map(|part| part.diameter).fold(self.params.stock_diameter, f64::min)))
         });
-        cantilever(force, self.p.material.elasticity(), steps)
+        cantilever(force, self.params.material.elasticity(), steps)
     }
 
     /// The polygons as thinner parts of the bar: with the width across flats, which is less than their stiffness.
     fn flats(&self) -> impl Iterator<Item = Thinner> {
         let part = |p: &Params| Thinner { from: p.from_face, to: p.far_end(), diameter: p.across_flats };
-        self.polygons().map(move |lathe| part(&lathe.p))
+        self.polygons().map(move |lathe| part(&lathe.params))
     }
 
     /// The thinner parts of the bar while a polygon is cut: all flats, and the end turned before them.
     fn thinner_in_flats(&self) -> Vec<Thinner> {
-        let [before, _] = &self.p.turned_ends;
+        let [before, _] = &self.params.turned_ends;
         self.flats().chain(before.thinner()).collect()
     }
 
@@ -65,8 +65,8 @@ impl PolygonLathe {
     fn bending_of(&self, free: f64) -> f64 {
         let thinner = self.thinner_in_flats();
         let cuts = self.polygons().map(|lathe| {
-            let force = lathe.d.load.cuts.iter().map(|cut| cut.force).fold(0.0, f64::max);
-            self.deflection(force, lathe.p.from_face, free, &thinner)
+            let force = lathe.derived.load.cuts.iter().map(|cut| cut.force).fold(0.0, f64::max);
+            self.deflection(force, lathe.params.from_face, free, &thinner)
         });
         cuts.fold(0.0, f64::max)
     }
@@ -74,7 +74,7 @@ impl PolygonLathe {
     /// Greatest force (N) of an insert with which no polygon bends the work by more than a deflection (mm); infinite without force.
     fn force_bending_by(&self, most: f64) -> f64 {
         let (free, thinner) = (self.free_length(), self.thinner_in_flats());
-        let force = |lathe: &PolygonLathe| most / self.deflection(1.0, lathe.p.from_face, free, &thinner);
+        let force = |lathe: &PolygonLathe| most / self.deflection(1.0, lathe.params.from_face, free, &thinner);
         self.polygons().map(force).fold(f64::INFINITY, f64::min)
     }
 
@@ -88,24 +88,27 @@ impl PolygonLathe {
         let limit = share * self.force();
         let force = |depth: f64| {
             let forces = self.polygons().flat_map(|lathe| {
-                let p = Params { depth, ..lathe.p.clone() };
+                let p = Params { depth, ..lathe.params.clone() };
                 let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
                 p.load(&sizes).cuts.map(|cut| cut.force)
             });
             forces.fold(0.0, f64::max)
         };
-        let least = LEAST_DEPTH.max(self.p.stock_diameter / 2.0 / super::passes::PASSES);
-        if least >= self.p.depth {
+        let least = LEAST_DEPTH.max(self.params.stock_diameter / 2.0 / super::passes::PASSES);
+        if least >= self.params.depth {
             return None;
         }
-        Some(self.p.depth * math::greatest_share(least / self.p.depth, |share| force(share * self.p.depth) <= limit)?)
+        Some(
+            self.params.depth
+                * math::greatest_share(least / self.params.depth, |share| force(share * self.params.depth) <= limit)?,
+        )
     }
 }
 
 /// What the force of the cut does to each turned end, as a bar of its diameter from its shoulder to the face, behind it the bar, with the flats
 /// and the other end where they are cut before: an error where the end gives way by more than the cut is deep, `None` where it is stiff enough.
 pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let [before, after] = &p.turned_ends;
     let flats = lathe.thinner_in_flats();
     [(before, Vec::new()), (after, flats)].map(|(end, cut_before)| {
@@ -125,7 +128,7 @@ pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
 
 /// Bending against the tolerance of the flats, with a shorter free length or a smaller depth as a remedy where one of them suffices.
 pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let (bending, limit) = (lathe.bending(), AtMost(p.flatness));
     if bending <= p.flatness {
         let fed = lathe.at_highest_feed().map(|(percent, fed)| (percent, fed, fed.bending()));

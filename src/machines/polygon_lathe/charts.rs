@@ -17,7 +17,7 @@ pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
     ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "polygon.chart.work", tone: 0, address: |_| None, value: |_, now| now.pmc[WORK].feed / 360.0 },
         ChartLine { label: |_| "polygon.chart.tool", tone: 1, address: |_| None, value: |_, now| now.pmc[TOOL].feed / 360.0 },
-    ], limits: |lathe| vec![ChartLimit { label: "polygon.tool-limit", value: lathe.p.tool_limit }] },
+    ], limits: |lathe| vec![ChartLimit { label: "polygon.tool-limit", value: lathe.params.tool_limit }] },
     ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.ahead", tone: 3, address: |_| None, value: |lathe, now| lathe.phase(now) },
     ], limits: unlimited },
@@ -54,11 +54,11 @@ fn over_angle(series: Vec<Series>) -> Chart {
 
 /// The deviation of one section (µm) over the angle from its first side (°).
 fn deviation_of(lathe: &PolygonLathe, points: usize, (label, tone): (&'static str, u8)) -> Option<Series> {
-    let section = lathe.p.section()?;
-    let sides = lathe.p.ratio()?.sides(lathe.p.inserts as u32);
+    let section = lathe.params.section()?;
+    let sides = lathe.params.ratio()?.sides(lathe.params.inserts as u32);
     // Every corner is met.
     let each = (points / (2 * sides as usize)).clamp(1, 3600) + 1;
-    let all = deviations(&section, 0.5 * lathe.p.across_flats, sides, 2 * sides as usize * each);
+    let all = deviations(&section, 0.5 * lathe.params.across_flats, sides, 2 * sides as usize * each);
     let begin = section.begin();
     let points = all.into_iter().map(|(angle, off)| ((angle - begin) * 180.0 / PI, 1000.0 * off)).collect();
     Some(Series { label, tone, address: None, points })
@@ -69,7 +69,7 @@ const CIRCLES: usize = 60;
 
 /// Least and greatest deviation of the sides over the radius of the tip circle, at the ratio and the inserts of the form.
 pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
-    let (p, ratio) = (&lathe.p, lathe.p.ratio()?);
+    let (p, ratio) = (&lathe.params, lathe.params.ratio()?);
     let count = points.clamp(2, CIRCLES);
     let (from, to) = (0.25 * p.tip_radius, 2.0 * p.tip_radius);
     let radius = |at: usize| from + (to - from) * at as f64 / (count - 1) as f64;

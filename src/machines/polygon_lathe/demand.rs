@@ -24,15 +24,15 @@ pub(super) enum DemandKind {
 impl PolygonLathe {
     /// Demand on an axis at a feed with this polygon, and its limit.
     fn demand_at(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> (f64, f64) {
-        let torque = self.d.load.cuts[feed].torque[axis as usize];
-        let drive = self.p.drive(axis);
-        let (continuous, most) = self.p.torques_of(&drive);
+        let torque = self.derived.load.cuts[feed].torque[axis as usize];
+        let drive = self.params.drive(axis);
+        let (continuous, most) = self.params.torques_of(&drive);
         match kind {
             DemandKind::Peak => (torque.peak, most),
             DemandKind::Mean => (torque.mean, continuous),
             // Strikes of one torque during the share c of the time: T √c, with c the mean over the peak. Source: sizing facts, section 7.
             DemandKind::Effective => ((torque.peak * torque.mean).sqrt(), continuous),
-            DemandKind::Power => (power(torque.mean, drive.speed), drive.motor.power * self.p.site_share / 100.0),
+            DemandKind::Power => (power(torque.mean, drive.speed), drive.motor.power * self.params.site_share / 100.0),
             DemandKind::RunUp => (run_up(drive.inertia, drive.speed, drive.ramp, drive.gain), most),
         }
     }
@@ -58,7 +58,7 @@ impl PolygonLathe {
 
     /// Greatest cutting force of an insert, N.
     pub(super) fn force(&self) -> f64 {
-        self.polygons().flat_map(|lathe| lathe.d.load.cuts).map(|cut| cut.force).fold(0.0, f64::max)
+        self.polygons().flat_map(|lathe| lathe.derived.load.cuts).map(|cut| cut.force).fold(0.0, f64::max)
     }
 
     /// Greatest force (N) of any cut, of inserts and turned ends.
@@ -68,24 +68,25 @@ impl PolygonLathe {
 
     /// Greatest force (N) of the cuts of a feed.
     pub(super) fn force_at(&self, feed: usize) -> f64 {
-        self.polygons().map(|lathe| lathe.d.load.cuts[feed].force).fold(0.0, f64::max)
+        self.polygons().map(|lathe| lathe.derived.load.cuts[feed].force).fold(0.0, f64::max)
     }
 
     /// Cutting force (N) of turning an end: the chip is as wide as the cut is deep, and as thick as the feed.
     pub(super) fn end_force(&self, end: &TurnedEnd) -> f64 {
-        let row = self.p.specific();
-        kienzle(row.unit_force, row.exponent, (end.depth, end.feed), (90.0, self.p.rake))
+        let row = self.params.specific();
+        kienzle(row.unit_force, row.exponent, (end.depth, end.feed), (90.0, self.params.rake))
     }
 
     /// Greatest cutting force of turning an end, N; 0 without turned ends.
     pub(super) fn greatest_end_force(&self) -> f64 {
-        self.p.turned_ends.iter().filter(|end| end.on).map(|end| self.end_force(end)).fold(0.0, f64::max)
+        self.params.turned_ends.iter().filter(|end| end.on).map(|end| self.end_force(end)).fold(0.0, f64::max)
     }
 
     /// The shortest ramp (s) in which both drives run up to every speed of the program.
     pub(super) fn ramp(&self) -> f64 {
-        let both =
-            self.polygons().flat_map(|lathe| [PolygonAxis::Work, PolygonAxis::Tool].map(|axis| lathe.p.ramp(axis)));
+        let both = self
+            .polygons()
+            .flat_map(|lathe| [PolygonAxis::Work, PolygonAxis::Tool].map(|axis| lathe.params.ramp(axis)));
         both.fold(0.0, f64::max)
     }
 }

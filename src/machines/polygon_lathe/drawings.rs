@@ -37,14 +37,14 @@ fn title(lathe: &PolygonLathe, one: &PolygonLathe, name: &'static str) -> String
     if lathe.further.is_empty() {
         return String::new();
     }
-    let [near, far] = [one.p.from_face, one.p.far_end()].map(|at| show(-at, 3));
+    let [near, far] = [one.params.from_face, one.params.far_end()].map(|at| show(-at, 3));
     format!("{}, Z {near} .. {far}", say(name))
 }
 
 /// The finished section, the ideal polygon and the stock, with centre lines and dimensions.
 fn section(lathe: &PolygonLathe) -> Option<Outline> {
-    let section = lathe.p.section()?;
-    let p = &lathe.p;
+    let section = lathe.params.section()?;
+    let p = &lathe.params;
     let mut shapes = vec![
         (LineKind::Part, OutlineShape::through(&section.spans(SPANS))),
         (LineKind::Stock, OutlineShape::Circle((0.0, 0.0), section.stock())),

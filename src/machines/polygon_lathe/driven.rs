@@ -21,7 +21,7 @@ const NO_RESERVE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 
 /// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock, and those of the slides.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     let driven = |id, name, at, axis: PolygonAxis, (motor_teeth, teeth): (f64, f64)| {
-        let p = &lathe.p;
+        let p = &lathe.params;
         // Motor speed over that of the axis.
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
         let drive = p.drive(axis);
@@ -59,7 +59,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             fields: None,
         }
     };
-    let p = &lathe.p;
+    let p = &lathe.params;
     let in_ratio = [
         driven("work", "polygon.drive.work", WORK, PolygonAxis::Work, (p.work_motor_teeth, p.work_teeth)),
         driven("tool", "polygon.drive.tool", TOOL, PolygonAxis::Tool, (p.tool_motor_teeth, p.tool_teeth)),
@@ -69,14 +69,14 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
 
 /// Starts per minute of the slide that starts more often, over the passes of all polygons and turned ends.
 fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
-    let (p, rapids) = (&lathe.p, [lathe.p.slides.x.rapid, lathe.p.slides.z.rapid]);
+    let (p, rapids) = (&lathe.params, [lathe.params.slides.x.rapid, lathe.params.slides.z.rapid]);
     let of = |p: &Params, steps: Vec<PassStep>, rpm: f64| {
         let begin = (p.clear_diameter(), p.clearance);
         let motions = steps.len() as f64;
         (path::starts(begin, &steps), time(begin, steps.into_iter(), rpm, rapids), motions)
     };
-    let polygons = lathe.polygons().filter(|lathe| lathe.d.cuts);
-    let polygons = polygons.map(|lathe| of(&lathe.p, lathe.p.all_steps().collect(), 0.0));
+    let polygons = lathe.polygons().filter(|lathe| lathe.derived.cuts);
+    let polygons = polygons.map(|lathe| of(&lathe.params, lathe.params.all_steps().collect(), 0.0));
     let ends = p.turned_ends.iter().filter(|end| end.on);
     let ends = ends.flat_map(|end| [end.steps(p), end.thread(p)].map(|steps| of(p, steps, end.speed)));
     let (starts, seconds, motions) =
@@ -86,9 +86,9 @@ fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
 
 impl HasSlides for PolygonLathe {
     fn slides(&self) -> [ServoSlide; 2] {
-        self.p.slides.servos(SlideDuty {
+        self.params.slides.servos(SlideDuty {
             axes: [self.cross(), self.along()],
-            site_share: self.p.site_share,
+            site_share: self.params.site_share,
             cutting_force: self.greatest_force(),
             starts_per_minute: starts_per_minute(self),
             x_cuts_downhill: false,
@@ -120,9 +120,9 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
 
 /// Work and tool after a power failure at the speeds of the first polygon: the phase that they lose, and the time until both are at rest.
 pub(super) fn without_supply(lathe: &PolygonLathe) -> Option<CoastedAxes> {
-    let gauge = GAUGES.first()?.gauge(lathe, lathe.d.angles.coast_phase.abs());
-    let speeds = [lathe.p.work_speed(), lathe.p.tool_speed()];
-    let seconds = speeds.into_iter().zip(lathe.p.coasting_deceleration());
+    let gauge = GAUGES.first()?.gauge(lathe, lathe.derived.angles.coast_phase.abs());
+    let speeds = [lathe.params.work_speed(), lathe.params.tool_speed()];
+    let seconds = speeds.into_iter().zip(lathe.params.coasting_deceleration());
     let seconds = seconds.map(|(speed, deceleration)| speed.abs() / deceleration);
-    lathe.d.cuts.then(|| CoastedAxes { seconds: seconds.fold(0.0, f64::max), gauge })
+    lathe.derived.cuts.then(|| CoastedAxes { seconds: seconds.fold(0.0, f64::max), gauge })
 }

@@ -42,7 +42,7 @@ fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
         Some(other) => further::field(first, other).unwrap_or(first),
         None => first,
     };
-    let p = &lathe.p;
+    let p = &lathe.params;
     let own = own_shape(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
     let along: Vec<_> = own.into_iter().map(|entry| FieldEntry { field: field(entry.field), ..entry }).collect();
     let count = |first: &'static str, range: (f64, f64), value: f64| Knob {
@@ -66,12 +66,12 @@ fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
 
 /// The finished section, the stock, the polygon that is wanted, and the paths of the inserts as the work sees them.
 fn scene(lathe: &PolygonLathe) -> Scene {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let mut d = Drawing::new(UNIT);
     let (width, height, r) = ROOM;
     let at = (0.5 * width, 0.5 * height);
     let scale = 2.0 * r / p.stock_diameter;
-    if let Some(section) = lathe.p.section() {
+    if let Some(section) = lathe.params.section() {
         d.path(closed(section.points(STEPS), at, scale), Look::fill(Paint::Steel).thin(Paint::Edge, 1.2));
         // A little further than the stock.
         for trace in traces(lathe, 1.3).into_iter().take(PATHS) {

@@ -18,7 +18,7 @@ type Fault = (Message, &'static str);
 
 /// Faults of one polygon, with the field of each.
 fn faults_of(lathe: &PolygonLathe) -> Vec<Fault> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let mut found = Vec::new();
     let mut error = |message: Message, field: &'static str| found.push((message, field));
     if p.work_ratio == 0.0 {
@@ -63,7 +63,7 @@ fn faults_of(lathe: &PolygonLathe) -> Vec<Fault> {
 /// Faults of the ends turned before and after the polygons, with the field of each.
 fn turned_end_faults(lathe: &PolygonLathe) -> Vec<Fault> {
     let mut found = Vec::new();
-    for ((end, fields), is_after) in lathe.p.turned_ends.iter().zip(&TURNED_ENDS).zip([false, true]) {
+    for ((end, fields), is_after) in lathe.params.turned_ends.iter().zip(&TURNED_ENDS).zip([false, true]) {
         if end.on {
             found.extend(size_faults(lathe, end, fields));
             found.extend(cut_faults(lathe, end, fields));
@@ -77,7 +77,7 @@ fn turned_end_faults(lathe: &PolygonLathe) -> Vec<Fault> {
 
 /// Faults of diameter, length and chamfer.
 fn size_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let mut found = Vec::new();
     if end.diameter >= p.stock_diameter {
         found.push((
@@ -100,7 +100,7 @@ fn size_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) 
 
 /// Faults of speed, feeds and number of cuts.
 fn cut_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let (p, limits) = (&lathe.p, &lathe.control.limits);
+    let (p, limits) = (&lathe.params, &lathe.control.limits);
     let mut found = Vec::new();
     if end.speed > p.main_speed {
         found.push((msg!("polygon.fast-spindle", most = (p.main_speed, 0)), fields.speed));
@@ -136,8 +136,8 @@ fn thread_faults(end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
 /// Tools whose numbers belong to another tool: a cutter of a polygon turns no end, and a turning tool cuts no thread.
 fn tool_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     let mut found = Vec::new();
-    let is_cutter = |tool: f64| lathe.polygons().any(|polygon| polygon.p.tool == tool);
-    let turns = |tool: f64| lathe.p.turned_ends.iter().any(|end| end.on && end.tool == tool);
+    let is_cutter = |tool: f64| lathe.polygons().any(|polygon| polygon.params.tool == tool);
+    let turns = |tool: f64| lathe.params.turned_ends.iter().any(|end| end.on && end.tool == tool);
     let thread = (end.pitch > 0.0).then_some((end.thread_tool, fields.thread_tool));
     for (tool, field) in [(end.tool, fields.tool)].into_iter().chain(thread) {
         if is_cutter(tool) {
@@ -152,27 +152,27 @@ fn tool_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) 
 /// The polygons that begin within the length of a turned end, with their numbers.
 fn within<'a>(lathe: &'a PolygonLathe, end: &TurnedEnd) -> impl Iterator<Item = (u32, &'a PolygonLathe)> {
     let length = end.length;
-    (1..).zip(lathe.polygons()).filter(move |(_, polygon)| polygon.p.from_face < length)
+    (1..).zip(lathe.polygons()).filter(move |(_, polygon)| polygon.params.from_face < length)
 }
 
 /// Polygons of which an end turned before them leaves no flat.
 fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let covered = within(lathe, end).filter(|(_, polygon)| end.diameter <= polygon.p.across_flats);
+    let covered = within(lathe, end).filter(|(_, polygon)| end.diameter <= polygon.params.across_flats);
     let fault = |(number, polygon): (u32, &PolygonLathe)| {
-        (msg!("polygon.turned-away", number, size = (polygon.p.across_flats, 3)), fields.length)
+        (msg!("polygon.turned-away", number, size = (polygon.params.across_flats, 3)), fields.length)
     };
     covered.map(fault).collect()
 }
 
 /// Polygons whose corners an end turned before them takes, with the diameter that it leaves.
 fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
-    let [end, _] = &lathe.p.turned_ends;
+    let [end, _] = &lathe.params.turned_ends;
     let corner = |polygon: &PolygonLathe| {
-        let corners = polygon.p.section_in(0.5 * polygon.p.stock_diameter)?.corners();
+        let corners = polygon.params.section_in(0.5 * polygon.params.stock_diameter)?.corners();
         Some(2.0 * corners.iter().map(|corner| corner.radius).fold(0.0, f64::max))
     };
     let cuts = |polygon: &PolygonLathe| {
-        end.diameter >= polygon.p.across_flats && corner(polygon).is_some_and(|corner| end.diameter < corner)
+        end.diameter >= polygon.params.across_flats && corner(polygon).is_some_and(|corner| end.diameter < corner)
     };
     let (number, _) = within(lathe, end).find(|(_, polygon)| end.on && cuts(polygon))?;
     let message = msg!("polygon.corners-turned", number, diameter = (end.diameter, 3));
@@ -181,17 +181,17 @@ fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
 
 /// Polygons that an end turned after them would turn off.
 fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
-    let covered = within(lathe, end).filter(|(_, polygon)| polygon.d.section.corner * 2.0 > end.diameter);
+    let covered = within(lathe, end).filter(|(_, polygon)| polygon.derived.section.corner * 2.0 > end.diameter);
     let fault = |(number, polygon): (u32, &PolygonLathe)| {
-        (msg!("polygon.turned-off", number, from = (polygon.p.from_face, 3)), fields.length)
+        (msg!("polygon.turned-off", number, from = (polygon.params.from_face, 3)), fields.length)
     };
     covered.map(fault).collect()
 }
 
 /// A start of the slide at which the axes of work and cutter are further apart than they come.
 fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
-    let p = &lathe.p;
-    let radius = lathe.polygons().map(|polygon| polygon.p.tip_radius).fold(0.0, f64::max);
+    let p = &lathe.params;
+    let radius = lathe.polygons().map(|polygon| polygon.params.tip_radius).fold(0.0, f64::max);
     let distance = 0.5 * p.start_x + radius;
     let most = 2.0 * (p.greatest_distance - radius);
     let message = msg!("polygon.start-beyond-slide", distance = (distance, 2), most = (p.greatest_distance, 2));
@@ -203,12 +203,12 @@ fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
 fn beyond_ramp_range(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let roles = [ParamRole::RapidTimeConstant, ParamRole::AxisTimeConstant];
     let mut ranges = roles.into_iter().filter_map(|role| lathe.control.param(role)).map(|row| row.range);
-    ranges.find_map(|range| sheets::beyond_range("time-constant", lathe.p.slides.time_constant, "ms", range))
+    ranges.find_map(|range| sheets::beyond_range("time-constant", lathe.params.slides.time_constant, "ms", range))
 }
 
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let mut faults = faults_of(lathe);
     for fault in further::faults(lathe, faults_of) {
         if !faults.contains(&fault) {
@@ -242,7 +242,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     }
     found.extend(p.encoder.finding(lathe.control).filter(|_| lathe.has_main_spindle()));
     let mut cutters = Vec::new();
-    for PolygonLathe { p, d, .. } in lathe.polygons() {
+    for PolygonLathe { params: p, derived: d, .. } in lathe.polygons() {
         if !cutters.contains(&p.tool) {
             cutters.push(p.tool);
             found.push(Diagnostic::info(msg!(

@@ -19,7 +19,7 @@ pub(super) fn faults(
     for (at, other) in lathe.further.iter().enumerate() {
         all.extend(alone(other).into_iter().map(|(message, id)| (message, field(id, at).unwrap_or(id))));
         for (number, before) in (1_u32..).zip(lathe.polygons().take(at + 1)) {
-            let (p, q) = (&before.p, &other.p);
+            let (p, q) = (&before.params, &other.params);
             if p.from_face < q.far_end() && q.from_face < p.far_end() {
                 let message = msg!("polygon.overlap", number, from = (p.from_face, 3), to = (p.far_end(), 3));
                 all.extend(field("from-face", at).map(|id| (message, id)));

@@ -46,7 +46,7 @@ const SPINDLE_WAITS: Bit = Bit::Relay("spindle-waits");
 pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     let mut book = Book::new(lathe.control, &lathe.dialect);
     // At once it would take the drives from work and tool in the cut: the relay delays it until both stand.
-    let delayed = !lathe.p.coasts(lathe.control);
+    let delayed = !lathe.params.coasts(lathe.control);
     book.emergency_by(if delayed { MachineContact::EmergencyDelayed } else { MachineContact::Emergency });
     let mut busy = Vec::new();
     if lathe.has_main_spindle() {
@@ -79,7 +79,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
         book.coil(Bit::Signal(SignalRole::HoldReleased), vec![closed.collect()], note);
     }
     channels(&mut book);
-    sequence(&mut book, lathe.p.settling(), delayed);
+    sequence(&mut book, lathe.params.settling(), delayed);
     answers(&mut book, lathe.has_main_spindle());
     // A single cutter is on a spindle of its own at the slide: its T selects the offset alone, and nothing turns.
     busy.extend(program::changes_tools(lathe).then(|| book.turret()));
@@ -90,7 +90,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
 
 /// The knob of the spindle override to the control, with a thread from M49 on 100 % until M5 or the end of the program.
 fn spindle_override(book: &mut Book, lathe: &PolygonLathe) {
-    let threads = lathe.p.turned_ends.iter().any(TurnedEnd::threads);
+    let threads = lathe.params.turned_ends.iter().any(TurnedEnd::threads);
     if !threads || book.has(SignalRole::SpindleOverrideCode) {
         book.spindle_override();
         return;

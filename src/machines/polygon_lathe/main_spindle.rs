@@ -61,36 +61,36 @@ impl PolygonLathe {
 
     /// Speed (r/min) of the spindle at a position (%) of the override knob, for a speed of the form: at most the clamp of the control.
     fn speed_at(&self, speed: f64, percent: f64) -> f64 {
-        (speed * percent / 100.0).min(self.p.main_clamp())
+        (speed * percent / 100.0).min(self.params.main_clamp())
     }
 
     /// The turned ends of the program, with the fields of their depths.
     fn turned_ends(&self) -> impl Iterator<Item = (&TurnedEnd, &'static str)> {
-        self.p.turned_ends.iter().zip(TURNED_ENDS.map(|fields| fields.depth)).filter(|(end, _)| end.on)
+        self.params.turned_ends.iter().zip(TURNED_ENDS.map(|fields| fields.depth)).filter(|(end, _)| end.on)
     }
 
     /// The program turns the bar by its main spindle.
     pub(super) fn has_main_spindle(&self) -> bool {
-        self.p.turns_ends()
+        self.params.turns_ends()
     }
 
     /// Torque (Nm) of the cut at a turned end, at the diameter from which it is cut: `F D / 2000`. Source: turning spindle facts, 4.
     fn cut_torque(&self, end: &TurnedEnd) -> f64 {
-        let [before, _] = &self.p.turned_ends;
+        let [before, _] = &self.params.turned_ends;
         // By its place: at another feed it is the same end.
         let is_before = (end.diameter, end.length) == (before.diameter, before.length);
-        let blank = if is_before { self.p.stock_diameter } else { end.blank(&self.p) };
+        let blank = if is_before { self.params.stock_diameter } else { end.blank(&self.params) };
         cutting::torque(self.end_force(end), blank)
     }
 
     /// Torque (Nm) of cut and friction at a turned end.
     fn end_torque(&self, end: &TurnedEnd) -> f64 {
-        self.cut_torque(end) + self.p.main.friction
+        self.cut_torque(end) + self.params.main.friction
     }
 
     /// The turned end that asks most of the motor's continuous torque, with the field of its depth.
     fn hardest_end(&self) -> Option<(&TurnedEnd, &'static str)> {
-        let curve = self.p.main_continuous();
+        let curve = self.params.main_continuous();
         let share = |end: &TurnedEnd| self.end_torque(end) / curve.torque(end.speed);
         self.turned_ends().max_by(|a, b| share(a.0).total_cmp(&share(b.0)))
     }
@@ -119,13 +119,13 @@ pub(super) fn power(lathe: &PolygonLathe) -> f64 {
 
 /// Voltage (V) of the control's output at the greatest speed.
 pub(super) fn volts(lathe: &PolygonLathe) -> f64 {
-    lathe.control.analog_output.with_speed(lathe.p.main_speed).output(programmed_speed(lathe))
+    lathe.control.analog_output.with_speed(lathe.params.main_speed).output(programmed_speed(lathe))
 }
 
 /// Voltage (V) of the control's output at the slowest turned end.
 pub(super) fn least_volts(lathe: &PolygonLathe) -> f64 {
     let slowest = lathe.turned_ends().map(|(end, _)| end.speed).fold(f64::INFINITY, f64::min);
-    lathe.control.analog_output.with_speed(lathe.p.main_speed).output(slowest)
+    lathe.control.analog_output.with_speed(lathe.params.main_speed).output(slowest)
 }
 
 /// The voltage at the slowest turned end against the one beside which offsets and noise are small.
@@ -139,7 +139,7 @@ pub(super) fn judge_volts(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Cut and friction against the continuous torque of the motor.
 pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (p, (end, field)) = (&lathe.p, lathe.hardest_end()?);
+    let (p, (end, field)) = (&lathe.params, lathe.hardest_end()?);
     let (torque, speed) = (lathe.end_torque(end), end.speed);
     let curve = p.main_continuous();
     let most = curve.torque(speed);
@@ -167,7 +167,7 @@ pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Cut and friction of a turned end at the positions of the knobs.
 fn torques_at_knobs(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TorqueAtKnobs> {
-    let curve = lathe.p.main_continuous();
+    let curve = lathe.params.main_continuous();
     let all = knobs::positions(lathe.control.feed_knob.positions, lathe.knob_ends(), 100.0);
     let torque = |at: KnobPositions| {
         let fed = TurnedEnd { feed: end.feed * at.feed / 100.0, ..end.clone() };
@@ -177,7 +177,7 @@ fn torques_at_knobs(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TorqueAtKnobs>
             torque: lathe.end_torque(&fed),
             limit: curve.torque(speed),
             forced: curve.with_shaft_fan(false).torque(speed),
-            motor_speed: speed * lathe.p.main_gear(),
+            motor_speed: speed * lathe.params.main_gear(),
         }
     };
     all.into_iter().map(torque).collect()
@@ -186,7 +186,7 @@ fn torques_at_knobs(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TorqueAtKnobs>
 /// A cut that the motor carries at the form's positions of the knobs: a warning where it does not at another one. The advised feeds hold at
 /// all of them.
 fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let all: Vec<TorqueAtKnobs> = lathe.turned_ends().flat_map(|(end, _)| torques_at_knobs(lathe, end)).collect();
     let lower = |(end, field): (&TurnedEnd, &'static str)| {
         let cut = |torque: f64| (torque - p.main.friction).max(0.0);
@@ -206,11 +206,11 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
 
 /// The greatest speed of the turned ends, with the knob at any position, against that of the work axis, whose motor and chuck run along.
 pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (speed, most) = (greatest_speed(lathe), lathe.p.work_limit);
+    let (speed, most) = (greatest_speed(lathe), lathe.params.work_limit);
     if speed <= most {
         return ok(AtMost(most));
     }
-    let fields = TURNED_ENDS.map(|fields| fields.speed).into_iter().zip(&lathe.p.turned_ends);
+    let fields = TURNED_ENDS.map(|fields| fields.speed).into_iter().zip(&lathe.params.turned_ends);
     let fast = fields.filter(|(_, end)| end.on && end.speed > most);
     let sets: Vec<_> = fast.map(|(field, _)| at_most(FIELDS, field, most)).collect();
     let advice = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));
@@ -221,12 +221,12 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
     let speed = programmed_speed(lathe);
     let at_knob = lathe.knob_ends().higher.map(|percent| (percent, lathe.speed_at(speed, percent)));
-    main_spindle::judge_ramp(&lathe.p.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
+    main_spindle::judge_ramp(&lathe.params.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
 }
 
 /// Its motor for the sizing, at the turned end that asks most of it; none without turned ends, or where no cutting force is known.
 pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
-    let (p, (end, _)) = (&lathe.p, lathe.hardest_end()?);
+    let (p, (end, _)) = (&lathe.params, lathe.hardest_end()?);
     let gear = p.main_gear();
     (lathe.greatest_end_force() > 0.0).then(|| InverterDrive {
         id: "main",
@@ -255,7 +255,7 @@ fn load_at_motor(p: &Params) -> Load {
 
 /// Its motor in a part of a run: friction always, the greatest cut while the slide is in the stock and the spindle turns it.
 pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
     let cut = lathe.turned_ends().map(|(end, _)| lathe.cut_torque(end)).fold(0.0, f64::max);
     let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
@@ -272,14 +272,14 @@ pub(super) fn speed_at_highest_knob(lathe: &PolygonLathe) -> f64 {
 
 /// The encoder by which the control feeds per revolution and cuts a thread.
 pub(super) fn encoder(lathe: &PolygonLathe) -> Option<SpindleEncoder> {
-    let of = &lathe.p.encoder;
+    let of = &lathe.params.encoder;
     let speed = speed_at_highest_knob(lathe) * of.ratio();
     lathe.has_main_spindle().then_some(SpindleEncoder { name: NAME, speed, lines: of.lines })
 }
 
 /// The fan of its motor with forced cooling.
 pub(super) fn devices(lathe: &PolygonLathe) -> Vec<AskedDevice> {
-    Vec::from_iter(main_spindle::fan(NAME, lathe.has_main_spindle() && lathe.p.main.forced_cooling))
+    Vec::from_iter(main_spindle::fan(NAME, lathe.has_main_spindle() && lathe.params.main.forced_cooling))
 }
 
 /// Charts of its torque and power over its speed, with the turned ends.
@@ -287,7 +287,7 @@ pub(super) fn charts(lathe: &PolygonLathe, points: usize) -> Vec<Chart> {
     if !lathe.has_main_spindle() {
         return Vec::new();
     }
-    let (p, spindle) = (&lathe.p, lathe.p.main_spindle());
+    let (p, spindle) = (&lathe.params, lathe.params.main_spindle());
     let continuous = p.main_continuous();
     let cut = lathe.turned_ends().map(|(end, _)| (end.speed, lathe.end_torque(end)));
     main_spindle::charts_by_speed(

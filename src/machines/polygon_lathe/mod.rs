@@ -98,14 +98,19 @@ impl Prepared for PolygonLathe {
     }
 
     fn summary(&self) -> Option<Message> {
-        let d = &self.d;
+        let d = &self.derived;
         let length = |value, decimals| units::four_digits(value, decimals, "mm");
         let (across, error) = (length(d.section.across_flats, 3), length(d.section.flatness, 4));
         d.cuts.then(|| msg!("polygon.summary", sides = (d.section.sides, 0), across, error))
     }
 
     fn program(&self) -> MachineProgram {
-        MachineProgram { deck: program::deck(self), setup: None, main: program::PART, newline: self.p.newline.into() }
+        MachineProgram {
+            deck: program::deck(self),
+            setup: None,
+            main: program::PART,
+            newline: self.params.newline.into(),
+        }
     }
 
     fn plant(&self) -> Plant {
@@ -196,7 +201,7 @@ impl DrivenMachine for PolygonLathe {
     }
 
     fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        self.spindle_run(run, stretches)?.resistor(self.p.main.braking, self.p.pause)
+        self.spindle_run(run, stretches)?.resistor(self.params.main.braking, self.params.pause)
     }
 
     fn with_highest_feed(&self) -> Option<(f64, &dyn DrivenMachine)> {
@@ -213,7 +218,7 @@ impl DrivenMachine for PolygonLathe {
     }
 
     fn severe_site(&self) -> Option<SevereSite> {
-        SevereSite::leaving(self.p.site_share, "site-share")
+        SevereSite::leaving(self.params.site_share, "site-share")
     }
 
     fn driven_axes(&self) -> Vec<DrivenAxis> {
@@ -225,7 +230,7 @@ impl DrivenMachine for PolygonLathe {
     }
 
     fn pause(&self) -> f64 {
-        self.p.pause
+        self.params.pause
     }
 
     fn without_supply(&self) -> Option<CoastedAxes> {
@@ -233,7 +238,7 @@ impl DrivenMachine for PolygonLathe {
     }
 
     fn coasts_at_emergency_stop(&self) -> bool {
-        self.p.coasts(self.control)
+        self.params.coasts(self.control)
     }
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {

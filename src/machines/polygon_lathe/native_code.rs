@@ -32,8 +32,8 @@ fn on_its_control(lathe: &PolygonLathe) -> Option<PolygonLathe> {
 /// R of G51.2: `R = A - E / k` [°, 0 to 360), with start angles A of the work and E of the tool, and the ratio k = tool to work speed. The
 /// code has no start angle of the tool: E is that of the work by the ratio.
 fn offset(lathe: &PolygonLathe) -> f64 {
-    let k = lathe.p.ratio().map_or(1.0, |ratio| ratio.value());
-    (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
+    let k = lathe.params.ratio().map_or(1.0, |ratio| ratio.value());
+    (lathe.params.work_start - lathe.params.tool_start / k).rem_euclid(360.0)
 }
 
 /// The program while it is written: its blocks, each with what it does (catalog id, or empty).
@@ -57,7 +57,7 @@ impl Blocks<'_> {
     /// The checks of a tool that is clear of the work, as in the program with G512.
     fn check(&mut self) {
         let Some(place) = self.place() else { return };
-        let clear = self.lathe.x_of(self.lathe.p.clear_diameter());
+        let clear = self.lathe.x_of(self.lathe.params.clear_diameter());
         writing::stays_clear(&mut self.builder, place, || real(clear, 3), writing::alarm_block(program::AWAY));
         self.notes.extend(["polygon.other.clear"; 2]);
     }
@@ -89,7 +89,7 @@ impl Blocks<'_> {
 
 /// The program, and what each of its blocks does; none without a ratio.
 fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     p.ratio()?;
     let mut b = Blocks { lathe, builder: Builder::new(), notes: Vec::new() };
     b.builder.program(NUMBER, "FOR CONTROLS WITH G51.2");
@@ -112,14 +112,14 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
         if at > 0 {
             b.add(vec![s(0)], "polygon.other.stop");
             b.add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
-            let changes = cutter != polygon.p.tool;
-            cutter = polygon.p.tool;
+            let changes = cutter != polygon.params.tool;
+            cutter = polygon.params.tool;
             if changes {
                 b.add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
-                b.tool(polygon.p.tool);
+                b.tool(polygon.params.tool);
                 b.add(vec![g(0), cross(clear)], "");
             }
-            if changes || !polygon.p.is_behind_face() {
+            if changes || !polygon.params.is_behind_face() {
                 b.add(vec![g(0), along(p.clearance)], "");
             }
         }
@@ -139,7 +139,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
 
 /// Blocks that turn one polygon; a new ratio begins from standstill.
 fn turn(lathe: &PolygonLathe, b: &mut Blocks<'_>) -> Option<()> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let ratio = p.ratio()?;
     // P above 0, Q with the sense of the tool.
     let mut on = vec![word(Address::G, real(51.2, 1)), p_word(ratio.work()), word(Address::Q, ratio.tool())];

@@ -46,15 +46,15 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
         group,
         at,
     };
-    let (chuck, stock) = (layout.chuck, 0.5 * lathe.p.stock_diameter * layout.scale);
+    let (chuck, stock) = (layout.chuck, 0.5 * lathe.params.stock_diameter * layout.scale);
     let mut cutters: Vec<f64> = Vec::new();
-    for polygon in lathe.polygons().filter(|polygon| polygon.p.tool != lathe.p.tool) {
-        if !cutters.contains(&polygon.p.tool) {
-            cutters.push(polygon.p.tool);
+    for polygon in lathe.polygons().filter(|polygon| polygon.params.tool != lathe.params.tool) {
+        if !cutters.contains(&polygon.params.tool) {
+            cutters.push(polygon.params.tool);
         }
     }
-    let r = lathe.p.tip_radius * layout.scale;
-    let body = (lathe.p.tip_radius - lathe.p.overhang).max(0.0) * layout.scale;
+    let r = lathe.params.tip_radius * layout.scale;
+    let body = (lathe.params.tip_radius - lathe.params.overhang).max(0.0) * layout.scale;
     let mut parts = vec![
         part(
             "polygon.part.headstock",
@@ -79,7 +79,7 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
             )
         },
         DrawnPart {
-            quantity: lathe.p.inserts as u32,
+            quantity: lathe.params.inserts as u32,
             ..part("polygon.part.insert", group::INSERTS, (-0.95 * r, 0.0), &[("", "insert-width"), ("", "relief")])
         },
         part(

@@ -11,11 +11,11 @@ fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
     if !lathe.has_main_spindle() {
         return bench;
     }
-    let (speed, ramp) = (lathe.p.main_speed, lathe.p.main.ramp);
-    let coasting = lathe.p.main_spindle().coasting(speed);
+    let (speed, ramp) = (lathe.params.main_speed, lathe.params.main.ramp);
+    let coasting = lathe.params.main_spindle().coasting(speed);
     SpindlePlant {
         analog: lathe.control.analog_output.with_speed(speed),
-        speed_clamp: lathe.p.main_clamp(),
+        speed_clamp: lathe.params.main_clamp(),
         ramp,
         coasting: Some([coasting; STAGES]),
         ..bench
@@ -25,7 +25,7 @@ fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
 
 /// The plant with the project's clamps and time constants.
 pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let turns = |ms: f64, position_gain: f64| AxisPlant { time_constant: ms / 1000.0, position_gain, ..AxisPlant::PMC };
     Plant {
         axes: p.slides.plants(lathe.x_per_mm() > 1.0, [0.5 * p.start_x, p.start_z]),

@@ -56,7 +56,7 @@ struct Axes {
 
 impl Axes {
     fn new(lathe: &PolygonLathe) -> Axes {
-        let p = &lathe.p;
+        let p = &lathe.params;
         Axes {
             state: AxesState::Rest,
             settle: p.settling(),

@@ -22,7 +22,7 @@ const SEEN_JAWS: f64 = 40.0;
 
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let layout = Layout::new(lathe);
     let progress = progress::progress(lathe, run, now);
     let (across_flats, z) = lathe.slide(now);
@@ -37,14 +37,14 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     let present = progress::present(lathe, run, now, &progress);
     let polygon = lathe.polygons().nth(present).unwrap_or(lathe);
     // The cutter of the present polygon, from its own last place, and from that of the first.
-    let own = 0.5 * (across_flats - polygon.p.across_flats) * layout.scale;
+    let own = 0.5 * (across_flats - polygon.params.across_flats) * layout.scale;
     let aside = layout.of(polygon).cutter.0 + own - layout.cutter.0;
     let turned = |axis: usize, limit: f64| Frame::seen((now.pmc[axis].feed / 60.0 * frame.step).abs(), limit);
-    let (seen, jaws) = (turned(TOOL, SEEN / polygon.p.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
+    let (seen, jaws) = (turned(TOOL, SEEN / polygon.params.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
     place(group::WORK, work, near, 1.0);
     place(group::JAWS, 0.0, near, jaws);
     place(group::JAWS_BLUR, 0.0, near, 0.6 * (1.0 - jaws));
-    place(group::EDGES, 0.0, near, turned(WORK, 0.5 * SEEN / polygon.p.sides.max(1.0)));
+    place(group::EDGES, 0.0, near, turned(WORK, 0.5 * SEEN / polygon.params.sides.max(1.0)));
     for at in 0..=lathe.further.len() {
         let shown = f64::from(u8::from(at == present));
         place(group::of(group::DISC, at), 0.0, (own, 0.0), shown);
@@ -124,7 +124,7 @@ fn texts(
         (node::SIZE, format!("X {}", figure(lathe.x_of(across_flats), 3))),
         (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
-        (node::APART, units::figure(0.5 * across_flats + polygon.p.tip_radius, 2, "mm")),
+        (node::APART, units::figure(0.5 * across_flats + polygon.params.tip_radius, 2, "mm")),
         (node::ALONG, format!("Z {}", figure(z, 3))),
         (node::STATE, words(state).to_owned()),
         (node::FORM, form),

@@ -122,13 +122,13 @@ fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
 
 /// Whether the program calls more than one tool.
 pub(super) fn changes_tools(lathe: &PolygonLathe) -> bool {
-    let ends = lathe.p.turned_ends.iter().filter(|end| end.on);
+    let ends = lathe.params.turned_ends.iter().filter(|end| end.on);
     let turned = ends.flat_map(|end| {
-        let cuts = [(end.tool, end.steps(&lathe.p)), (end.thread_tool, end.thread(&lathe.p))];
+        let cuts = [(end.tool, end.steps(&lathe.params)), (end.thread_tool, end.thread(&lathe.params))];
         cuts.into_iter().filter(|(_, steps)| !steps.is_empty()).map(|(tool, _)| tool)
     });
-    let mut others = lathe.polygons().map(|polygon| polygon.p.tool).chain(turned);
-    others.any(|tool| tool != lathe.p.tool)
+    let mut others = lathe.polygons().map(|polygon| polygon.params.tool).chain(turned);
+    others.any(|tool| tool != lathe.params.tool)
 }
 
 /// A word of X for a distance across flats or a diameter.
@@ -196,7 +196,7 @@ fn per_revolution(step: PassStep, speed: f64) -> PassStep {
 /// Blocks of a turned end, if the part has one there: each tool from the start of the slide and back, the spindle on for both. The feed is per
 /// revolution: with one per minute a knob at a low position would drive the tool into a bar that hardly turns.
 pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<TurnedEndBlock> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let Some(end) = p.turned_ends.get(place as usize).filter(|end| end.on) else { return Vec::new() };
     // The ramp from the speed at 10 V is long enough for every S and override.
     let ramp = || writing::dwell(lathe.control, p.main.ramp).to_vec();
@@ -243,7 +243,7 @@ fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, p
             b.note(block.note);
         }
         if let Some(place) = place.filter(|_| block.changes_tool) {
-            let clear = lathe.p.clear_diameter();
+            let clear = lathe.params.clear_diameter();
             writing::stays_clear(b, place, || real(lathe.x_of(clear), 3), alarm_block(AWAY));
         }
     }
@@ -251,14 +251,14 @@ fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, p
 
 /// Jumps to an alarm unless the turret has room to turn where the slide stands; beside the work it goes on at block `next`.
 pub(super) fn check_turret(b: &mut Builder, lathe: &PolygonLathe, place: (u32, u32), next: u32) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let beside = lathe.x_of(p.stock_diameter + 2.0 * p.turret_room);
     writing::turret_has_room(b, place, (real(beside, 3), real(p.turret_room, 3)), next, alarm_block(AWAY));
 }
 
 /// Writes O3000, which turns the part.
 fn part(b: &mut Builder, lathe: &PolygonLathe) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let [on, off] = codes(lathe).map(|code| code.unwrap_or(0));
     let mm = |number: f64| real(number, 3);
     let clear = p.clear_diameter();
@@ -270,7 +270,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
     b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
     let mut cutters = vec![p.tool];
-    for PolygonLathe { p, d, .. } in &lathe.further {
+    for PolygonLathe { params: p, derived: d, .. } in &lathe.further {
         if !cutters.contains(&p.tool) {
             cutters.push(p.tool);
             b.comment(&format!("X OFFSET OF T{} IS {}", p.tool as u32, show(d.place.offset, 3)));
@@ -301,10 +301,10 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
             change(b, base, (present, polygon), place);
         }
         b.n(base + 20).words(call(on, polygon)).note("POLYGON TURNING ON");
-        let passes = polygon.p.passes() as u32;
+        let passes = polygon.params.passes() as u32;
         for pass in 1..=passes {
             let first = base + number(pass);
-            for (at, step) in (first..).zip(polygon.p.steps(f64::from(pass))) {
+            for (at, step) in (first..).zip(polygon.params.steps(f64::from(pass))) {
                 b.n(at).words(block(polygon, step));
                 if at == first {
                     b.note(if pass == passes { "FINISHING" } else { "ROUGHING" });
@@ -331,7 +331,7 @@ pub(super) fn away_alarm(b: &mut Builder, lathe: &PolygonLathe) {
 
 /// The call that starts polygon turning.
 fn call(on: u32, lathe: &PolygonLathe) -> Vec<NewWord> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let arguments = [
         (Address::B, real(p.speed, 0)),
         (Address::D, Formula::from(p.work_ratio as i32)),
@@ -344,9 +344,9 @@ fn call(on: u32, lathe: &PolygonLathe) -> Vec<NewWord> {
 
 /// From a polygon to the next: the cutter changes at the start of the slide, and a pass at the end of the bar begins in front of the face.
 fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe), place: Option<(u32, u32)>) {
-    let p = &to.p;
+    let p = &to.params;
     let clear = p.clear_diameter();
-    let changes = from.p.tool != p.tool;
+    let changes = from.params.tool != p.tool;
     if changes {
         b.n(base + 10).words(rapid([cross(to, p.start_x), z(real(p.start_z, 3))]));
         b.n(base + 13).words(writing::tool(to.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
@@ -380,7 +380,7 @@ fn wait_for(b: &mut Builder, bit: u32) {
 
 /// O9120.
 fn start(b: &mut Builder, lathe: &PolygonLathe) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     b.program(MACROS[0], "POLYGON TURNING ON");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
     b.comment("B SPEED, D WORK RATIO, Q TOOL RATIO");

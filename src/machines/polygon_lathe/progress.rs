@@ -81,7 +81,7 @@ impl Progress {
 
 /// Visits of the slide to the stock up to a time (s): beyond its face and within its diameter.
 fn visits(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<Visit> {
-    run.visits([(lathe.cross(), 0.5 * lathe.p.stock_diameter), (lathe.along(), 0.0)], until)
+    run.visits([(lathe.cross(), 0.5 * lathe.params.stock_diameter), (lathe.along(), 0.0)], until)
 }
 
 /// The main spindle turns the work, with the tool axis at rest.
@@ -91,7 +91,7 @@ fn is_turning(now: &Snapshot) -> bool {
 
 /// Progress of the slide up to now.
 pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) -> Progress {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let visits = visits(lathe, run, now.t);
     let first = visits.len().saturating_sub(MAX_SLIDE_PASSES);
     let mut progress = Progress::default();
@@ -135,7 +135,7 @@ pub(super) fn turning_spans(lathe: &PolygonLathe, run: &dyn Samples, until: f64)
 
 /// Index (from 0) of the polygon being turned: the polygon of the newest pass, or the next one as soon as the program has begun with it.
 pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, progress: &Progress) -> usize {
-    let holds = |lathe: &PolygonLathe, at: f64| (lathe.p.from_face..=lathe.p.far_end()).contains(&at);
+    let holds = |lathe: &PolygonLathe, at: f64| (lathe.params.from_face..=lathe.params.far_end()).contains(&at);
     let cut = progress.now().and_then(|pass| lathe.polygons().position(|lathe| holds(lathe, pass.middle())));
     let others = 1..=lathe.further.len();
     let begun = others.rev().find(|at| run.executions(program::change_over(*at as u32), now.t).begun > 0);
@@ -144,9 +144,9 @@ pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, p
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
-    let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, SlidePass::middle);
+    let middle = progress.now().map_or(0.5 * lathe.params.length + lathe.params.from_face, SlidePass::middle);
     let over = progress.turned_stretches.iter().filter(|turned| (turned.near..=turned.far).contains(&middle));
-    let stock = over.map(|turned| turned.size).fold(lathe.p.stock_diameter, f64::min);
+    let stock = over.map(|turned| turned.size).fold(lathe.params.stock_diameter, f64::min);
     let mut grid = vec![0.5 * stock; GRID];
     for pass in progress.done.iter().chain(progress.now()) {
         cut(&mut grid, lathe, pass, now);
@@ -156,7 +156,7 @@ pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot)
 
 /// Cuts the insert passes since the slide reached the face, up to one closed pattern.
 fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &SlidePass, now: &Snapshot) {
-    let Some(setup) = lathe.at(slide.middle()).p.setup(slide.size) else { return };
+    let Some(setup) = lathe.at(slide.middle()).params.setup(slide.size) else { return };
     let k = setup.ratio.value();
     let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);
     let closes = f64::from(setup.ratio.work());
@@ -169,7 +169,7 @@ fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &SlidePass, now: &Snapshot
         let (first, last) = (here.min(then).ceil() as i64, here.max(then).floor() as i64);
         for crossing in (first..=last).take(MOST as usize) {
             let normal = -(work + (crossing as f64 - here) / k);
-            pass(grid, &curve, 2.0 * PI * normal, 0.5 * lathe.p.stock_diameter);
+            pass(grid, &curve, 2.0 * PI * normal, 0.5 * lathe.params.stock_diameter);
         }
     }
 }
@@ -202,7 +202,7 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
 /// Positions of the cutter's tips on the work, and the setup with the present distance of the axes.
 pub(super) fn tips(lathe: &PolygonLathe, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
     let (across_flats, _) = lathe.slide(now);
-    let mut setup = lathe.p.setup(across_flats)?;
+    let mut setup = lathe.params.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;
     let [work, tool] = [WORK, TOOL].map(|axis| now.pmc[axis].actual / 180.0 * PI);
     let on_work = (0..setup.tips.len()).filter_map(|insert| setup.tip_on_work(insert, work, tool)).collect();

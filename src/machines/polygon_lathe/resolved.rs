@@ -22,9 +22,9 @@ pub(crate) struct PolygonLathe {
     /// The form as filled in.
     pub(super) form: Params,
     /// The form, with inserts and ratio of the chosen shape.
-    pub(super) p: Params,
+    pub(super) params: Params,
     /// The results of the formulas.
-    pub(super) d: Derived,
+    pub(super) derived: Derived,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
     /// Across flats of every pass.
@@ -55,18 +55,31 @@ impl PolygonLathe {
     }
 
     fn on(form: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
-        let p = form.clone().with_shape();
-        let further =
-            p.further().into_iter().map(|p| PolygonLathe::one(p.clone(), p, control, dialect.clone())).collect();
-        PolygonLathe { further, ..PolygonLathe::one(form, p, control, dialect) }
+        let params = form.clone().with_shape();
+        let further = params
+            .further()
+            .into_iter()
+            .map(|params| PolygonLathe::one(params.clone(), params, control, dialect.clone()))
+            .collect();
+        PolygonLathe { further, ..PolygonLathe::one(form, params, control, dialect) }
     }
 
     /// The lathe with one polygon.
-    fn one(form: Params, p: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
-        let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-        let d = Derived::new(&p, &sizes, x_per_mm(control, &dialect));
+    fn one(form: Params, params: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
+        let sizes: Vec<f64> = (1..=params.passes() as u32).map(|pass| params.size(f64::from(pass))).collect();
+        let derived = Derived::new(&params, &sizes, x_per_mm(control, &dialect));
         let (lens_scales, at_highest_feed) = (OnceLock::new(), OnceLock::new());
-        PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new(), lens_scales, at_highest_feed }
+        PolygonLathe {
+            form,
+            params,
+            derived,
+            control,
+            dialect,
+            sizes,
+            further: Vec::new(),
+            lens_scales,
+            at_highest_feed,
+        }
     }
 
     /// The lathe as it cuts at most feed: with the feed override at its highest position, or as it is where no knob acts above 100 %.
@@ -92,27 +105,27 @@ impl PolygonLathe {
 
     /// The polygon at a distance from the face, mm; else the first.
     pub(super) fn at(&self, behind: f64) -> &PolygonLathe {
-        let there = |lathe: &&PolygonLathe| (lathe.p.from_face..=lathe.p.far_end()).contains(&behind);
+        let there = |lathe: &&PolygonLathe| (lathe.params.from_face..=lathe.params.far_end()).contains(&behind);
         self.polygons().find(there).unwrap_or(self)
     }
 
     /// Length (mm) from face to jaws that the cutter needs.
     pub(super) fn length_to_jaws(&self) -> f64 {
-        self.polygons().map(|lathe| lathe.d.place.length_to_jaws).fold(0.0, f64::max)
+        self.polygons().map(|lathe| lathe.derived.place.length_to_jaws).fold(0.0, f64::max)
     }
 
     /// Drives of the slides across and along the work.
     pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
-        self.p.slides.drives(self.x_per_mm())
+        self.params.slides.drives(self.x_per_mm())
     }
 
     /// Drives of the work and the tool.
     pub(super) fn turning_drives(&self) -> [AxisDrive<'static>; 2] {
-        let p = &self.p;
+        let params = &self.params;
         let drive = |axis, gear, encoder| AxisDrive { axis, lead: 360.0, gear, encoder, rotary: true, words: 1.0 };
         [
-            drive("4", (p.work_teeth, p.work_motor_teeth), p.work_encoder),
-            drive("3", (p.tool_teeth, p.tool_motor_teeth), p.tool_encoder),
+            drive("4", (params.work_teeth, params.work_motor_teeth), params.work_encoder),
+            drive("3", (params.tool_teeth, params.tool_motor_teeth), params.tool_encoder),
         ]
     }
 
@@ -150,15 +163,15 @@ impl PolygonLathe {
     /// The slide is in the stock of a polygon, with work and tool turning.
     pub(super) fn cuts_flats(&self, now: &Snapshot) -> bool {
         let (across, along) = self.slide(now);
-        let there = self.polygons().any(|lathe| (lathe.p.from_face..=lathe.p.far_end()).contains(&-along));
-        there && across < self.p.stock_diameter && [WORK, TOOL].iter().all(|axis| now.pmc[*axis].feed != 0.0)
+        let there = self.polygons().any(|lathe| (lathe.params.from_face..=lathe.params.far_end()).contains(&-along));
+        there && across < self.params.stock_diameter && [WORK, TOOL].iter().all(|axis| now.pmc[*axis].feed != 0.0)
     }
 
     /// Phase of the tool ahead of ratio and start angles of the polygon at the slide, degrees of the tool, within half a turn.
     pub(super) fn phase(&self, now: &Snapshot) -> f64 {
-        let p = &self.at(-self.slide(now).1).p;
-        let k = p.ratio().map_or(0.0, Ratio::value);
-        let (work, tool) = (now.pmc[WORK].actual - p.work_start, now.pmc[TOOL].actual - p.tool_start);
+        let params = &self.at(-self.slide(now).1).params;
+        let k = params.ratio().map_or(0.0, Ratio::value);
+        let (work, tool) = (now.pmc[WORK].actual - params.work_start, now.pmc[TOOL].actual - params.tool_start);
         let off = (tool - k * work) / 360.0;
         360.0 * (off - off.round())
     }

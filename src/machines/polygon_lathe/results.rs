@@ -59,8 +59,8 @@ pub(super) fn results(lathe: &PolygonLathe) -> Vec<Readout> {
             let advice = judged.advice.into_iter().map(|first| advice(first, at)).collect();
             let mut readout = Readout { id, label, headline: false, advice, ..judged };
             if *first == ANGLE {
-                let pitch = 360.0 / other.d.section.sides.max(1.0);
-                readout.value = (other.d.angles.orientation - lathe.d.angles.orientation).rem_euclid(pitch);
+                let pitch = 360.0 / other.derived.section.sides.max(1.0);
+                readout.value = (other.derived.angles.orientation - lathe.derived.angles.orientation).rem_euclid(pitch);
                 readout.formula = Phrase::new("E/k - A, less that of the first polygon");
             }
             all.push(readout);

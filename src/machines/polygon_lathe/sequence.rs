@@ -25,7 +25,7 @@ type Step = (f64, &'static str, Vec<(usize, bool)>);
 
 /// Steps from G512 to G502, with times in closed form that leave out the blocks of the macro programs.
 fn steps(lathe: &PolygonLathe) -> Vec<Step> {
-    let (p, d) = (&lathe.p, &lathe.d);
+    let (p, d) = (&lathe.params, &lathe.derived);
     let angle = p.index_time() + p.settling();
     let speed = angle + p.settling();
     let cut = speed + d.times.cutting;
@@ -55,7 +55,7 @@ pub(super) fn all(lathe: &PolygonLathe) -> impl Iterator<Item = Sheet> {
 
 fn sheet(lathe: &PolygonLathe, (id, title): (&'static str, &'static str)) -> Sheet {
     let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
-    let coasts = lathe.p.coasts(lathe.control);
+    let coasts = lathe.params.coasts(lathe.control);
     let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
     let breaks = ["polygon.step.held", "polygon.step.reset", emergency];
     let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));

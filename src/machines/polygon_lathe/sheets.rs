@@ -38,7 +38,7 @@ pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
 const FIRST: u32 = 4120;
 
 fn parameters(lathe: &PolygonLathe) -> Sheet {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let mut values = vec![
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.x_per_mm() > 1.0))]),
@@ -121,7 +121,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             format!("{} .. {}", surface_speed(choice.cutting_speed.0), surface_speed(choice.cutting_speed.1)),
         ];
         let terms = (f64::from(choice.ratio.tool()), f64::from(choice.ratio.work()));
-        let mut entries = own_shape(lathe.p.sides, (choice.cutter + 1) as f64, terms);
+        let mut entries = own_shape(lathe.params.sides, (choice.cutter + 1) as f64, terms);
         entries.push(FieldEntry::new("tip-radius", show(choice.radius, 3)));
         entries.push(FieldEntry::new("speed", show(choice.speed, 0)));
         Row { entries, ..row(cells, cite) }
@@ -146,7 +146,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
         ]
         .map(Column::Plain)
         .to_vec(),
-        rows: cutter_choices::choices(&lathe.p, &lathe.sizes)
+        rows: cutter_choices::choices(&lathe.params, &lathe.sizes)
             .into_iter()
             .take(MAX_CHOICES)
             .enumerate()
@@ -174,7 +174,7 @@ fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
     let cite =
         Citation::new("polygon turning facts 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
     let mut rows = Vec::new();
-    for (at, PolygonLathe { p, sizes, .. }) in (1_u32..).zip(lathe.polygons()) {
+    for (at, PolygonLathe { params: p, sizes, .. }) in (1_u32..).zip(lathe.polygons()) {
         let mut cuts = p.cuts(&p.setup(p.across_flats)?, sizes);
         cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
         let speed = |each: f64| surface_speed(each * p.work_speed().abs());
@@ -214,8 +214,8 @@ const NAMED: usize = 12;
 /// Every insert with its errors and their effect on its sides; none without errors.
 fn inserts(lathe: &PolygonLathe) -> Option<Sheet> {
     let cite = Citation::new("polygon turning facts 3.1, and the section itself", Grade::Inferred);
-    let setup = lathe.p.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
-    let sides = lathe.p.section()?.sides();
+    let setup = lathe.params.setup(lathe.params.across_flats).filter(|setup| !setup.is_even())?;
+    let sides = lathe.params.section()?.sides();
     let one = |insert: usize| {
         let mut its: Vec<usize> = setup.passes().filter(|pass| pass.insert == insert).map(|pass| pass.side).collect();
         its.sort_unstable();

@@ -20,7 +20,7 @@ pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop => SpindleReaction::TurnsInRatio,
         Interruption::PowerFailure => SpindleReaction::Coasts,
-        Interruption::EmergencyStop if lathe.p.coasts(lathe.control) => SpindleReaction::Coasts,
+        Interruption::EmergencyStop if lathe.params.coasts(lathe.control) => SpindleReaction::Coasts,
         // Work and tool have servo drives, no inverter: that of the main spindle holds the program.
         Interruption::Alarm | Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
             SpindleReaction::StopsInRatio
@@ -53,7 +53,7 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
         cite: DESIGN,
     };
     // A control finishes the thread's block first: a thread that stops within is spoilt.
-    let threads = lathe.p.turned_ends.iter().any(TurnedEnd::threads);
+    let threads = lathe.params.turned_ends.iter().any(TurnedEnd::threads);
     let in_thread = threads.then(|| {
         row(
             Interruption::Hold,
@@ -65,7 +65,7 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
     });
     let turns = main_spindle(lathe, Interruption::Reset) == SpindleReaction::Turns;
     let after_reset = if turns { msg!("lathe.stops.work-turns") } else { msg!("lathe.stops.work-slows") };
-    let coasts = lathe.p.main_spindle().coasting(speed_at_highest_knob(lathe));
+    let coasts = lathe.params.main_spindle().coasting(speed_at_highest_knob(lathe));
     let [hold, alarm] = ["polygon.stops.main-hold", "polygon.stops.main-alarm"].map(Some);
     let [reset, emergency] = ["polygon.stops.main-reset", "polygon.stops.main-emergency"].map(Some);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
@@ -136,7 +136,7 @@ pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
             ..row(
                 Interruption::PowerFailure,
                 slides_without_supply(sinks),
-                msg!("polygon.stops.phase-lost", angle = (lathe.d.angles.coast_phase.abs(), 0)),
+                msg!("polygon.stops.phase-lost", angle = (lathe.derived.angles.coast_phase.abs(), 0)),
                 msg!("polygon.stops.discard"),
             )
         },

@@ -41,20 +41,20 @@ impl CamLaw {
 
 /// The cam by a law, now and with the knob at its highest position; none where a contact as long as the pitch leaves it no time.
 pub(super) fn by(line: &RibbonLine, law: Law) -> Option<(Cam, Cam)> {
-    let p = &line.p;
+    let p = &line.params;
     let cam = |d: &Derived, axis: &ServoAxis| Cam::new(p, law.coefficients(), d, *axis);
-    let pair = || (cam(&line.d, &line.mechanics.print), cam(&line.fast, &line.fast_mechanics.print));
+    let pair = || (cam(&line.derived, &line.mechanics.print), cam(&line.fast, &line.fast_mechanics.print));
     (p.contact_length < p.pitch).then(pair)
 }
 
 /// The cam by the law of the form.
 pub(super) fn chosen(line: &RibbonLine) -> Option<(Cam, Cam)> {
-    by(line, line.p.cam_law.law()?)
+    by(line, line.params.cam_law.law()?)
 }
 
 /// Whether a law is chosen, but the contact leaves no time for it.
 pub(super) fn has_no_time(line: &RibbonLine) -> bool {
-    line.p.cam_law != CamLaw::Off && chosen(line).is_none()
+    line.params.cam_law != CamLaw::Off && chosen(line).is_none()
 }
 
 /// A figure of the chosen cam now.

@@ -23,12 +23,12 @@ const STRONGEST: f64 = 2.0;
 
 /// Moment of inertia (kg m²) of all rotating parts at the motor's shaft, with the reel.
 fn inertia(line: &RibbonLine) -> f64 {
-    unwinder_load(&line.p, 0.0).inertia
+    unwinder_load(&line.params, 0.0).inertia
 }
 
 /// The stop from `rpm` to rest: web and friction slow down all rotating parts, and the motor's brake when it has closed.
 fn stop(line: &RibbonLine, rpm: f64) -> BrakedStop {
-    BrakedStop::new(inertia(line), rpm * RPM, line.mechanics.unwinder, line.p.unwinding.motor_brake)
+    BrakedStop::new(inertia(line), rpm * RPM, line.mechanics.unwinder, line.params.unwinding.motor_brake)
 }
 
 /// Coasting time (s) from `rpm` to rest. Source: sizing facts 2.2.
@@ -38,7 +38,7 @@ pub(super) fn seconds(line: &RibbonLine, rpm: f64) -> f64 {
 
 /// Time (s) of the linear ramp from the speed at 10 V that lays as much ribbon as the stop. Lower speeds have the same slope.
 pub(super) fn ramp(line: &RibbonLine) -> f64 {
-    stop(line, line.p.speed_at_10v).ramp
+    stop(line, line.params.speed_at_10v).ramp
 }
 
 /// Ribbon (mm) laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
@@ -46,7 +46,7 @@ fn laid_while_x_stops(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64),
     if d.unwinder.actual <= 0.0 {
         return 0.0;
     }
-    let coasting = self::ramp(line) * d.unwinder.actual / line.p.speed_at_10v;
+    let coasting = self::ramp(line) * d.unwinder.actual / line.params.speed_at_10v;
     web::slack_after_stop(d.feeds.line_speed / 60.0, coasting, ramp, delay) - lag
 }
 
@@ -56,8 +56,8 @@ pub(super) fn laid_in_move(line: &RibbonLine, d: &Derived) -> f64 {
     laid_while_x_stops(
         line,
         d,
-        (0.0, line.p.time_constant_x / 1000.0),
-        d.feeds.line_speed / 60.0 / line.p.position_gain_x,
+        (0.0, line.params.time_constant_x / 1000.0),
+        d.feeds.line_speed / 60.0 / line.params.position_gain_x,
     )
 }
 
@@ -86,7 +86,7 @@ struct EndOfMove {
 
 impl EndOfMove {
     fn new(line: &RibbonLine) -> EndOfMove {
-        let p = &line.p;
+        let p = &line.params;
         match p.path_mode {
             PathMode::ExactStop => EndOfMove::default(),
             PathMode::Continuous => EndOfMove {
@@ -106,7 +106,7 @@ pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
 
 /// Judges the loop's capacity against the ribbon laid when a product ends without current; a brake at the motor or a greater loop mends it.
 pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
-    let (capacity, needed) = (line.p.loop_capacity, loop_needed(line));
+    let (capacity, needed) = (line.params.loop_capacity, loop_needed(line));
     let limit = AtMost(capacity);
     if limit.holds(needed) {
         return ok(limit);
@@ -122,7 +122,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     if left > 0.0 {
         let torque = load::braking(inertia(line), line.fast.unwinder.actual * RPM, left);
         let brake = ((torque - line.mechanics.unwinder) / BRAKES).ceil() * BRAKES;
-        if brake <= STRONGEST * line.p.unwinding.torque {
+        if brake <= STRONGEST * line.params.unwinding.torque {
             let set = at_least(FIELDS, "unwinder-motor-brake", brake);
             let button = msg!("advice.set-motor-brake", torque = set.text.as_str());
             advice.push(Advice::from(message.clone()).setting(button, [set]));

@@ -16,7 +16,7 @@ pub(super) const CONTACTS: Citation = Citation::new("ribbon line facts, 11", Gra
 /// The contacts, closed while nothing is wrong. A line without a loop has no sensor of its longest one.
 pub(super) fn holding(line: &RibbonLine) -> Vec<MachineContact> {
     let mut all = vec![MachineContact::InverterEnabled];
-    all.extend((line.p.loop_capacity > 0.0).then_some(MachineContact::LoopNotFull));
+    all.extend((line.params.loop_capacity > 0.0).then_some(MachineContact::LoopNotFull));
     all.extend([MachineContact::WebNotTight, MachineContact::ReelNotEmpty]);
     all
 }
@@ -24,7 +24,7 @@ pub(super) fn holding(line: &RibbonLine) -> Vec<MachineContact> {
 /// Ribbon (mm) that the unwinder still takes off the reel at a hold with the knob at its highest position: `v · t_r / 2`. Source: ribbon
 /// line facts, 11.
 pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
-    let (p, fast) = (&line.p, &line.fast);
+    let (p, fast) = (&line.params, &line.fast);
     let ramp = p.inverter_ramp * fast.unwinder.actual / p.speed_at_10v;
     fast.feeds.line_speed / 60.0 * ramp / 2.0
 }
@@ -58,7 +58,7 @@ pub(super) struct RibbonContacts {
 
 impl RibbonContacts {
     pub(super) fn new(line: &RibbonLine) -> RibbonContacts {
-        let p = &line.p;
+        let p = &line.params;
         let (per_turn, motor) = (unwound(p, 1.0), p.induction());
         let unwinds = per_turn * (p.speed_at_10v * motor.gain().max(1.0) + motor.slip().abs());
         RibbonContacts {

@@ -11,7 +11,7 @@ const UNWINDER: &str = "ribbon.drive.unwinder";
 
 /// The devices. A dancer acts on the trim input of the inverter (sizing facts 2.6).
 pub(super) fn devices(line: &RibbonLine) -> Vec<AskedDevice> {
-    let p = &line.p;
+    let p = &line.params;
     let places = RibbonContacts::new(line);
     let sensor = |item, asked| AskedDevice { item, drive: None, asked };
     let of_unwinder = |item, asked| AskedDevice { item, drive: Some(UNWINDER), asked };

@@ -22,7 +22,7 @@ pub(super) struct DotError {
 impl DotError {
     /// The parts with the line at the speed of its results.
     pub(super) fn of(line: &RibbonLine) -> DotError {
-        let RibbonLine { p, d, mechanics, .. } = line;
+        let RibbonLine { params: p, derived: d, mechanics, .. } = line;
         let half_pulse = |micrometres: f64| micrometres / 2e3;
         // Minutes of arc at the roller.
         let play = |axis: &ServoAxis, diameter: f64| {
@@ -99,6 +99,6 @@ impl ErrorSource {
 /// Strain with which the pull rollers draw the ribbon: that of the tension before them. A turn of theirs passes on as much of it, whatever
 /// the tension behind, so that the dots stand closer by it when the ribbon is slack again. Source: sizing facts 2.6, `v₁T₁ - v₂T₂`.
 pub(super) fn strain(line: &RibbonLine) -> f64 {
-    let p = &line.p;
+    let p = &line.params;
     p.web.tension_before / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)
 }

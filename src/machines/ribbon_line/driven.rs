@@ -45,7 +45,7 @@ const UNWINDER_GEAR: GearFields = GearFields { efficiency: "unwinder-efficiency"
 
 /// The servo motors.
 pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
-    let p = &line.p;
+    let p = &line.params;
     let per_turn = |diameter: f64| PI * diameter;
     let print_turn = if line.degrees() { 360.0 } else { per_turn(p.print_roller_diameter) };
     let gear = |ratio: f64, of: &ServoAxis, fields| FormGear {
@@ -96,16 +96,16 @@ fn is_geared(ratio: f64) -> bool {
 /// The unwinder's gear unit. The inertia at its output is the form's, which includes the rotor, so that the demand on its teeth is
 /// overestimated, never underestimated. A ribbon pulled taut drives the press roller forwards, against brake and friction.
 fn unwinder_gear(line: &RibbonLine) -> FormGear {
-    let pulled = line.mechanics.tautest * line.p.press_roller_diameter / 2e3 - line.mechanics.unwound;
-    let ratio = line.p.reduction_ratio;
-    let load = unwinder_load(&line.p, line.mechanics.unwinder);
+    let pulled = line.mechanics.tautest * line.params.press_roller_diameter / 2e3 - line.mechanics.unwound;
+    let ratio = line.params.reduction_ratio;
+    let load = unwinder_load(&line.params, line.mechanics.unwinder);
     let output = Load { inertia: load.inertia * ratio * ratio, torque: line.mechanics.unwound, efficiency: 1.0 };
     FormGear { ratio, output, hold: 0.0, taut: pulled.max(0.0), backlash: None, fields: UNWINDER_GEAR }
 }
 
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.
 fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
-    let (p, speed) = (&line.p, line.fast.unwinder.actual);
+    let (p, speed) = (&line.params, line.fast.unwinder.actual);
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;
     InverterCycle {
         load: unwinder_load(p, line.mechanics.unwinder),
@@ -124,15 +124,16 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         torque: line.mechanics.unwinder,
         speed: line.fast.unwinder.actual,
         top_speed: line.fast.unwinder.actual,
-        site_share: line.p.unwinding.site_share / 100.0,
-        brake: line.p.unwinding.motor_brake,
+        site_share: line.params.unwinding.site_share / 100.0,
+        brake: line.params.unwinding.motor_brake,
         cycle: Some(unwinder_cycle(line)),
         turn: RPM,
-        load_at_motor: unwinder_load(&line.p, line.mechanics.unwinder),
+        load_at_motor: unwinder_load(&line.params, line.mechanics.unwinder),
         rotor: 0.0,
-        gear: is_geared(line.p.reduction_ratio).then(|| unwinder_gear(line)),
-        full: Some(FullSignal { frequency: line.p.frequency_at_10v, no_load: line.p.no_load_speed }),
-        cooled_at: (!line.p.unwinding.forced_cooling).then_some(line.slow.unwinder.actual.min(line.d.unwinder.actual)),
+        gear: is_geared(line.params.reduction_ratio).then(|| unwinder_gear(line)),
+        full: Some(FullSignal { frequency: line.params.frequency_at_10v, no_load: line.params.no_load_speed }),
+        cooled_at: (!line.params.unwinding.forced_cooling)
+            .then_some(line.slow.unwinder.actual.min(line.derived.unwinder.actual)),
         fields: Some(&UNWINDER),
     }
 }
@@ -140,7 +141,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
 /// The brake resistor of the unwinder's inverter: the energy of a stop, `T ω t / 2`, over a product and its pause, with the knob at its
 /// highest position.
 pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
-    let (p, speed, torque) = (&line.p, line.fast.unwinder.actual, line.mechanics.unwinder_braking);
+    let (p, speed, torque) = (&line.params, line.fast.unwinder.actual, line.mechanics.unwinder_braking);
     let ramp = p.inverter_ramp * speed / p.speed_at_10v;
     let energy = 0.5 * torque * speed * RPM * ramp;
     let cycle = line.fast.product.time + p.pause;
@@ -155,14 +156,14 @@ pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
 
 /// The encoder of the unwinder's motor, where the form has one.
 pub(super) fn encoder(line: &RibbonLine) -> Option<SpindleEncoder> {
-    let of = &line.p.encoder;
+    let of = &line.params.encoder;
     let speed = line.fast.unwinder.actual * of.ratio();
-    line.p.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed, lines: of.lines })
+    line.params.spindle_encoder.then_some(SpindleEncoder { name: "ribbon.drive.unwinder", speed, lines: of.lines })
 }
 
 /// The pitch, which the program reads before each block.
 pub(super) fn pitch(line: &RibbonLine) -> ProductSize {
-    ProductSize { variable: PITCH, size: line.p.pitch }
+    ProductSize { variable: PITCH, size: line.params.pitch }
 }
 
 /// Quantities checked during operation: ribbon in the loop at the most and at the least, and tension while the loop is empty.
@@ -172,7 +173,7 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
         label: "ribbon.gauge.loop",
         unit: "mm",
         decimals: 1,
-        limit: |line| Some(Limit::AtMost(line.p.loop_capacity)),
+        limit: |line| Some(Limit::AtMost(line.params.loop_capacity)),
         field: Some("loop-capacity"),
         value: |line, now| LineState::new(line, now).slack,
     },

@@ -20,7 +20,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
     book.program_state();
     overrides(&mut book, line);
     let rules = line.dialect.spindle();
-    let waits = line.p.wait == Wait::Fin;
+    let waits = line.params.wait == Wait::Fin;
     let reports_speed = waits || rules.reached.is_some();
     let holds = holding(line);
     let requirements = SpindleRequirements {
@@ -48,7 +48,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
 
 /// The knob to the control and to the program, and the fixed feed override.
 fn overrides(book: &mut Book, line: &RibbonLine) {
-    let p = &line.p;
+    let p = &line.params;
     let register = PlcNumber::Signal(SignalRole::SpindleOverride);
     let mut knob = PlcNumber::Knob;
     book.override_valid();
@@ -137,11 +137,11 @@ fn restart(book: &mut Book, line: &RibbonLine) {
         begins(MachineOutput::Reverse),
         vec![on(RESTART), off(waited), off(reset)],
     ];
-    let (seconds, note) = match line.p.wait {
-        Wait::Dwell => (FIN_DELAY + line.p.dwell, "ribbon.ladder.dwell"),
+    let (seconds, note) = match line.params.wait {
+        Wait::Dwell => (FIN_DELAY + line.params.dwell, "ribbon.ladder.dwell"),
         Wait::Fin => (FIN_DELAY, "ribbon.ladder.settle"),
     };
-    if line.p.wait == Wait::Fin {
+    if line.params.wait == Wait::Fin {
         waits.push(vec![on(RESTART), off(speed), off(reset)]);
     }
     book.coil(RESTART, waits, "ribbon.ladder.wait");

@@ -114,7 +114,7 @@ impl Prepared for RibbonLine {
 
     fn summary(&self) -> Option<Message> {
         let speed = units::four_digits(self.line_speed(), 3, "mm/min");
-        Some(msg!("ribbon.summary", speed, dots = four_digits(self.d.timing.dots_per_second, 4)))
+        Some(msg!("ribbon.summary", speed, dots = four_digits(self.derived.timing.dots_per_second, 4)))
     }
 
     fn program(&self) -> MachineProgram {
@@ -122,7 +122,7 @@ impl Prepared for RibbonLine {
             deck: program::deck(self),
             setup: Some(program::SETUP),
             main: program::RUN,
-            newline: self.p.newline.into(),
+            newline: self.params.newline.into(),
         }
     }
 
@@ -139,7 +139,7 @@ impl Prepared for RibbonLine {
     }
 
     fn panel(&self) -> PanelSetup {
-        let percent = if self.p.knob_is_locked() { 100.0 } else { self.form.override_percent };
+        let percent = if self.params.knob_is_locked() { 100.0 } else { self.form.override_percent };
         PanelSetup { spindle_override: Some(percent), override_step: self.form.knob_step.percent() }
     }
 
@@ -201,8 +201,8 @@ impl DrivenMachine for RibbonLine {
     }
 
     fn severe_site(&self) -> Option<SevereSite> {
-        let share = SevereSite::leaving(self.p.unwinding.site_share, "unwinder-site-share");
-        SevereSite::at(self.p.site(), ["site-height", "site-temperature"]).or(share)
+        let share = SevereSite::leaving(self.params.unwinding.site_share, "unwinder-site-share");
+        SevereSite::at(self.params.site(), ["site-height", "site-temperature"]).or(share)
     }
 
     fn product_size(&self) -> Option<ProductSize> {
@@ -210,7 +210,7 @@ impl DrivenMachine for RibbonLine {
     }
 
     fn pause(&self) -> f64 {
-        self.p.pause
+        self.params.pause
     }
 
     fn highest_knob(&self) -> f64 {

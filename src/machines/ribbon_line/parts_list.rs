@@ -52,7 +52,7 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
     let (supply, take_up, print) = (&layout.supply, &layout.take_up, &layout.print);
     let hangs = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
     let heads = DrawnPart {
-        quantity: line.p.heads as u32,
+        quantity: line.params.heads as u32,
         ..part("ribbon.part.head", (print.x + 0.7 * print.r, -1.7 * print.r), &[("", "head-mass"), ("", "head-length")])
     };
     let dancer = DrawnPart { group: group::DANCER, ..part("ribbon.part.dancer", (0.0, 0.0), &[("", "loop-capacity")]) };
@@ -107,5 +107,5 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         part("ribbon.part.take-up", (take_up.x - 0.4 * take_up.r, take_up.y + 0.3 * take_up.r), &[]),
     ];
     // The dancer lies in the loop.
-    to_the_loop.into_iter().chain(line.p.dancer.then_some(dancer)).chain(from_the_nip).collect()
+    to_the_loop.into_iter().chain(line.params.dancer.then_some(dancer)).chain(from_the_nip).collect()
 }

@@ -38,7 +38,7 @@ pub(super) fn check(b: &mut Builder, line: &RibbonLine, number: u32) {
 /// With the position y in heads and its distance `e = y - ROUND(y)` from the nearest head, the way on to the next head is
 /// `ROUND(e + 0.49) - e`: 1 - e if the ribbon is past a head, -e if it is before one.
 pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl FnOnce(Formula) -> NewWord) {
-    let axis = line.p.print_axis.address();
+    let axis = line.params.print_axis.address();
     let Some(position) = position(line) else {
         b.assign(REMAINDER, 0).note(&format!("REMAINDER OF {axis}"));
         b.assign(PHASE, 1).note("A PRODUCT BEGINS");
@@ -73,6 +73,6 @@ pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
     if program_sets_phase(line) {
         return;
     }
-    let (axis, variable) = (line.p.print_axis.address(), line.control.variable(PHASE));
+    let (axis, variable) = (line.params.print_axis.address(), line.control.variable(PHASE));
     writing::alarm(b, line.control, ALARM, &format!("RESET, TURN {axis} TO A HEAD BY HAND, {variable}=0"));
 }

@@ -12,7 +12,7 @@ use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and slip.
 pub(super) fn plant(line: &RibbonLine) -> Plant {
-    let p = &line.p;
+    let p = &line.params;
     let [x_endless, y_endless] = line.rolls_over();
     let x = AxisPlant {
         letter: Some(PULL),
@@ -50,7 +50,7 @@ pub(super) fn plant(line: &RibbonLine) -> Plant {
 
 /// The unwinder. A dancer trims it to the pull of X: no slip, and π as the program writes it.
 fn spindle(line: &RibbonLine) -> SpindlePlant {
-    let p = &line.p;
+    let p = &line.params;
     let motor = p.induction();
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };

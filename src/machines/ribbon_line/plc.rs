@@ -40,9 +40,9 @@ impl RibbonPlc {
             ladder: LadderPlc::new(ladder(line), wiring, line.control),
             contacts: RibbonContacts::new(line),
             opened: None,
-            typed: line.p.knob_turns_alone().then(|| line.p.override_stepped()),
+            typed: line.params.knob_turns_alone().then(|| line.params.override_stepped()),
             filled: (program::feed_override_acts(line) || program::feed_override_stops(line))
-                .then_some((line.d.feeds.k, line.p.loop_capacity)),
+                .then_some((line.derived.feeds.k, line.params.loop_capacity)),
             stops_alone: program::feed_override_stops(line),
         }
     }

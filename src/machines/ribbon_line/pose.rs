@@ -51,7 +51,7 @@ pub(super) struct LineState {
 
 impl LineState {
     pub(super) fn new(line: &RibbonLine, now: &Snapshot) -> LineState {
-        let p = &line.p;
+        let p = &line.params;
         let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
         // The axis itself, which lags its command.
         let pulled = x.actual;
@@ -87,7 +87,7 @@ impl LineState {
 
 /// The number of dots on the ribbon.
 pub(super) fn dots_printed(line: &RibbonLine, now: &Snapshot) -> f64 {
-    LineState::new(line, now).passed(&line.p).1.max(0.0)
+    LineState::new(line, now).passed(&line.params).1.max(0.0)
 }
 
 /// A group turned about its own origin.
@@ -121,7 +121,7 @@ fn seen(step: f64) -> f64 {
 
 /// Rollers below the ribbon turn clockwise, rollers above it counter-clockwise; a motor turns by its gear ratio.
 fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose: &mut Pose) {
-    let p = &line.p;
+    let p = &line.params;
     let pinch = 1.0 / scene::layout::PINCH;
     let motor = now.spindle.turns;
     let rows = [
@@ -154,7 +154,7 @@ fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, 
 
 /// Reels turn with the ribbon on their radius, and shrink and grow by its thickness.
 fn reels(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
-    let (layout, t) = (line.layout(), line.p.ribbon_thickness);
+    let (layout, t) = (line.layout(), line.params.ribbon_thickness);
     let rows: [(&DrawnReel, f64, [u16; 3]); 2] = [
         (&layout.supply, -state.unwound.max(0.0), [group::REEL_BODY, group::REEL_FACE, group::REEL_HUB]),
         (&layout.take_up, state.pulled.max(0.0), [group::TAKE_UP_BODY, group::TAKE_UP_FACE, group::TAKE_UP_HUB]),
@@ -176,7 +176,7 @@ fn reels(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
 
 /// The print roller with its heads, also in the lens. The stroboscope flashes when a head meets the ribbon.
 fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut Pose) {
-    let head = 360.0 / line.p.heads;
+    let head = 360.0 / line.params.heads;
     let angle = state.print_angle + 1e-6;
     let flash = if frame.drawing_option { (angle / head).floor() * head } else { angle };
     let heads_seen = if frame.drawing_option { 1.0 } else { seen(state.speeds[2] * frame.step) };
@@ -185,14 +185,14 @@ fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut P
     }
     pose.placements.push(turned(group::PRINT, -flash, heads_seen));
     pose.placements.push(shown(group::PRINT_BLUR, 0.6 * (1.0 - heads_seen)));
-    let lens = Lens::new(line.layout(), &line.p, line.d.surface.smear);
+    let lens = Lens::new(line.layout(), &line.params, line.derived.surface.smear);
     let (cy, turn) = (lens.centre(), -(flash - (flash / head).floor() * head));
     pose.placements.push(Placement { turn, cy, opacity: 0.25 + 0.75 * heads_seen, ..Placement::of(group::LENS_HEADS) });
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
 fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose: &mut Pose) {
-    let (p, layout) = (&line.p, line.layout());
+    let (p, layout) = (&line.params, line.layout());
     let (part, _) = state.passed(p);
     let part = if frame.drawing_option { 0.0 } else { part };
     let step = (now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch).abs();
@@ -208,7 +208,7 @@ fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose
     pose.dashes.push((node::DOTS, 0.5 * long - part * p.pitch));
     pose.placements.push(shown(group::DOTS, clear * any));
     pose.placements.push(shown(group::DOTS_BLUR, 0.7 * (1.0 - clear) * any));
-    let lens = Lens::new(layout, p, line.d.surface.smear);
+    let lens = Lens::new(layout, p, line.derived.surface.smear);
     for id in [node::LENS_DOTS, node::LENS_SMEAR] {
         pose.dashes.push((id, -part * lens.pitch));
         pose.paths.push((id, lens.row(state.pulled.max(0.0))));
@@ -218,7 +218,7 @@ fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, pose
 
 /// Whether the loop is within its range: neither tight nor beyond its capacity.
 fn holds(line: &RibbonLine, state: &LineState) -> bool {
-    state.slack >= TIGHT && (state.slack <= line.p.loop_capacity || line.p.loop_capacity <= 0.0)
+    state.slack >= TIGHT && (state.slack <= line.params.loop_capacity || line.params.loop_capacity <= 0.0)
 }
 
 /// The loop hangs as deep as its slack, at most on the floor.
@@ -241,7 +241,7 @@ fn lamps(now: &Snapshot, state: &LineState, pose: &mut Pose) {
 }
 
 fn texts(line: &RibbonLine, now: &Snapshot, state: &LineState) -> Vec<(u16, String)> {
-    let p = &line.p;
+    let p = &line.params;
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();
     let head = met - (met / heads).floor() * heads + 1.0;

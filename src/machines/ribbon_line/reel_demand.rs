@@ -15,13 +15,13 @@ pub(super) fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
 
 /// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
 pub(super) fn time(line: &RibbonLine) -> f64 {
-    let length = wound(&line.p).length();
+    let length = wound(&line.params).length();
     if length > 0.0 { 60e3 * length / line.line_speed() } else { 0.0 }
 }
 
 /// Products that a reel makes until its sensor holds the program.
 fn products_of_ribbon(line: &RibbonLine) -> f64 {
-    (1e3 * wound(&line.p).length() - left_at_reel_end(line)).max(0.0) / line.d.product.length
+    (1e3 * wound(&line.params).length() - left_at_reel_end(line)).max(0.0) / line.derived.product.length
 }
 
 /// Whole products that a reel makes until its sensor holds the program.
@@ -33,13 +33,13 @@ pub(super) fn products(line: &RibbonLine) -> f64 {
 /// 0 of a reel without ribbon.
 pub(super) fn change_time(line: &RibbonLine) -> f64 {
     let products = products_of_ribbon(line);
-    let change = line.p.unwinding.reel_change;
+    let change = line.params.unwinding.reel_change;
     if products > 0.0 { change / if products >= 1.0 { products.floor() } else { products } } else { 0.0 }
 }
 
 /// Products per hour at the line speed: `3600 / (time of a product + pause + time of reel changes)`.
 pub(super) fn products_per_hour(line: &RibbonLine) -> f64 {
-    3600.0 / (line.d.product.time + line.p.pause + change_time(line))
+    3600.0 / (line.derived.product.time + line.params.pause + change_time(line))
 }
 
 /// Pull (N) of the reel over the inverter's ramp, at the diameter with the greatest mass at the web.
@@ -50,6 +50,6 @@ pub(super) fn ramp_pull(p: &Params) -> f64 {
 
 /// Pull (N) of the reel while the unwinder coasts without current: the deceleration is the same from every speed.
 pub(super) fn coasting_pull(line: &RibbonLine) -> f64 {
-    let reel = wound(&line.p);
-    reel.pull(reel.worst(), coasting_acceleration(&line.p, line.p.unwinding.brake))
+    let reel = wound(&line.params);
+    reel.pull(reel.worst(), coasting_acceleration(&line.params, line.params.unwinding.brake))
 }

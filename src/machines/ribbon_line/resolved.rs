@@ -29,9 +29,9 @@ pub(crate) struct RibbonLine {
     /// The form as filled in.
     pub(super) form: Params,
     /// The form, with the control's own choice where it lacks the chosen one.
-    pub(super) p: Params,
+    pub(super) params: Params,
     /// The results of the formulas.
-    pub(super) d: Derived,
+    pub(super) derived: Derived,
     /// Results of the formulas with the override knob at its highest position; the present ones if the line is at rest.
     pub(super) fast: Derived,
     /// Results of the formulas with the override knob at its lowest position, if the line runs there; otherwise the present ones.
@@ -49,40 +49,52 @@ impl RibbonLine {
     /// Fits the form to the control and computes the formulas.
     pub(super) fn resolve(form: Params, on: ControlContext) -> RibbonLine {
         let (control, dialect) = (on.control, on.dialect());
-        let mut p = form.clone();
-        p.print_axis = form.print_axis_on(control);
-        match p.print_axis {
+        let mut params = form.clone();
+        params.print_axis = form.print_axis_on(control);
+        match params.print_axis {
             PrintAxis::Y => {}
-            PrintAxis::C => p.y_unit = YUnit::Degrees,
-            PrintAxis::Z => p.y_unit = YUnit::Millimetres,
+            PrintAxis::C => params.y_unit = YUnit::Degrees,
+            PrintAxis::Z => params.y_unit = YUnit::Millimetres,
         }
-        p.endless = form.endless_on(control);
+        params.endless = form.endless_on(control);
         if !form.has_final_speed_signal(control) {
-            p.override_form = OverrideForm::Percent;
+            params.override_form = OverrideForm::Percent;
         }
         if !form.stops_exactly(control) {
-            p.path_mode = PathMode::Continuous;
+            params.path_mode = PathMode::Continuous;
         }
-        p.typed_override = form.types_override(control);
+        params.typed_override = form.types_override(control);
         let knob = dialect.spindle().knob;
         if dialect.device(control, SignalRole::SpindleOverrideCode).is_some() {
             // A code has positions of its own, and no others reach spindle or program.
-            (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
+            (params.override_percent, params.knob_step) = (knob.nearest(params.override_percent), KnobStep::Ten);
         }
-        let [d, fast, slow] = derive_over_knob(&p, knob, &control.analog_output);
-        let tautest = greatest([&d, &fast, &slow], |at| at.tension.greatest(&p));
-        let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d, tautest), Mechanics::new(&p, &fast, tautest));
-        RibbonLine { form, p, d, fast, slow, mechanics, fast_mechanics, control, dialect, layout: OnceLock::new() }
+        let [derived, fast, slow] = derive_over_knob(&params, knob, &control.analog_output);
+        let tautest = greatest([&derived, &fast, &slow], |at| at.tension.greatest(&params));
+        let (mechanics, fast_mechanics) =
+            (Mechanics::new(&params, &derived, tautest), Mechanics::new(&params, &fast, tautest));
+        RibbonLine {
+            form,
+            params,
+            derived,
+            fast,
+            slow,
+            mechanics,
+            fast_mechanics,
+            control,
+            dialect,
+            layout: OnceLock::new(),
+        }
     }
 
     /// Results of the formulas for another form, with the knob as it is, at its highest and at its lowest position.
-    pub(super) fn with(&self, p: &Params) -> [Derived; 3] {
-        derive_over_knob(p, self.dialect.spindle().knob, &self.control.analog_output)
+    pub(super) fn with(&self, params: &Params) -> [Derived; 3] {
+        derive_over_knob(params, self.dialect.spindle().knob, &self.control.analog_output)
     }
 
     /// The results with the knob as it is, at its highest and at its lowest position.
     pub(super) fn over_knob(&self) -> [&Derived; 3] {
-        [&self.d, &self.fast, &self.slow]
+        [&self.derived, &self.fast, &self.slow]
     }
 
     /// The results at the position of the knob at which the quantity `of` is greatest.
@@ -98,25 +110,25 @@ impl RibbonLine {
 
     /// Frequency (Hz) of the unwinder's motor at the lowest position of the knob at which it turns, at most the present one.
     pub(super) fn lowest_frequency(&self) -> f64 {
-        let (p, now) = (&self.p, self.d.unwinder.frequency);
-        if now <= 0.0 || p.knob_is_locked() {
+        let (params, now) = (&self.params, self.derived.unwinder.frequency);
+        if now <= 0.0 || params.knob_is_locked() {
             return now;
         }
         let lowest = self.dialect.spindle().knob.lowest_turning() / 100.0;
-        now.min(p.frequency_at_10v * p.spindle_speed * lowest / p.speed_at_10v)
+        now.min(params.frequency_at_10v * params.spindle_speed * lowest / params.speed_at_10v)
     }
 
     /// Positions and sizes in the drawing.
     pub(super) fn layout(&self) -> &Layout {
         self.layout.get_or_init(|| {
-            let [unwinder, pull, print] = names(&self.p).map(|name| columns(&name));
-            Layout::new(&self.p, [unwinder, pull, print, columns(&distance(&self.p))])
+            let [unwinder, pull, print] = names(&self.params).map(|name| columns(&name));
+            Layout::new(&self.params, [unwinder, pull, print, columns(&distance(&self.params))])
         })
     }
 
     /// Speed now over the speed with the knob at its highest position: a limit that holds there is so much lower here.
     pub(super) fn knob_share(&self) -> f64 {
-        if self.fast.unwinder.actual > 0.0 { self.d.unwinder.actual / self.fast.unwinder.actual } else { 1.0 }
+        if self.fast.unwinder.actual > 0.0 { self.derived.unwinder.actual / self.fast.unwinder.actual } else { 1.0 }
     }
 
     /// Index of the axis that pulls, in the control's order.
@@ -126,23 +138,23 @@ impl RibbonLine {
 
     /// Index of the print roller's axis.
     pub(super) fn print(&self) -> usize {
-        self.control.axis(self.p.print_axis.address()).unwrap_or(0)
+        self.control.axis(self.params.print_axis.address()).unwrap_or(0)
     }
 
     /// Driven speed over commanded speed, now or with the knob at its highest position: a feed per revolution follows the measured speed of
     /// the unwinder.
     pub(super) fn driven_share(&self, at: &Derived) -> f64 {
-        self.p.followed(at.unwinder.error)
+        self.params.followed(at.unwinder.error)
     }
 
     /// Driven speed of the ribbon, mm/min.
     pub(super) fn line_speed(&self) -> f64 {
-        self.d.feeds.line_speed * self.driven_share(&self.d)
+        self.derived.feeds.line_speed * self.driven_share(&self.derived)
     }
 
     /// Letter of the print roller's axis.
     pub(super) fn letter(&self) -> String {
-        self.p.print_axis.address().to_string()
+        self.params.print_axis.address().to_string()
     }
 
     /// Units of X words per millimetre of ribbon: 2 where they are diameters.
@@ -152,14 +164,14 @@ impl RibbonLine {
 
     /// Degrees instead of millimetres.
     pub(super) fn degrees(&self) -> bool {
-        self.p.y_unit == YUnit::Degrees
+        self.params.y_unit == YUnit::Degrees
     }
 
     /// Whether the coordinates of the pull axis and of the print roller roll over. The print roller's always do if they count degrees. In
     /// mm they do not where the program looks for a head: the coordinate would lose the phase with each turn, whose length is no whole
     /// number of increments.
     pub(super) fn rolls_over(&self) -> [bool; 2] {
-        let rolls = self.p.endless == Endless::RollOver;
+        let rolls = self.params.endless == Endless::RollOver;
         [rolls, self.degrees() || rolls && !self.reads_positions()]
     }
 
@@ -175,23 +187,23 @@ impl RibbonLine {
 
     /// Drives of the pull axis and of the print roller. `print` is the name of its axis.
     pub(super) fn drives<'a>(&self, print: &'a str) -> [AxisDrive<'a>; 2] {
-        let p = &self.p;
+        let params = &self.params;
         let [pull_rolls, print_rolls] = self.rolls_over();
-        let turn = if self.degrees() { 360.0 } else { PI * p.print_roller_diameter };
+        let turn = if self.degrees() { 360.0 } else { PI * params.print_roller_diameter };
         [
             AxisDrive {
                 axis: "X",
-                lead: PI * p.x_roller_diameter,
-                gear: (p.gear_x, 1.0),
-                encoder: p.encoder_x,
+                lead: PI * params.x_roller_diameter,
+                gear: (params.gear_x, 1.0),
+                encoder: params.encoder_x,
                 rotary: pull_rolls,
                 words: f64::from(self.pull_words()),
             },
             AxisDrive {
                 axis: print,
                 lead: turn,
-                gear: (p.gear_y, 1.0),
-                encoder: p.encoder_y,
+                gear: (params.gear_y, 1.0),
+                encoder: params.encoder_y,
                 rotary: print_rolls,
                 words: 1.0,
             },
@@ -200,23 +212,27 @@ impl RibbonLine {
 
     /// F counts per revolution of the unwinder.
     pub(super) fn feeds_per_revolution(&self) -> bool {
-        self.p.feeds_per_revolution()
+        self.params.feeds_per_revolution()
     }
 
     /// The largest F: the range of the control, in mm/min also the limit of the form.
     pub(super) fn feed_max(&self) -> f64 {
         let limits = &self.control.limits;
-        if self.feeds_per_revolution() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
+        if self.feeds_per_revolution() {
+            limits.revolution_feed_max
+        } else {
+            self.params.feed_limit.min(limits.feed_max)
+        }
     }
 
     /// Length (mm) of a dot along the ribbon.
     pub(super) fn dot_length(&self) -> f64 {
-        web::mark_length(self.p.print.head_length, self.d.surface.ratio, self.p.contact_length)
+        web::mark_length(self.params.print.head_length, self.derived.surface.ratio, self.params.contact_length)
     }
 
     /// Ribbon (mm) between two dots; negative where they run into each other.
     pub(super) fn dot_gap(&self) -> f64 {
-        self.p.pitch - self.dot_length()
+        self.params.pitch - self.dot_length()
     }
 
     /// Variable of the override: the macro input, or the variable in which it is typed.
@@ -237,13 +253,13 @@ fn highest(knob: Steps) -> f64 {
 
 /// Results of the formulas with the knob as it is, at its highest and at its lowest position. A locked knob has no other position, a line
 /// at standstill neither; at a lowest position of 0 % the line is at rest, and the present results are used.
-fn derive_over_knob(p: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
-    let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..p.clone() }, output);
-    let now = Derived::new(p, output);
-    if now.unwinder.actual <= 0.0 || p.knob_is_locked() {
+fn derive_over_knob(params: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
+    let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..params.clone() }, output);
+    let now = Derived::new(params, output);
+    if now.unwinder.actual <= 0.0 || params.knob_is_locked() {
         return [now.clone(), now.clone(), now];
     }
-    let fast = at(highest(knob).max(p.override_percent));
-    let slow = if knob.low > 0.0 { at(knob.low.min(p.override_percent)) } else { now.clone() };
+    let fast = at(highest(knob).max(params.override_percent));
+    let slow = if knob.low > 0.0 { at(knob.low.min(params.override_percent)) } else { now.clone() };
     [now, fast, slow]
 }

@@ -22,7 +22,7 @@ pub(super) fn sheets(line: &RibbonLine) -> Vec<Sheet> {
 
 /// Parameters with their values for this project.
 fn parameters(line: &RibbonLine) -> Sheet {
-    let p = &line.p;
+    let p = &line.params;
     let print: &str = &p.print_axis.address().to_string();
     let number = |value: f64| ParamValue::Number(value);
     let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];

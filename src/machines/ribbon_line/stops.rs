@@ -23,10 +23,10 @@ pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
 
 /// The table, with the ribbon (mm) that each interruption lays into the loop.
 pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
-    let (d, print) = (&line.d, line.p.print_axis.address().to_string());
+    let (d, print) = (&line.derived, line.params.print_axis.address().to_string());
     let laid = |mm: f64| msg!("ribbon.stops.laid", length = (mm, 0));
     let worst = worst_loop(line);
-    let left = line.p.loop_capacity - (worst.slack.loop_needed - worst.slack.interruption);
+    let left = line.params.loop_capacity - (worst.slack.loop_needed - worst.slack.interruption);
     let again = match worst.slack.interruption {
         none if none <= 0.0 => laid(0.0),
         each => msg!(
@@ -110,7 +110,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
 
 /// Rows of the contacts that hold the program, with the alarm of an inverter that is not ready.
 fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
-    let (d, print) = (&line.d, line.p.print_axis.address().to_string());
+    let (d, print) = (&line.derived, line.params.print_axis.address().to_string());
     let (axis, program_sets_phase, in_step) =
         (print.as_str(), phase::program_sets_phase(line), line.feeds_per_revolution());
     let variable = line.control.variable(PHASE);

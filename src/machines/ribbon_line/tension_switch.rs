@@ -33,23 +33,23 @@ impl TensionSwitch {
 /// Stretch (mm) of the ribbon before X at a tension (N): `s = (T - T1) · L / (E · A)`, and none where T1 is above that. Source: ribbon line
 /// facts, 7 and 11.
 fn stretch(line: &RibbonLine, tension: f64) -> f64 {
-    (tension - line.p.web.tension_before).max(0.0) * line.p.web.span / force_per_strain(line)
+    (tension - line.params.web.tension_before).max(0.0) * line.params.web.span / force_per_strain(line)
 }
 
 /// Tension (N) of the ribbon before X where some of it (mm) is missing: `T = T1 + E · A · s / L`. Source: ribbon line facts, 7.
 pub(super) fn tension(line: &RibbonLine, missing: f64) -> f64 {
-    line.p.web.tension_before + force_per_strain(line) * missing / line.p.web.span
+    line.params.web.tension_before + force_per_strain(line) * missing / line.params.web.span
 }
 
 /// Force (N) that would double the length of the ribbon: `E · A`.
 fn force_per_strain(line: &RibbonLine) -> f64 {
-    let p = &line.p;
+    let p = &line.params;
     web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0)
 }
 
 /// Way (mm) of X from a hold to its stop with the knob at its highest position: `v · (τ / 2 + 1 / K)`. Source: ribbon line facts, 11.
 fn way_to_the_stop(line: &RibbonLine) -> f64 {
-    line.fast.feeds.line_speed / 60.0 * (line.p.time_constant_x / 2000.0 + 1.0 / line.p.position_gain_x)
+    line.fast.feeds.line_speed / 60.0 * (line.params.time_constant_x / 2000.0 + 1.0 / line.params.position_gain_x)
 }
 
 /// Stretch (mm) of the ribbon that is left for the switch when X keeps its way to the stop; negative where the ribbon tears or slips
@@ -76,7 +76,7 @@ pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
 
 /// An advice to press so hard that the switch opens where at least so much ribbon (mm) is missing; alone where the ribbon would break.
 pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> Advice {
-    let (p, half) = (&line.p, line.d.tension.limit);
+    let (p, half) = (&line.params, line.derived.tension.limit);
     let (allowed, holds) = (tension(line, missing), tension(line, missing + way_to_the_stop(line)));
     if allowed > half || holds > 2.0 * half {
         return message.into();

@@ -24,7 +24,7 @@ impl UnwindingParams {
 /// The shortest ramp (s to the speed at 10 V) for whose start and stop the unwinder's motor has the torque, with the knob at its highest
 /// position; infinite where its load takes all of it.
 pub(super) fn shortest_ramp(line: &RibbonLine) -> f64 {
-    let (p, mechanics) = (&line.p, &line.mechanics);
+    let (p, mechanics) = (&line.params, &line.mechanics);
     let (steady, rise) = (mechanics.unwinder, mechanics.unwinder_ramp - mechanics.unwinder);
     let motor = |share: f64| p.unwinding.short_time(share, line.fast.unwinder.frequency);
     let left = (motor(SHORT_TIME) - steady).min(motor(p.unwinding.motor_braking / 100.0) + steady);

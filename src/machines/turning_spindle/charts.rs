@@ -30,13 +30,13 @@ pub(super) const ROWS: &[ChartRow<TurningSpindle>] = &[
 
 /// The upper limit of the speed, where the program commands a constant surface speed.
 fn upper_limit(lathe: &TurningSpindle) -> Vec<ChartLimit> {
-    let limit = ChartLimit { label: "turning.upper-limit", value: lathe.p.upper_limit };
+    let limit = ChartLimit { label: "turning.upper-limit", value: lathe.params.upper_limit };
     if lathe.surface() { vec![limit] } else { Vec::new() }
 }
 
 /// Charts over the diameter: constant surface speed beside the fixed speed.
 pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
-    let d = &lathe.d;
+    let d = &lathe.derived;
     let points = points.max(2);
     let step = (d.cut.largest - d.cut.smallest) / (points - 1) as f64;
     let held = |diameter: f64| d.speeds.held.at(diameter).0;
@@ -84,7 +84,7 @@ const STAGES: [(&str, u8); 4] = [
 
 /// Charts over the speed of the spindle: torque and power of the motor in each gear stage, and the demand of the cut.
 pub(super) fn charts_by_speed(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
-    let (p, d) = (&lathe.p, &lathe.d);
+    let (p, d) = (&lathe.params, &lathe.derived);
     let points = points.max(2);
     let stages = STAGES.into_iter().zip(p.stages());
     let stages =

@@ -17,12 +17,12 @@ pub(super) const FIELD: &str = "motor-forced-cooling";
 
 /// The fan of a motor with forced cooling.
 pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
-    Vec::from_iter(main_spindle::fan(driven::NAME, lathe.p.spindle.forced_cooling))
+    Vec::from_iter(main_spindle::fan(driven::NAME, lathe.params.spindle.forced_cooling))
 }
 
 /// Forced cooling, where the motor carries the cut with it and not with a fan on its shaft.
 pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
-    let (d, limit) = (&lathe.d, lathe.d.load.torque_available);
+    let (d, limit) = (&lathe.derived, lathe.derived.load.torque_available);
     let speed = motor_speed(lathe, d);
     let said = msg!("lathe.shaft-fan", speed = (speed, 0), torque = (d.load.torque, 1), limit = (limit, 1));
     carries_with_forced(lathe, d).then(|| forced_cooling_advice(FIELD, said))
@@ -31,7 +31,7 @@ pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
 /// Cut and friction at the positions of the knobs.
 pub(super) fn torques(lathe: &TurningSpindle) -> Vec<TorqueAtKnobs> {
     let all = lathe.cuts_at_knobs();
-    let of = |CutAtKnobs { at, p, d }: CutAtKnobs| {
+    let of = |CutAtKnobs { at, params: p, derived: d }: CutAtKnobs| {
         let most = |motor: MotorCurve| d.times.for_the_cut(p, motor.torque(d.speeds.largest_whole));
         let motor = p.continuous(d.stage.speed);
         let (limit, forced) = (most(motor), most(motor.with_shaft_fan(false)));
@@ -42,8 +42,8 @@ pub(super) fn torques(lathe: &TurningSpindle) -> Vec<TorqueAtKnobs> {
 
 /// Cut and friction at the positions of the knobs, where the fan on the motor's shaft cools too little and forced cooling enough.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
-    let d = &lathe.d;
-    if lathe.p.cutting_force <= 0.0 || d.load.torque > d.load.torque_available {
+    let d = &lathe.derived;
+    if lathe.params.cutting_force <= 0.0 || d.load.torque > d.load.torque_available {
         return None;
     }
     match knobs::torque_remedy(&torques(lathe), FIELD, Advice::from)? {
@@ -53,7 +53,7 @@ pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
 }
 
 fn carries_with_forced(lathe: &TurningSpindle, d: &Derived) -> bool {
-    let forced = lathe.p.continuous(d.stage.speed).with_shaft_fan(false);
-    !lathe.p.spindle.forced_cooling
-        && d.load.torque <= d.times.for_the_cut(&lathe.p, forced.torque(d.speeds.largest_whole))
+    let forced = lathe.params.continuous(d.stage.speed).with_shaft_fan(false);
+    !lathe.params.spindle.forced_cooling
+        && d.load.torque <= d.times.for_the_cut(&lathe.params, forced.torque(d.speeds.largest_whole))
 }

@@ -21,7 +21,7 @@ const HALVINGS: u32 = 20;
 
 /// The spindle's motor in stretches of a run, at its shaft.
 pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
-    let (p, gear) = (&lathe.p, driven::gear(lathe));
+    let (p, gear) = (&lathe.params, driven::gear(lathe));
     let idle = Motion::new(speed_segments(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
     p.spindle.run(driven::NAME, idle, cuts(lathe, run, stretches))
 }
@@ -41,7 +41,7 @@ pub(super) fn working(lathe: &TurningSpindle, run: &dyn Samples, until: f64) -> 
 
 /// The spans in which the tool cuts, each so short that its mean torque holds.
 fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec<CutSpan> {
-    let (p, gear) = (&lathe.p, driven::gear(lathe));
+    let (p, gear) = (&lathe.params, driven::gear(lathe));
     let Some((from, to)) = stretches.first().zip(stretches.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
         return Vec::new();
     };
@@ -80,7 +80,7 @@ struct Tip {
 
 impl Tip {
     fn at(lathe: &TurningSpindle, run: &dyn Samples, t: f64) -> Tip {
-        let p = &lathe.p;
+        let p = &lathe.params;
         let now = run.at(t);
         let (diameter, (_, z)) = (lathe.diameter(&now), lathe.tool(&now));
         let moves =

@@ -18,7 +18,7 @@ use crate::view::{Advice, Limit};
 /// The spindle's motor with the cut and the friction at the largest diameter of the cut, where they ask the greatest torque; none where nothing is
 /// known of the cutting force. The rest of its demand is that of the run.
 pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
-    let (p, d) = (&lathe.p, &lathe.d);
+    let (p, d) = (&lathe.params, &lathe.derived);
     if p.cutting_force <= 0.0 || d.stage.speed <= 0.0 {
         return None;
     }
@@ -49,7 +49,7 @@ pub(super) const NAME: &str = "turning.drive.spindle";
 
 /// Speed of the motor over that of the spindle in the program's gear stage.
 pub(super) fn gear(lathe: &TurningSpindle) -> f64 {
-    lathe.p.spindle.gear(lathe.d.stage.speed)
+    lathe.params.spindle.gear(lathe.derived.stage.speed)
 }
 
 /// Speed (r/min) of the motor at the largest diameter of the cut, where it turns slowest.
@@ -62,24 +62,24 @@ pub(super) fn motor_speed(lathe: &TurningSpindle, d: &Derived) -> f64 {
 fn cooled_at(lathe: &TurningSpindle) -> Option<f64> {
     let slow = lathe.at_lowest_knob();
     let slowest = slow.map_or(f64::INFINITY, |(_, slow)| motor_speed(lathe, slow));
-    (!lathe.p.spindle.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.d)))
+    (!lathe.params.spindle.forced_cooling).then(|| slowest.min(motor_speed(lathe, &lathe.derived)))
 }
 
 /// Chuck and work at the motor, against the friction of the spindle.
 pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
-    let p = &lathe.p;
-    p.spindle.load_at_motor(p.spindle_gear(lathe.d.stage.speed), p.spindle_inertia + p.work_inertia())
+    let p = &lathe.params;
+    p.spindle.load_at_motor(p.spindle_gear(lathe.derived.stage.speed), p.spindle_inertia + p.work_inertia())
 }
 
 /// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
-    let of = &lathe.p.encoder;
+    let of = &lathe.params.encoder;
     SpindleEncoder { name: NAME, speed: run_up::greatest_speed(lathe) * of.ratio(), lines: of.lines }
 }
 
 /// Abilities of the inverter that the catalogue does not tell: a speed input of both signs, and the feedback of a position loop.
 pub(super) fn inverter_abilities(lathe: &TurningSpindle) -> Vec<Message> {
-    let both_signs = (lathe.p.output == Output::Bipolar).then(|| msg!("size.bill.bipolar-input"));
+    let both_signs = (lathe.params.output == Output::Bipolar).then(|| msg!("size.bill.bipolar-input"));
     let feedback = lathe.positions().then(|| msg!("size.bill.encoder-feedback"));
     both_signs.into_iter().chain(feedback).collect()
 }
@@ -98,7 +98,7 @@ const MOTIONS: f64 = 4.0;
 
 /// Starts per minute of the slides over all passes, with the knob at its highest position.
 fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
-    let (p, d) = (&lathe.p, &lathe.d);
+    let (p, d) = (&lathe.params, &lathe.derived);
     let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.times.cutting);
     // The way back over the whole cut, along its longer axis.
     let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
@@ -115,12 +115,12 @@ fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
 
 impl HasSlides for TurningSpindle {
     fn slides(&self) -> [ServoSlide; 2] {
-        self.p.slides.servos(SlideDuty {
+        self.params.slides.servos(SlideDuty {
             axes: [self.cross(), self.along()],
-            site_share: self.p.site_share,
-            cutting_force: self.p.cutting_force,
+            site_share: self.params.site_share,
+            cutting_force: self.params.cutting_force,
             starts_per_minute: starts_per_minute(self),
-            x_cuts_downhill: self.p.path == Path::Facing,
+            x_cuts_downhill: self.params.path == Path::Facing,
         })
     }
 
@@ -129,8 +129,9 @@ impl HasSlides for TurningSpindle {
     }
 
     fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice {
-        let exponent = self.p.material.kienzle().map(|row| row.exponent);
-        let set = exponent.map(|exponent| at_most(FIELDS, "feed", self.p.feed * cutting::feed_share(share, exponent)));
+        let exponent = self.params.material.kienzle().map(|row| row.exponent);
+        let set =
+            exponent.map(|exponent| at_most(FIELDS, "feed", self.params.feed * cutting::feed_share(share, exponent)));
         knobs::setting_feeds(advice, set.into_iter().collect())
     }
 }
@@ -138,7 +139,7 @@ impl HasSlides for TurningSpindle {
 /// Highest speed (r/min) that the spindle may turn: the operator's limit too, where the control does not hold it: at a fixed speed, and
 /// against an override that acts after the limits.
 fn highest_speed(lathe: &TurningSpindle) -> f64 {
-    let p = &lathe.p;
+    let p = &lathe.params;
     if lathe.surface() && !lathe.rules().override_last { p.chuck_limit } else { p.chuck_limit.min(p.upper_limit) }
 }
 

@@ -31,7 +31,7 @@ fn speeds(lathe: &TurningSpindle) -> [SpeedEntry; 3] {
 /// The advice about a full output, with the button of the first entry that alone brings the speed within it.
 pub(super) fn remedy(lathe: &TurningSpindle, message: Message) -> Advice {
     let (form, advice) = (&lathe.form, Advice::from(message));
-    let holds = |form: Params| lathe.with(form).d.speeds.bound != Bound::Output;
+    let holds = |form: Params| lathe.with(form).derived.speeds.bound != Bound::Output;
     if form.gear != Gear::Best && holds(Params { gear: Gear::Best, ..form.clone() }) {
         return advice.setting(msg!("advice.best-stage"), [("gear", "best".to_owned())]);
     }

@@ -22,7 +22,7 @@ pub(super) struct GearTimes {
 
 /// An eighth of the gear change before, half of it meshing, the rest after.
 pub(super) fn gear_times(lathe: &TurningSpindle) -> GearTimes {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let patience = (p.gear_patience > 0.0).then_some(p.gear_patience);
     let seconds = p.gear_time;
     GearTimes { before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
@@ -30,13 +30,13 @@ pub(super) fn gear_times(lathe: &TurningSpindle) -> GearTimes {
 
 /// Whether the spindle has gears to change.
 pub(super) fn has_gears(lathe: &TurningSpindle) -> bool {
-    lathe.p.stages().nth(1).is_some()
+    lathe.params.stages().nth(1).is_some()
 }
 
 /// Seconds in which the spindle slows down in the stage that it leaves: `t · n / n10`, t the ramp from 0 to the speed n10 at 10 V, n the
 /// highest speed in that stage, at most the chuck's limit; of all stages the longest. Source: turning spindle facts, 2.
 pub(super) fn slowing(lathe: &TurningSpindle) -> f64 {
-    let p = &lathe.p;
+    let p = &lathe.params;
     p.stages().map(|n10| p.spindle.ramp * n10.min(p.chuck_limit) / n10).fold(0.0, f64::max)
 }
 

@@ -16,7 +16,7 @@ use crate::view::Advice;
 
 /// Errors and warnings about the angle of the spindle and the keyway.
 pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     if !lathe.positions() {
         return;
     }
@@ -73,14 +73,14 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 
 /// The driven tool that cuts the keyway, for the bill.
 pub(super) fn devices(lathe: &TurningSpindle) -> Option<AskedDevice> {
-    let (speed, diameter) = ((lathe.p.driven_speed, 0), (lathe.p.keyway_width, 3));
+    let (speed, diameter) = ((lathe.params.driven_speed, 0), (lathe.params.keyway_width, 3));
     let asked = msg!("turning.device.driven-tool", speed, diameter);
     lathe.keyway().map(|_| AskedDevice { item: BillItem::DrivenTool, drive: None, asked })
 }
 
 /// Codes of the machine builder that have two functions, or that the control itself has.
 fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let all = [
         ("lock-code", p.lock_code),
         ("release-code", p.release_code),
@@ -113,7 +113,7 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 
 /// The advice for a position loop with an output without a sign: the ladder gives such an inverter its direction by M3 and M4 alone.
 pub(super) fn sign_for_angle(lathe: &TurningSpindle) -> Option<Advice> {
-    let has_sign = !lathe.p.has_signed_output(lathe.control) || lathe.p.output == Output::Bipolar;
+    let has_sign = !lathe.params.has_signed_output(lathe.control) || lathe.params.output == Output::Bipolar;
     let advice = Advice::from(msg!("turning.angle-needs-sign"));
     (!has_sign).then(|| advice.setting(msg!("advice.signed-output"), [("output", "+-10".to_owned())]))
 }
@@ -138,7 +138,7 @@ pub(super) fn cutting_speed(p: &Params) -> f64 {
 
 /// The groove that is cut at a moment: its depth, and its ends as Z from the finished face, mm.
 pub(super) fn groove(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Option<(f64, [f64; 2])> {
-    let (p, diameter) = (&lathe.p, lathe.keyway()?);
+    let (p, diameter) = (&lathe.params, lathe.keyway()?);
     let [plunges, feeds] = KEYWAY.map(|block| run.executions(block, now.t));
     // A program that is started again begins with a new part.
     if plunges.begun == 0 {

@@ -35,9 +35,9 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let rules = lathe.rules();
     let reaction = |at| spindle(lathe, at);
     let reports_speed = rules.reached.is_some();
-    let direction = if lathe.p.output == Output::Unipolar { Direction::Contacts } else { Direction::Sign };
+    let direction = if lathe.params.output == Output::Unipolar { Direction::Contacts } else { Direction::Sign };
     let locks = lathe.lock_codes();
-    let stages = lathe.p.stages().count().min(WANTED.len());
+    let stages = lathe.params.stages().count().min(WANTED.len());
     // Before the run command: the answer to M3 reads the gears in the same scan.
     if stages > 1 {
         Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe), slowing: slowing(lathe) }.write();
@@ -48,7 +48,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
             reaction: &reaction,
             reports_speed,
             reports_standstill: false,
-            holds: if lathe.p.tailstock { &[MachineContact::WorkHeld] } else { &[] },
+            holds: if lathe.params.tailstock { &[MachineContact::WorkHeld] } else { &[] },
             locked_by: if locks.is_some() { &[CLAMP, CLAMPED] } else { &[] },
             has_gears: stages > 1,
             positions: lathe.positions(),

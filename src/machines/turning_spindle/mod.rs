@@ -91,8 +91,8 @@ impl Prepared for TurningSpindle {
 
     fn summary(&self) -> Option<Message> {
         let turns = |speed| units::four_digits(speed, 1, "r/min");
-        let (largest, smallest) = (turns(self.d.speeds.largest), turns(self.d.speeds.smallest));
-        Some(msg!("turning.summary", time = units::four_digits(self.d.times.cutting, 2, "s"), largest, smallest))
+        let (largest, smallest) = (turns(self.derived.speeds.largest), turns(self.derived.speeds.smallest));
+        Some(msg!("turning.summary", time = units::four_digits(self.derived.times.cutting, 2, "s"), largest, smallest))
     }
 
     fn program(&self) -> MachineProgram {
@@ -100,7 +100,7 @@ impl Prepared for TurningSpindle {
             deck: program::deck(self),
             setup: Some(program::SETUP),
             main: program::RUN,
-            newline: self.p.newline.into(),
+            newline: self.params.newline.into(),
         }
     }
 
@@ -178,11 +178,11 @@ impl DrivenMachine for TurningSpindle {
     }
 
     fn spindle_run(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
-        (self.d.stage.speed > 0.0).then(|| demand::in_run(self, run, stretches))
+        (self.derived.stage.speed > 0.0).then(|| demand::in_run(self, run, stretches))
     }
 
     fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        self.spindle_run(run, stretches)?.resistor(self.p.spindle.braking, self.p.pause)
+        self.spindle_run(run, stretches)?.resistor(self.params.spindle.braking, self.params.pause)
     }
 
     fn inverter_abilities(&self) -> Vec<Message> {
@@ -203,11 +203,11 @@ impl DrivenMachine for TurningSpindle {
     }
 
     fn severe_site(&self) -> Option<SevereSite> {
-        SevereSite::leaving(self.p.site_share, "site-share")
+        SevereSite::leaving(self.params.site_share, "site-share")
     }
 
     fn pause(&self) -> f64 {
-        self.p.pause
+        self.params.pause
     }
 
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {

@@ -25,7 +25,7 @@ pub(super) const MOTORS: &[FormMotor] = &[
 
 /// All parts with their places in the drawing.
 pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
-    let layout = Layout::new(&lathe.p);
+    let layout = Layout::new(&lathe.params);
     let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,
@@ -33,7 +33,7 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         group,
         at,
     };
-    let work = layout.tip(0.28 * lathe.p.stock_diameter, -0.5 * layout.part_length);
+    let work = layout.tip(0.28 * lathe.params.stock_diameter, -0.5 * layout.part_length);
     let mut all = vec![
         part(
             "turning.part.headstock",

@@ -10,7 +10,7 @@ use crate::motion::{Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and limits.
 pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
-    let p = &lathe.p;
+    let p = &lathe.params;
     Plant {
         axes: p.slides.plants(lathe.diameters(), [0.5 * p.start_x, p.start_z]),
         pmc: Vec::new(),
@@ -24,7 +24,7 @@ pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
 }
 
 fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let analog = p.analog(p.stage_1, &lathe.control.analog_output);
     let rules = SpindleRules {
         lock: (p.lock_code > 0.0).then_some(p.lock_code as u32).or(lathe.rules().lock),
@@ -46,8 +46,8 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
 /// Seconds in which the spindle coasts to rest from the speed at 10 V of each gear stage.
 fn coasting(lathe: &TurningSpindle) -> [f64; STAGES] {
     let mut all = [0.0; STAGES];
-    for (place, stage_speed) in all.iter_mut().zip(lathe.p.stages()) {
-        *place = lathe.p.main_spindle(stage_speed).coasting(stage_speed);
+    for (place, stage_speed) in all.iter_mut().zip(lathe.params.stages()) {
+        *place = lathe.params.main_spindle(stage_speed).coasting(stage_speed);
     }
     all
 }
@@ -72,8 +72,8 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
 fn shift_speeds(lathe: &TurningSpindle) -> [f64; STAGES] {
     let output = &lathe.control.analog_output;
     let mut all = [0.0; STAGES];
-    for (place, stage_speed) in all.iter_mut().zip(lathe.p.stages()) {
-        *place = 1.1 * lathe.p.analog(stage_speed, output).speed(SHIFT_VOLTS).abs();
+    for (place, stage_speed) in all.iter_mut().zip(lathe.params.stages()) {
+        *place = 1.1 * lathe.params.analog(stage_speed, output).speed(SHIFT_VOLTS).abs();
     }
     all
 }

@@ -23,7 +23,7 @@ const SEEN: f64 = 40.0;
 
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let layout = Layout::new(p);
     let tool = lathe.tool(now);
     let progress = progress::progress(lathe, run, now);
@@ -68,7 +68,7 @@ fn orientation(lathe: &TurningSpindle, layout: &Layout, now: &Snapshot) -> Strin
     let mut d = String::new();
     if lathe.positions() && now.spindle.held {
         let angle = 2.0 * PI * (now.spindle.turns - now.spindle.turns.floor());
-        let (x, radius) = layout.side(0.0, lathe.p.stock_diameter);
+        let (x, radius) = layout.side(0.0, lathe.params.stock_diameter);
         scene::arc(&mut d, x, 0.82 * radius, 0.0, angle);
     }
     d
@@ -86,14 +86,14 @@ fn gear(lathe: &TurningSpindle, stage: u8) -> String {
 /// Number of the pass, and the number of passes.
 pub(super) fn pass(lathe: &TurningSpindle, progress: Progress) -> String {
     let pass = (progress.done + u32::from(progress.at.is_some())).max(1);
-    format!("{pass} / {}", show(lathe.p.passes(), 0))
+    format!("{pass} / {}", show(lathe.params.passes(), 0))
 }
 
 fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16, String)> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let spindle = &now.spindle;
     let diameter = lathe.diameter(now);
-    let stage = lathe.p.stages().nth(usize::from(spindle.stage).saturating_sub(1)).unwrap_or(p.stage_1);
+    let stage = lathe.params.stages().nth(usize::from(spindle.stage).saturating_sub(1)).unwrap_or(p.stage_1);
     let (radius, z) = lathe.tool(now);
     let across = if lathe.diameters() { diameter } else { radius };
     let mut texts = vec![

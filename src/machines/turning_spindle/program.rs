@@ -34,7 +34,7 @@ pub(super) fn cut_block(path: Path) -> u32 {
 
 /// The operator's variables, all above zero.
 fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
-    let end = (lathe.p.path == Path::Taper).then_some(TAPER_END);
+    let end = (lathe.params.path == Path::Taper).then_some(TAPER_END);
     let part = [CUTTING_SPEED, FEED, STOCK].into_iter().chain(end);
     let all = part.chain([way(lathe), DEPTH, SPEED_LIMIT, CLEARANCE, START_X, START_Z]);
     let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
@@ -52,27 +52,27 @@ fn entry(number: u32) -> Formula {
 
 /// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
 fn speed_limits(lathe: &TurningSpindle) -> [Option<(Code, u32)>; 2] {
-    let has = lathe.p.has_speed_limits(lathe.control);
-    let has_lowest = has && lathe.p.lower_limit > 0.0;
+    let has = lathe.params.has_speed_limits(lathe.control);
+    let has_lowest = has && lathe.params.lower_limit > 0.0;
     [has.then_some((Code::UpperLimits, CHUCK_LIMIT)), has_lowest.then_some((Code::LowerLimits, LOWEST_SPEED))]
 }
 
 /// Variable of the length, or of the allowance of a face.
 fn way(lathe: &TurningSpindle) -> u32 {
-    if lathe.p.path == Path::Facing { ALLOWANCE } else { LENGTH }
+    if lathe.params.path == Path::Facing { ALLOWANCE } else { LENGTH }
 }
 
 /// Variables that the operator reads and sets.
 pub(super) fn variables(lathe: &TurningSpindle) -> Vec<MachineVariable> {
     let variable = MachineVariable::new;
-    let face = lathe.p.path == Path::Facing;
+    let face = lathe.params.path == Path::Facing;
     let mut all = vec![
         variable(CUTTING_SPEED, "turning.cutting-speed", "m/min"),
         variable(FEED, "turning.feed", "mm/rev"),
         variable(STOCK, "turning.stock-diameter", "mm"),
         variable(FINISHED, "turning.finished-diameter", "mm"),
     ];
-    if lathe.p.path == Path::Taper {
+    if lathe.params.path == Path::Taper {
         all.push(variable(TAPER_END, "turning.large-diameter", "mm"));
     }
     all.extend([
@@ -152,7 +152,7 @@ fn smaller(a: impl Fn() -> Formula, b: impl Fn() -> Formula) -> Formula {
 fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(RUN, "TURNING - RUN");
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
-    if lathe.p.tailstock {
+    if lathe.params.tailstock {
         b.comment("THE TAILSTOCK HOLDS THE WORK");
     }
     b.comment("CHANGED VARIABLES ACT FROM THE NEXT START");
@@ -179,19 +179,19 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if has_flag(lathe) {
         b.assign(BEGUN, 1).note("A PART IS BEGUN");
     }
-    let face = lathe.p.path == Path::Facing;
-    let (whole, step) = match lathe.p.path {
+    let face = lathe.params.path == Path::Facing;
+    let (whole, step) = match lathe.params.path {
         Path::Facing => (entry(way(lathe)), entry(DEPTH)),
         Path::Turning => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
         Path::Taper => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
     };
-    if lathe.p.path == Path::Taper {
+    if lathe.params.path == Path::Taper {
         b.n(29).assign(SLOPE, 0);
         b.if_goto(entry(FINISHED).eq(entry(TAPER_END)), 30);
         b.assign(SLOPE, entry(LENGTH) / (entry(TAPER_END) - entry(FINISHED))).note("Z PER DIAMETER OF THE TAPER");
     }
     b.n(30).assign(LEFT, whole).note(if face { "LEFT TO CUT, Z" } else { "LEFT TO CUT, DIAMETER" });
-    if lathe.p.path == Path::Taper {
+    if lathe.params.path == Path::Taper {
         b.if_goto(entry(FINISHED).le(entry(TAPER_END)), 31);
         b.assign(LEFT, entry(STOCK) - entry(TAPER_END)).note("SMALL AT THE END");
     }
@@ -208,7 +208,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     if lathe.positions() {
         b.n(53).words([word(Address::Spos, entry(ANGLE))]).note("FOR THE KEYWAY");
-        let lock = lathe.p.lock_code as u32;
+        let lock = lathe.params.lock_code as u32;
         if lock > 0 {
             b.words([m(lock)]).note("LOCKS THE SPINDLE");
         }
@@ -264,8 +264,8 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
             writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
             let beside = size(lathe, entry(STOCK) + entry(ROOM) * 2);
             // The stock of a face stands out in front of it.
-            let before = if lathe.p.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
-            if lathe.p.tailstock {
+            let before = if lathe.params.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
+            if lathe.params.tailstock {
                 // In front of the work is the tailstock.
                 b.if_goto(v(place.0).lt(beside), alarm_block(away_alarm(lathe)));
             } else {
@@ -276,7 +276,7 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
             b.n(17).if_goto(v(BEGUN).gt(0), alarm_block(away_alarm(lathe)));
         }
     }
-    b.n(18).words(writing::tool(lathe.control, lathe.p.tool as u32)).note("TOOL AND ITS OFFSET");
+    b.n(18).words(writing::tool(lathe.control, lathe.params.tool as u32)).note("TOOL AND ITS OFFSET");
     if let Some(place) = place(lathe) {
         // The offset shifts the coordinates.
         writing::stays_clear(b, place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
@@ -295,16 +295,16 @@ fn release_spindle(b: &mut Builder, lathe: &TurningSpindle) {
 
 /// Why the program stops at the angle and cuts no keyway.
 fn no_keyway(lathe: &TurningSpindle) -> &'static str {
-    match lathe.p.driven_tool {
+    match lathe.params.driven_tool {
         false => "NO DRIVEN TOOL TO CUT THE KEYWAY",
-        true if lathe.p.keyway_diameter().is_none() => "NO KEYWAY ON A TAPER",
+        true if lathe.params.keyway_diameter().is_none() => "NO KEYWAY ON A TAPER",
         true => "NO DEPTH OF THE KEYWAY IS GIVEN",
     }
 }
 
 /// The keyway: the driven tool goes into the work at feed, along it, and back. The spindle is locked at its angle, by a code or by hand.
 fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let surface = || entry(if p.path == Path::Facing { STOCK } else { FINISHED });
     let clear = || surface() + entry(CLEARANCE) * 2;
     let (start, stop) = (p.driven_code as u32, p.driven_stop as u32);
@@ -368,7 +368,7 @@ fn away_alarm(lathe: &TurningSpindle) -> u32 {
 /// left, nothing is cut, the cut is longer than the work, the keyway does not fit. Their alarms follow that of a tool that is not clear.
 fn refusals(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     let name = |number: u32| lathe.control.variable(number);
-    let ends = if lathe.p.path == Path::Taper { &[FINISHED, TAPER_END][..] } else { &[FINISHED] };
+    let ends = if lathe.params.path == Path::Taper { &[FINISHED, TAPER_END][..] } else { &[FINISHED] };
     let nothing_to_cut =
         ends.iter().map(|end| (entry(*end).ge(entry(STOCK)), format!("{} IS NOT BELOW {}", name(*end), name(STOCK))));
     let [way_name, reach] = [way(lathe), REACH].map(name);
@@ -382,7 +382,7 @@ fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     if lathe.keyway().is_none() {
         return Vec::new();
     }
-    let (end, surface) = if lathe.p.path == Path::Facing { (REACH, STOCK) } else { (way(lathe), FINISHED) };
+    let (end, surface) = if lathe.params.path == Path::Facing { (REACH, STOCK) } else { (way(lathe), FINISHED) };
     let [start, length, width, depth, end_name, surface_name] =
         [KEYWAY_START, KEYWAY_LENGTH, KEYWAY_WIDTH, KEYWAY_DEPTH, end, surface].map(|at| lathe.control.variable(at));
     vec![
@@ -399,7 +399,7 @@ fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
 /// taper may begin there.
 fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
     let name = lathe.control.variable(FINISHED);
-    match lathe.p.path {
+    match lathe.params.path {
         Path::Facing => None,
         Path::Turning => Some((entry(FINISHED).le(0), format!("{name} MUST BE ABOVE ZERO"))),
         Path::Taper => Some((entry(FINISHED).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
@@ -418,12 +418,12 @@ fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
 fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
     let stage = lathe.stage();
     let words = codes(lathe, [Code::GearStage(stage)]);
-    (lathe.p.stages().nth(1).is_some() && !words.is_empty()).then_some(words)
+    (lathe.params.stages().nth(1).is_some() && !words.is_empty()).then_some(words)
 }
 
 /// The spindle: surface speed, or the speed of the largest diameter.
 fn start(b: &mut Builder, lathe: &TurningSpindle) {
-    let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
+    let turn = m(if lathe.params.direction == Direction::Clockwise { 3 } else { 4 });
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
     b.n(24).assign(SPEED, (entry(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * entry(STOCK))).fix());
     b.n(25).if_goto(v(SPEED).le(entry(SPEED_LIMIT)), 27);
@@ -439,8 +439,9 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(27).words(words);
     // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
     // override. A face has its wait in each pass, where the tool stands already.
-    let ramp = lathe.p.spindle.ramp * lathe.d.stage.top.min(lathe.p.chuck_limit) / lathe.d.stage.speed;
-    let waits_in_passes = lathe.p.path == Path::Facing && lathe.dwell_of_passes().is_some();
+    let ramp =
+        lathe.params.spindle.ramp * lathe.derived.stage.top.min(lathe.params.chuck_limit) / lathe.derived.stage.speed;
+    let waits_in_passes = lathe.params.path == Path::Facing && lathe.dwell_of_passes().is_some();
     if lathe.rules().reached.is_none() && !waits_in_passes && ramp > 0.0 {
         let seconds = (100.0 * ramp).ceil() / 100.0;
         comes_to_speed(b.n(28), lathe, real(seconds, 3));
@@ -466,7 +467,7 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
     // The tool leaves the shoulder at feed, out to where the pass before ended: the edge may leave a wedge there.
-    match lathe.p.path {
+    match lathe.params.path {
         Path::Facing => {
             b.n(35);
             wait(b, lathe);
@@ -505,7 +506,7 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
 fn setup(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(SETUP, "TURNING - SET VALUES ONCE");
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
-    let p = &lathe.p;
+    let p = &lathe.params;
     let (is_face, is_taper, has_keyway) = (p.path == Path::Facing, p.path == Path::Taper, lathe.keyway().is_some());
     let [highest, lowest] = speed_limits(lathe).map(|limit| limit.is_some());
     // Variable, value, decimals, comment, and whether this machine has it.

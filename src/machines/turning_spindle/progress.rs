@@ -18,7 +18,7 @@ pub(super) struct Progress {
 
 /// Progress of the part: starts of the cutting block, and position of the tool in it.
 pub(super) fn progress(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Progress {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let Executions { begun, executes: mut cutting } = run.executions(PASS_BEGIN, now.t);
     if p.path == Path::Taper {
         let taper = run.executions(cut_block(p.path), now.t);
@@ -32,14 +32,14 @@ pub(super) fn progress(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot
 
 /// Diameter of the finished part at a place: the taper goes on as a cylinder in front of the face.
 pub(super) fn contour(lathe: &TurningSpindle, z: f64) -> f64 {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let end = if p.path == Path::Taper { p.large_diameter } else { p.finished_diameter };
     p.finished_diameter + (end - p.finished_diameter) * math::clamp(-z / p.length, 0.0, 1.0)
 }
 
 /// The tool is in the stock.
 pub(super) fn cuts(lathe: &TurningSpindle, progress: Progress, now: &Snapshot) -> bool {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let inside = |at: f64| match p.path {
         Path::Facing => at < p.stock_diameter,
         _ => {
@@ -52,7 +52,7 @@ pub(super) fn cuts(lathe: &TurningSpindle, progress: Progress, now: &Snapshot) -
 
 /// Part of the allowance that is off, 0 to 1.
 pub(super) fn removed(lathe: &TurningSpindle, progress: Progress) -> f64 {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let part = match (progress.at, p.path) {
         (None, _) => 0.0,
         (Some(at), Path::Facing) => 1.0 - at / p.stock_diameter,

@@ -17,8 +17,8 @@ use crate::motion::Snapshot;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CutAtKnobs<'a> {
     pub at: KnobPositions,
-    pub p: &'a Params,
-    pub d: &'a Derived,
+    pub params: &'a Params,
+    pub derived: &'a Derived,
 }
 
 /// The turning spindle on a control.
@@ -27,9 +27,9 @@ pub(crate) struct TurningSpindle {
     /// The form as filled in.
     pub(super) form: Params,
     /// The form, with the control's own choice where it lacks the chosen one.
-    pub(super) p: Params,
+    pub(super) params: Params,
     /// The results of the formulas.
-    pub(super) d: Derived,
+    pub(super) derived: Derived,
     /// The results with the override knob at its highest position, computed when a rule asks for them.
     at_highest_knob: OnceLock<Derived>,
     /// The same at its lowest position.
@@ -52,35 +52,39 @@ impl TurningSpindle {
     }
 
     fn on(form: Params, control: &'static Control, dialect: Dialect) -> TurningSpindle {
-        let mut p = form.clone();
+        let mut params = form.clone();
         if !form.holds_surface_speed(control) {
-            (p.speed_mode, p.lower_limit) = (SpeedMode::Fixed, 0.0);
+            (params.speed_mode, params.lower_limit) = (SpeedMode::Fixed, 0.0);
         }
         if !form.has_gears(control) {
-            (p.stage_2, p.stage_3, p.stage_4) = (0.0, 0.0, 0.0);
-            p.gear = Gear::First;
+            (params.stage_2, params.stage_3, params.stage_4) = (0.0, 0.0, 0.0);
+            params.gear = Gear::First;
         }
         if !form.has_signed_output(control) {
-            p.output = Output::Unipolar;
+            params.output = Output::Unipolar;
         }
         // A face is turned to the centre of the work, where the tailstock's centre would be.
-        p.tailstock &= p.path != Path::Facing;
+        params.tailstock &= params.path != Path::Facing;
         // The nearest position of the knob, and S as a whole number where the control reads it so.
-        p.override_percent = dialect.spindle().knob.nearest(p.override_percent);
+        params.override_percent = dialect.spindle().knob.nearest(params.override_percent);
         if control.syntax.integer_addresses.contains(Address::S) {
             let truncates = !dialect.numbers.round_speed;
-            p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
+            params.cutting_speed = if truncates { params.cutting_speed.floor() } else { params.cutting_speed.round() };
         }
-        if let Some(row) = p.material.kienzle() {
-            let chip = (p.depth, p.feed);
-            p.cutting_force =
-                cutting::kienzle(row.unit_force * p.edge_wear, row.exponent, chip, (p.edge_angle, p.rake));
+        if let Some(row) = params.material.kienzle() {
+            let chip = (params.depth, params.feed);
+            params.cutting_force = cutting::kienzle(
+                row.unit_force * params.edge_wear,
+                row.exponent,
+                chip,
+                (params.edge_angle, params.rake),
+            );
         }
-        let d = Derived::new(&p, &control.analog_output, &dialect.spindle());
+        let derived = Derived::new(&params, &control.analog_output, &dialect.spindle());
         TurningSpindle {
             form,
-            p,
-            d,
+            params,
+            derived,
             at_highest_knob: OnceLock::new(),
             at_lowest_knob: OnceLock::new(),
             at_highest_feed: OnceLock::new(),
@@ -91,20 +95,24 @@ impl TurningSpindle {
 
     /// The highest position (%) of the override knob with the results there; none if the form has it there.
     pub(super) fn at_highest_knob(&self) -> Option<(f64, &Derived)> {
-        let highest = self.rules().knob.ends(self.p.override_percent).higher?;
+        let highest = self.rules().knob.ends(self.params.override_percent).higher?;
         Some((highest, self.at_highest_knob.get_or_init(|| self.at_knob(highest))))
     }
 
     /// The lowest position (%) of the override knob at which the spindle turns, with the results there; none if the form has it there.
     pub(super) fn at_lowest_knob(&self) -> Option<(f64, &Derived)> {
-        let lowest = self.rules().knob.ends(self.p.override_percent).lower?;
+        let lowest = self.rules().knob.ends(self.params.override_percent).lower?;
         Some((lowest, self.at_lowest_knob.get_or_init(|| self.at_knob(lowest))))
     }
 
     /// The results with the knob at another position: the program keeps its gear stage.
     fn at_knob(&self, percent: f64) -> Derived {
-        let p = Params { override_percent: percent, gear: Gear::at(self.d.stage.number.into()), ..self.p.clone() };
-        Derived::new(&p, &self.control.analog_output, &self.rules())
+        let params = Params {
+            override_percent: percent,
+            gear: Gear::at(self.derived.stage.number.into()),
+            ..self.params.clone()
+        };
+        Derived::new(&params, &self.control.analog_output, &self.rules())
     }
 
     /// The lathe as it cuts with the feed override at its highest position (%), and that position. A typed force grows with the feed: no
@@ -119,12 +127,12 @@ impl TurningSpindle {
 
     /// The cut at the positions of the knobs of feed and spindle, those of the form left out.
     pub(super) fn cuts_at_knobs(&self) -> Vec<CutAtKnobs<'_>> {
-        let present = self.p.override_percent;
+        let present = self.params.override_percent;
         let all = knobs::positions(self.control.feed_knob.positions, self.rules().knob.ends(present), present);
         let fed = self.at_highest_feed();
         let cut = |at: KnobPositions| {
             let lathe = fed.filter(|(feed, _)| *feed == at.feed).map_or(self, |(_, lathe)| lathe);
-            CutAtKnobs { at, p: &lathe.p, d: lathe.at_spindle_override(at.spindle) }
+            CutAtKnobs { at, params: &lathe.params, derived: lathe.at_spindle_override(at.spindle) }
         };
         all.into_iter().map(cut).collect()
     }
@@ -132,12 +140,12 @@ impl TurningSpindle {
     /// The results at the form's position (%) of the spindle override or at an end of it.
     fn at_spindle_override(&self, percent: f64) -> &Derived {
         let ends = [self.at_highest_knob(), self.at_lowest_knob()].into_iter().flatten();
-        ends.into_iter().find(|(end, _)| *end == percent).map_or(&self.d, |(_, d)| d)
+        ends.into_iter().find(|(end, _)| *end == percent).map_or(&self.derived, |(_, d)| d)
     }
 
     /// Drives of the slides across and along the work.
     pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
-        self.p.slides.drives(if self.diameters() { 2.0 } else { 1.0 })
+        self.params.slides.drives(if self.diameters() { 2.0 } else { 1.0 })
     }
 
     /// Index of the axis across the spindle.
@@ -157,14 +165,14 @@ impl TurningSpindle {
 
     /// Whether the spindle has constant surface speed.
     pub(super) fn surface(&self) -> bool {
-        self.p.speed_mode == SpeedMode::Surface
+        self.params.speed_mode == SpeedMode::Surface
     }
 
     /// Seconds per r/min of the speed limit that the program dwells in each pass: where a cut ends at another speed than the next one begins
     /// with, on a control whose cuts do not wait for the speed. Between two speeds the spindle takes at most its ramp to the limit.
     pub(super) fn dwell_of_passes(&self) -> Option<f64> {
-        let changes = self.surface() && self.p.path != Path::Turning;
-        let per_speed = self.p.spindle.ramp / self.d.stage.speed;
+        let changes = self.surface() && self.params.path != Path::Turning;
+        let per_speed = self.params.spindle.ramp / self.derived.stage.speed;
         (changes && self.rules().reached.is_none() && per_speed > 0.0).then_some(per_speed)
     }
 
@@ -175,33 +183,33 @@ impl TurningSpindle {
 
     /// The spindle is positioned to an angle after the cut.
     pub(super) fn positions(&self) -> bool {
-        self.p.keyway && self.form.can_position(self.control)
+        self.params.keyway && self.form.can_position(self.control)
     }
 
     /// Diameter (mm) of the cylinder into which the program cuts a keyway with the driven tool; `None` where it cuts none.
     pub(super) fn keyway(&self) -> Option<f64> {
-        let cuts = self.positions() && self.p.driven_tool && self.p.keyway_depth > 0.0;
-        self.p.keyway_diameter().filter(|_| cuts)
+        let cuts = self.positions() && self.params.driven_tool && self.params.keyway_depth > 0.0;
+        self.params.keyway_diameter().filter(|_| cuts)
     }
 
     /// Codes that lock the spindle at its angle and release it again, where the program locks it.
     pub(super) fn lock_codes(&self) -> Option<(u32, Option<u32>)> {
-        let [lock, release] = [self.p.lock_code, self.p.release_code].map(given_code);
+        let [lock, release] = [self.params.lock_code, self.params.release_code].map(given_code);
         Some((lock.filter(|_| self.positions())?, release))
     }
 
     /// Codes of the machine that start and stop the driven tool; none where the control's own second spindle drives it.
     pub(super) fn driven_codes(&self) -> Option<(u32, Option<u32>)> {
-        let [start, stop] = [self.p.driven_code, self.p.driven_stop].map(given_code);
+        let [start, stop] = [self.params.driven_code, self.params.driven_stop].map(given_code);
         Some((start.filter(|_| self.keyway().is_some())?, stop))
     }
 
     /// Positioning of the spindle, by the machine's data.
     pub(super) fn positioning(&self) -> Positioning {
         Positioning {
-            speed: self.p.positioning_speed,
-            acceleration: self.p.positioning_acceleration,
-            clockwise: self.p.positioning_direction == Direction::Clockwise,
+            speed: self.params.positioning_speed,
+            acceleration: self.params.positioning_acceleration,
+            clockwise: self.params.positioning_direction == Direction::Clockwise,
         }
     }
 
@@ -212,7 +220,7 @@ impl TurningSpindle {
 
     /// Number of the gear stage that the program engages.
     pub(super) fn stage(&self) -> u8 {
-        self.d.stage.number
+        self.derived.stage.number
     }
 
     /// Distance of the tool from the turning centre in mm, and from the finished face.
@@ -228,8 +236,8 @@ impl TurningSpindle {
 
     /// The gear stages that are fitted.
     pub(super) fn stages(&self) -> Vec<Stage> {
-        let low = if self.rules().low_always { self.p.lower_limit } else { 0.0 };
-        self.p.stages().map(|speed| Stage { range: (low, f64::INFINITY), ..Stage::new(speed) }).collect()
+        let low = if self.rules().low_always { self.params.lower_limit } else { 0.0 };
+        self.params.stages().map(|speed| Stage { range: (low, f64::INFINITY), ..Stage::new(speed) }).collect()
     }
 }
 

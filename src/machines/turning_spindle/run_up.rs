@@ -15,7 +15,7 @@ use crate::view::Limit::AtMost;
 
 /// Highest speed of the program, r/min.
 pub(super) fn programmed_speed(lathe: &TurningSpindle) -> f64 {
-    programmed_speed_of(&lathe.d)
+    programmed_speed_of(&lathe.derived)
 }
 
 pub(super) fn programmed_speed_of(d: &Derived) -> f64 {
@@ -34,26 +34,26 @@ pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
 
 /// The spindle in the program's gear stage.
 pub(super) fn engaged(lathe: &TurningSpindle) -> MainSpindle {
-    lathe.p.main_spindle(lathe.d.stage.speed)
+    lathe.params.main_spindle(lathe.derived.stage.speed)
 }
 
 /// Torque (Nm) at the spindle for its acceleration to the positioning speed: `J α + M_f`. Source: turning spindle facts, 5.
 pub(super) fn positioning_torque(lathe: &TurningSpindle) -> f64 {
     let load = engaged(lathe).load_at_spindle;
-    load.accelerating(0.0, lathe.p.positioning_acceleration * RPM, 1.0) + load.torque
+    load.accelerating(0.0, lathe.params.positioning_acceleration * RPM, 1.0) + load.torque
 }
 
 /// The acceleration of the positioning against the short-time torque of the motor.
 pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let spindle = engaged(lathe);
-    let most = spindle.driving_motor().torque(lathe.p.positioning_speed);
+    let most = spindle.driving_motor().torque(lathe.params.positioning_speed);
     let torque = positioning_torque(lathe);
     let sign = keyway::sign_for_angle(lathe);
     if torque <= most {
         return sign.map_or_else(|| ok(AtMost(most)), |advice| fail(None, [advice]));
     }
     let friction = spindle.load_at_spindle.torque;
-    let slower = lathe.p.positioning_acceleration * (most - friction) / (torque - friction);
+    let slower = lathe.params.positioning_acceleration * (most - friction) / (torque - friction);
     let advice = Advice::from(msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1)));
     let set = at_most(FIELDS, "positioning-acceleration", slower);
     let button = msg!("advice.set-positioning-acceleration", acceleration = set.text.as_str());

@@ -27,7 +27,7 @@ pub(super) fn sheets(lathe: &TurningSpindle) -> Vec<Sheet> {
 }
 
 fn parameters(lathe: &TurningSpindle) -> Sheet {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let number = |value: f64| vec![("", ParamValue::Number(value))];
     let yes = |on: bool| vec![("", ParamValue::Answer(on))];
     let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
@@ -40,7 +40,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     // One value per gear stage.
     let names = ["1", "2", "3", "4"];
     let by_stage = |value: &dyn Fn(f64) -> f64| -> AxisValues {
-        let stages = names.into_iter().zip(lathe.p.stages());
+        let stages = names.into_iter().zip(lathe.params.stages());
         stages.map(|(name, speed)| (name, ParamValue::Number(value(speed)))).collect()
     };
     let (rules, shift) = (lathe.rules(), gear_times(lathe));

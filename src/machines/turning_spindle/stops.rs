@@ -99,7 +99,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             )
         });
     }
-    if lathe.p.tailstock {
+    if lathe.params.tailstock {
         rows.push(Reaction {
             cause: Some("turning.stops.let-go"),
             ..row(

@@ -9,9 +9,9 @@ use crate::view::Limit::AtMost;
 
 /// Travels (mm) of X and Z that the part needs: from the start of the tool, or its farthest way out, to the last cut.
 pub(super) fn needed(lathe: &TurningSpindle) -> [f64; 2] {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let keyway = lathe.keyway().map(|surface| surface - 2.0 * p.keyway_depth);
-    let smallest = keyway.map_or(lathe.d.cut.smallest, |bottom| lathe.d.cut.smallest.min(bottom));
+    let smallest = keyway.map_or(lathe.derived.cut.smallest, |bottom| lathe.derived.cut.smallest.min(bottom));
     // A pass of a taper leaves its end by one depth, at most from where it is clear of the stock.
     let outermost = if p.path == Path::Taper { p.stock_diameter + 2.0 * (p.clearance + p.depth) } else { 0.0 };
     let cut = if p.path == Path::Facing { 0.0 } else { p.length };
@@ -21,7 +21,7 @@ pub(super) fn needed(lathe: &TurningSpindle) -> [f64; 2] {
 
 /// Travels beyond those of the slides, where these are known.
 pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let travels = [("travel-x", p.travel_x), ("travel-z", p.travel_z)];
     for ((field, travel), needed) in travels.into_iter().zip(needed(lathe)) {
         if travel > 0.0 && needed > travel {
@@ -41,10 +41,10 @@ fn judge(needed: f64, screw: f64) -> Option<Judgement> {
 
 /// The travel of X against its screw.
 pub(super) fn judge_x(lathe: &TurningSpindle) -> Option<Judgement> {
-    judge(needed(lathe)[0], lathe.p.slides.x.screw_length)
+    judge(needed(lathe)[0], lathe.params.slides.x.screw_length)
 }
 
 /// The travel of Z against its screw.
 pub(super) fn judge_z(lathe: &TurningSpindle) -> Option<Judgement> {
-    judge(needed(lathe)[1], lathe.p.slides.z.screw_length)
+    judge(needed(lathe)[1], lathe.params.slides.z.screw_length)
 }

@@ -12,7 +12,7 @@ use crate::view::{Advice, Verdict};
 const SEEN: f64 = 0.05;
 
 pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
-    let d = &lathe.d;
+    let d = &lathe.derived;
     let limit = Within(SEEN);
     if d.angles.orientation_error.abs() <= SEEN {
         return ok(limit);
@@ -29,7 +29,7 @@ pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Axes whose time constants or gains differ; both have the greater time constant and the lower gain as a remedy.
 pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     if d.angles.phase.abs() <= 1e-9 {
         return ok(None);
     }
@@ -50,17 +50,18 @@ pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Work and tool coast at a power failure, and at an emergency stop that switches their drives off.
 pub(super) fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
-    if !lathe.p.coasts(lathe.control) {
+    if !lathe.params.coasts(lathe.control) {
         // A fact about the supply, no fault of the form.
-        let advice = vec![msg!("polygon.coasts-without-supply", angle = (lathe.d.angles.coast_phase.abs(), 0)).into()];
+        let advice =
+            vec![msg!("polygon.coasts-without-supply", angle = (lathe.derived.angles.coast_phase.abs(), 0)).into()];
         return Some(Judgement { verdict: Verdict::None, limit: None, advice });
     }
-    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.d.angles.coast_phase.abs(), 0)));
+    let advice = Advice::from(msg!("polygon.coasts", angle = (lathe.derived.angles.coast_phase.abs(), 0)));
     warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held")])])
 }
 
 pub(super) fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let (insert, depth) = (d.inserts.depth.number, d.inserts.depth.error);
     let limit = Within(p.flatness);
     if depth.abs() <= p.flatness {
@@ -70,7 +71,7 @@ pub(super) fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
 }
 
 pub(super) fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (insert, turn) = (lathe.d.inserts.turn.number, lathe.d.inserts.turn.error);
+    let (insert, turn) = (lathe.derived.inserts.turn.number, lathe.derived.inserts.turn.error);
     let limit = Within(SEEN);
     if turn.abs() <= SEEN {
         ok(limit)
@@ -81,7 +82,7 @@ pub(super) fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The twist cannot be corrected by the program: the code has no word for a lead.
 pub(super) fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     if p.lead == 0.0 {
         return ok(None);
     }

@@ -14,7 +14,7 @@ use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost, Equal};
 
 pub(super) fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let limit = Equal(p.sides);
     if !other_sides(lathe) {
         return ok(limit);
@@ -23,7 +23,7 @@ pub(super) fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
 }
 
 pub(super) fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let limit = AtMost(p.flatness);
     if !uneven(lathe) {
         return ok(limit);
@@ -40,7 +40,7 @@ pub(super) fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Hollow sides. Sides may be hollow although their middle is crowned; then the curvature is not the cause.
 pub(super) fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let limit = (d.section.curvature < 0.0).then_some(AtLeast(0.0));
     if is_hollow(lathe) {
         return fail(
@@ -53,7 +53,7 @@ pub(super) fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// Stock is left between the sides.
 pub(super) fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     if d.section.meets || p.sides <= 2.0 {
         return ok(None);
     }
@@ -61,7 +61,7 @@ pub(super) fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
 }
 
 pub(super) fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let size = p.size(d.inserts.relief_pass);
     let limit = AtMost(p.relief);
     if lacks_relief(lathe) {
@@ -95,7 +95,7 @@ enum Fault {
 
 /// The fact of a fault, with the remedy at the first fault: one choice of cutter corrects all of them.
 fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let mut advice = vec![Advice::from(fact)];
     let faults = [other_sides(lathe), uneven(lathe), lacks_relief(lathe), is_hollow(lathe)];
     if faults.into_iter().take(fault as usize).any(|found| found) {
@@ -131,19 +131,20 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
 
 /// The flattest cutter and ratio on this tip circle as advice, or that none is possible; nothing where the form has it already.
 fn better(lathe: &PolygonLathe) -> Option<Advice> {
-    let choices = choices_on_tip_circle(&lathe.p, &lathe.sizes);
-    let Some(best) = choices.first() else { return Some(msg!("polygon.no-choice", count = lathe.p.sides).into()) };
+    let choices = choices_on_tip_circle(&lathe.params, &lathe.sizes);
+    let Some(best) = choices.first() else { return Some(msg!("polygon.no-choice", count = lathe.params.sides).into()) };
     if !best.limits.is_empty() {
         return Some(msg!("polygon.no-better", flatness = (best.flatness(), 4)).into());
     }
     let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
-    let same =
-        Some(ratio) == lathe.p.ratio() && f64::from(inserts) == lathe.p.inserts && best.radius == lathe.p.tip_radius;
+    let same = Some(ratio) == lathe.params.ratio()
+        && f64::from(inserts) == lathe.params.inserts
+        && best.radius == lathe.params.tip_radius;
     let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
     if same {
         return None;
     }
-    let mut sets = own_shape(lathe.p.sides, f64::from(inserts), (tool, work));
+    let mut sets = own_shape(lathe.params.sides, f64::from(inserts), (tool, work));
     sets.push(nearest(FIELDS, "tip-radius", best.radius).into());
     let advice = msg!(
         "polygon.better",
@@ -158,23 +159,23 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
 
 /// Advice to turn the tool in the sense of the work.
 fn same_sense(lathe: &PolygonLathe) -> Advice {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let set = nearest(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());
     Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", tool_turns = set.text.as_str()), [set])
 }
 
 fn other_sides(lathe: &PolygonLathe) -> bool {
-    lathe.d.section.sides != lathe.p.sides
+    lathe.derived.section.sides != lathe.params.sides
 }
 
 fn uneven(lathe: &PolygonLathe) -> bool {
-    lathe.d.section.flatness > lathe.p.flatness
+    lathe.derived.section.flatness > lathe.params.flatness
 }
 
 fn lacks_relief(lathe: &PolygonLathe) -> bool {
-    lathe.d.inserts.relief >= lathe.p.relief
+    lathe.derived.inserts.relief >= lathe.params.relief
 }
 
 fn is_hollow(lathe: &PolygonLathe) -> bool {
-    lathe.d.section.hollow > SAME_LENGTH && !lathe.p.hollow
+    lathe.derived.section.hollow > SAME_LENGTH && !lathe.params.hollow
 }

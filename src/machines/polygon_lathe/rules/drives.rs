@@ -16,7 +16,7 @@ use crate::view::Limit::AtMost;
 
 /// An advice that lowers every feed whose cuts on this lathe, at a position of the feed override, exceed a limit of the drive.
 fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, fact: Message) -> Advice {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
     let sets = feeds.filter_map(|(cuts, (field, feed))| {
         let excess = at.excess(axis, kind, cuts);
@@ -29,13 +29,13 @@ impl PolygonLathe {
     /// Lower entries of the feeds whose cuts on this lathe at a position of the feed override have a force above the greatest one (N) that is
     /// allowed: of the flats, then of the turned ends.
     pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<NumberEntry> {
-        let p = &self.p;
+        let p = &self.params;
         let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
         let flats = flats.map(|(cuts, (field, feed))| (field, feed, at.force_at(cuts)));
         let ends = TURNED_ENDS
             .map(|fields| fields.feed)
             .into_iter()
-            .zip(p.turned_ends.iter().zip(&at.p.turned_ends))
+            .zip(p.turned_ends.iter().zip(&at.params.turned_ends))
             .filter(|(_, (end, _))| end.on);
         let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed)));
         let lower = |(field, feed, force): (&'static str, f64, f64)| {
@@ -132,7 +132,7 @@ pub(in super::super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The run-up against the drive. Both axes get the same ramp, so that they keep their ratio on it.
 fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let (asked, limit) = lathe.demand(axis, DemandKind::RunUp);
     if asked <= limit {
         return ok(AtMost(limit));

@@ -9,17 +9,17 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 pub(super) fn clamp(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     within_clamp("feed", p.feed, d.feeds.rough, p.slides.z.clamp)
 }
 
 pub(super) fn finish_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     within_clamp("finish-feed", p.finish_feed, d.feeds.finish, p.slides.z.clamp)
 }
 
 pub(super) fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     within_clamp("infeed", p.infeed, d.feeds.infeed, p.slides.x.clamp)
 }
 

@@ -10,7 +10,7 @@ use crate::view::Limit::{AtLeast, AtMost};
 use crate::view::{Advice, Verdict};
 
 pub(super) fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let (low, high) = (p.least_distance, p.greatest_distance);
     if d.place.distance < low {
         fail(AtLeast(low), [msg!("polygon.too-near", least = (low, 2)).into()])
@@ -23,7 +23,7 @@ pub(super) fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The body of the cutter, disc and holders, in the stock beside the polygon.
 pub(super) fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     // The overhang counts up to the radius of the tip circle, at which no body is left.
     let overhang = p.overhang.min(p.tip_radius);
     if d.place.reach <= overhang + SAME_LENGTH {
@@ -46,7 +46,7 @@ pub(super) fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The distance of the jaws from the face; an unknown one is not judged, but has to be measured.
 pub(super) fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
-    let free = lathe.p.free_length;
+    let free = lathe.params.free_length;
     if free == 0.0 {
         let advice = vec![msg!("polygon.measure-free-length", needed = (lathe.length_to_jaws(), 3)).into()];
         return Some(Judgement { verdict: Verdict::None, limit: None, advice });

@@ -10,21 +10,21 @@ use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost, Within};
 
 pub(super) fn tool_speed(lathe: &PolygonLathe) -> Option<Judgement> {
-    let p = &lathe.p;
-    too_fast(lathe.d.speeds.tool, p.tool_limit, p.tool_ratio, |speed| {
+    let p = &lathe.params;
+    too_fast(lathe.derived.speeds.tool, p.tool_limit, p.tool_ratio, |speed| {
         msg!("polygon.tool-too-fast", limit = (p.tool_limit, 0), speed)
     })
 }
 
 pub(super) fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
-    let p = &lathe.p;
-    too_fast(lathe.d.speeds.work, p.work_limit, p.work_ratio, |speed| {
+    let p = &lathe.params;
+    too_fast(lathe.derived.speeds.work, p.work_limit, p.work_ratio, |speed| {
         msg!("polygon.work-too-fast", limit = (p.work_limit, 0), speed)
     })
 }
 
 pub(super) fn slowest(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let limit = AtLeast(p.slowest_cut);
     if d.inserts.slowest_cut >= p.slowest_cut {
         return ok(limit);
@@ -34,7 +34,7 @@ pub(super) fn slowest(lathe: &PolygonLathe) -> Option<Judgement> {
 }
 
 pub(super) fn fastest(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
     let limit = AtMost(p.fastest_cut);
     if d.inserts.fastest_cut <= p.fastest_cut {
         return ok(limit);

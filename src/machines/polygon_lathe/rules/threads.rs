@@ -12,17 +12,17 @@ use crate::view::Limit::AtMost;
 
 /// The run-in of the thread that is turned before the polygons.
 pub(super) fn run_in_before(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_in(lathe, &lathe.p.turned_ends[0], TURNED_ENDS[0].speed)
+    run_in(lathe, &lathe.params.turned_ends[0], TURNED_ENDS[0].speed)
 }
 
 /// The run-in of the thread that is turned after the polygons.
 pub(super) fn run_in_after(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_in(lathe, &lathe.p.turned_ends[1], TURNED_ENDS[1].speed)
+    run_in(lathe, &lathe.params.turned_ends[1], TURNED_ENDS[1].speed)
 }
 
 /// The way in front of a thread, from the clearance to the face, against that in which the slide comes to its speed.
 fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let (needed, limit) = (end.run_in(p), AtMost(p.clearance));
     if limit.holds(needed) {
         return ok(limit);
@@ -47,17 +47,17 @@ fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<
 
 /// The run-out of the thread that is turned before the polygons.
 pub(super) fn run_out_before(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_out(lathe, &lathe.p.turned_ends[0], TURNED_ENDS[0].thread_length)
+    run_out(lathe, &lathe.params.turned_ends[0], TURNED_ENDS[0].thread_length)
 }
 
 /// The run-out of the thread that is turned after the polygons.
 pub(super) fn run_out_after(lathe: &PolygonLathe) -> Option<Judgement> {
-    run_out(lathe, &lathe.p.turned_ends[1], TURNED_ENDS[1].thread_length)
+    run_out(lathe, &lathe.params.turned_ends[1], TURNED_ENDS[1].thread_length)
 }
 
 /// The way from the end of a thread to the shoulder against the run-out, with the greatest thread length as a remedy.
 fn run_out(lathe: &PolygonLathe, end: &TurnedEnd, field: &'static str) -> Option<Judgement> {
-    let needed = end.run_out(&lathe.p);
+    let needed = end.run_out(&lathe.params);
     // Without the rounding of binary fractions.
     let limit = AtMost(((end.length - end.thread_length) * 1e9).round() / 1e9);
     if limit.holds(needed) {

@@ -11,7 +11,7 @@ use crate::view::Limit::Equal;
 
 /// The diameter that the end turned after gets, against its own.
 pub(super) fn reached(lathe: &PolygonLathe) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let [_, after] = &p.turned_ends;
     let (reached, limit) = (after.reached(p), Equal(after.diameter));
     if reached >= after.diameter {

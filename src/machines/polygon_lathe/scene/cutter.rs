@@ -17,104 +17,105 @@ const HOLDER: f64 = 0.2;
 
 /// Radii of the disc and of the outer ends of its holders over that of the tip circle.
 fn body(lathe: &PolygonLathe) -> (f64, f64) {
-    let outer = (1.0 - lathe.p.overhang / lathe.p.tip_radius).max(HOLDER);
+    let outer = (1.0 - lathe.params.overhang / lathe.params.tip_radius).max(HOLDER);
     (DISC.min(0.9 * outer), outer)
 }
 
 /// The ways of the slide on their base.
-pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+pub(super) fn draw_base(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let reach = column(lathe, layout);
-    let end = layout.cutter.0 + (0.5 * (lathe.p.start_x - lathe.p.across_flats)).max(0.0) * layout.scale;
+    let end = layout.cutter.0 + (0.5 * (lathe.params.start_x - lathe.params.across_flats)).max(0.0) * layout.scale;
     let (from, to) = (layout.cutter.0 - reach - 34.0, (end + reach + 26.0).min(RIGHT - 16.0));
     let to = to.max(from + 60.0);
     let top = FLOOR - 38.0;
-    d.path(
+    drawing.path(
         filled("M# #l# #H#l# #Z", &[from, top, AWAY.0, AWAY.1, to + AWAY.0, -AWAY.0, -AWAY.1]),
         Look::fill(Paint::SteelLight),
     );
-    d.path(
+    drawing.path(
         filled("M# #l# #V#L# #Z", &[to, top, AWAY.0, AWAY.1, FLOOR + AWAY.1, to, FLOOR]),
         Look::fill(Paint::SteelShade),
     );
-    d.rect([from, top, to - from, FLOOR - top, 0.0], Look::fill(Paint::CabinetFront).thin(Paint::Edge, 0.8));
-    d.path(filled("M# #H#", &[from, top + 19.0, to]), Look::HAIR.faint(0.4));
+    drawing.rect([from, top, to - from, FLOOR - top, 0.0], Look::fill(Paint::CabinetFront).thin(Paint::Edge, 0.8));
+    drawing.path(filled("M# #H#", &[from, top + 19.0, to]), Look::HAIR.faint(0.4));
 }
 
 /// Half the width of the column of the cutter.
 fn column(lathe: &PolygonLathe, layout: &Layout) -> f64 {
-    math::clamp(0.34 * lathe.p.tip_radius * layout.scale, 12.0, 54.0)
+    math::clamp(0.34 * lathe.params.tip_radius * layout.scale, 12.0, 54.0)
 }
 
 /// The cutters of all polygons: poses show that of the present one.
-pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+pub(super) fn draw(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let window = Shape::Rect { x: -3000.0, y: 0.0, w: 3000.0 + RIGHT + 10.0, h: 630.0, r: 0.0 };
-    d.place(group::WINDOW, SceneGroup { clip: Some(window), ..SceneGroup::default() });
+    drawing.place(group::WINDOW, SceneGroup { clip: Some(window), ..SceneGroup::default() });
     for (at, polygon) in lathe.polygons().enumerate() {
-        draw_cutter(d, at, polygon, &layout.of(polygon));
+        draw_cutter(drawing, at, polygon, &layout.of(polygon));
     }
 }
 
 /// The cutter disc of a polygon, with column, holders and inserts.
-fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &Layout) {
-    let p = &lathe.p;
+fn draw_cutter(drawing: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &Layout) {
+    let p = &lathe.params;
     let (r, reach) = (p.tip_radius * layout.scale, column(lathe, layout));
     let disc = body(lathe).0 * r;
     let [disc_group, inserts, blur] = [group::DISC, group::INSERTS, group::BLUR].map(|own| group::of(own, at));
     let hidden = at > 0;
-    d.place(disc_group, SceneGroup { parent: group::WINDOW, at: layout.cutter, hidden, ..SceneGroup::default() });
+    drawing.place(disc_group, SceneGroup { parent: group::WINDOW, at: layout.cutter, hidden, ..SceneGroup::default() });
     for group in [inserts, blur] {
-        d.place(group, SceneGroup { parent: disc_group, ..SceneGroup::default() });
+        drawing.place(group, SceneGroup { parent: disc_group, ..SceneGroup::default() });
     }
     let low = FLOOR - 38.0 - AXIS;
-    d.within(disc_group, |d| {
+    drawing.within(disc_group, |drawing| {
         // Carriage and column behind the disc.
-        d.path(
+        drawing.path(
             filled("M# #l# #H#l# #Z", &[-reach - 24.0, low - 20.0, 14.0, -8.0, reach + 38.0, -14.0, 8.0]),
             Look::fill(Paint::DarkLight),
         );
-        d.path(filled("M# #l14 -8v20l-14 8Z", &[reach + 24.0, low - 20.0]), Look::fill(Paint::DarkShade));
-        d.rect(
+        drawing.path(filled("M# #l14 -8v20l-14 8Z", &[reach + 24.0, low - 20.0]), Look::fill(Paint::DarkShade));
+        drawing.rect(
             [-reach - 24.0, low - 20.0, 2.0 * reach + 48.0, 20.0, 0.0],
             Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
         );
-        d.path(filled("M# 0l12 -7V#l-12 7Z", &[reach, low - 27.0]), Look::fill(Paint::DarkShade));
-        d.path(
+        drawing.path(filled("M# 0l12 -7V#l-12 7Z", &[reach, low - 27.0]), Look::fill(Paint::DarkShade));
+        drawing.path(
             filled("M# #V0A# # 0 0 1 # 0V#Z", &[-reach, low - 20.0, reach, reach, reach, low - 20.0]),
             Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
         );
-        d.path(filled("M# #V20", &[-reach + 3.0, low - 26.0]), Look::RIM.faint(0.4));
-        d.showing("tip-radius", |d| {
-            d.circle((0.0, 0.0, r), Look::LEAD.dashed(5.0, 4.0));
+        drawing.path(filled("M# #V20", &[-reach + 3.0, low - 26.0]), Look::RIM.faint(0.4));
+        drawing.showing("tip-radius", |drawing| {
+            drawing.circle((0.0, 0.0, r), Look::LEAD.dashed(5.0, 4.0));
         });
-        d.path(barrel((0.0, 0.0), disc, (0.10 * r, -0.06 * r)), Look::fill(Paint::Dark));
+        drawing.path(barrel((0.0, 0.0), disc, (0.10 * r, -0.06 * r)), Look::fill(Paint::Dark));
     });
-    d.within(inserts, |d| holders(d, lathe, layout));
-    d.within(disc_group, |d| {
-        d.circle((0.0, 0.0, disc), Look::FACE);
-        d.circle((0.0, 0.0, 0.93 * disc), Look::HAIR.faint(0.35));
+    drawing.within(inserts, |drawing| holders(drawing, lathe, layout));
+    drawing.within(disc_group, |drawing| {
+        drawing.circle((0.0, 0.0, disc), Look::FACE);
+        drawing.circle((0.0, 0.0, 0.93 * disc), Look::HAIR.faint(0.35));
     });
-    d.within_hidden(blur, |d| {
-        d.circle((0.0, 0.0, 0.5 * (disc + r)), Look::line(Paint::SteelShade, r - disc));
-        d.circle((0.0, 0.0, 0.985 * r), Look::line(Paint::Accent, 0.03 * r).faint(0.6));
+    drawing.within_hidden(blur, |drawing| {
+        drawing.circle((0.0, 0.0, 0.5 * (disc + r)), Look::line(Paint::SteelShade, r - disc));
+        drawing.circle((0.0, 0.0, 0.985 * r), Look::line(Paint::Accent, 0.03 * r).faint(0.6));
     });
-    d.within(inserts, |d| face(d, lathe, disc));
-    d.within(disc_group, |d| {
-        d.circle((0.0, 0.0, 0.36 * disc), Look::DARK_FACE);
-        d.circle((0.0, 0.0, 0.16 * disc), Look::FACE);
+    drawing.within(inserts, |drawing| face(drawing, lathe, disc));
+    drawing.within(disc_group, |drawing| {
+        drawing.circle((0.0, 0.0, 0.36 * disc), Look::DARK_FACE);
+        drawing.circle((0.0, 0.0, 0.16 * disc), Look::FACE);
     });
-    d.within(inserts, |d| {
+    drawing.within(inserts, |drawing| {
         for at in 0..4 {
             let (x, y) = polar((0.0, 0.0), 90.0 * f64::from(at), 0.29 * disc);
-            d.circle((x, y, 0.035 * disc), Look::HOLE);
+            drawing.circle((x, y, 0.035 * disc), Look::HOLE);
         }
         let key = 0.05 * disc;
-        d.rect([-key, -0.18 * disc, 2.0 * key, 0.08 * disc, 0.0], Look::fill(Paint::DarkShade));
+        drawing.rect([-key, -0.18 * disc, 2.0 * key, 0.08 * disc, 0.0], Look::fill(Paint::DarkShade));
     });
-    d.within(disc_group, |d| {
+    drawing.within(disc_group, |drawing| {
         let (from, to) = (polar((0.0, 0.0), 205.0, 0.975 * disc), polar((0.0, 0.0), 265.0, 0.975 * disc));
-        d.path(filled("M# #A# # 0 0 1 # #", &[from.0, from.1, 0.975 * disc, 0.975 * disc, to.0, to.1]), Look::RIM);
+        drawing
+            .path(filled("M# #A# # 0 0 1 # #", &[from.0, from.1, 0.975 * disc, 0.975 * disc, to.0, to.1]), Look::RIM);
         let cross = 1.1 * r;
-        d.path(
+        drawing.path(
             filled("M# 0h#M0 #v#", &[-cross, 2.0 * cross, -cross, 2.0 * cross]),
             Look::LEAD.dashed(14.0, 5.0).faint(0.6),
         );
@@ -123,7 +124,7 @@ fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &Layout
 
 /// Places of the inserts on the disc in degrees, clockwise from the right as the drawing turns, and their tip radius in units.
 fn tips(lathe: &PolygonLathe, layout: &Layout) -> Vec<(f64, f64)> {
-    let setup = lathe.p.setup(lathe.p.across_flats);
+    let setup = lathe.params.setup(lathe.params.across_flats);
     let tips = setup.map(|setup| setup.tips).unwrap_or_default();
     // At 0 an insert points at the work, to the left.
     tips.iter().map(|tip| (180.0 - tip.angle * 180.0 / PI, tip.radius * layout.scale)).collect()
@@ -135,12 +136,12 @@ fn width(lathe: &PolygonLathe, count: usize) -> f64 {
 }
 
 /// Holders with their inserts.
-fn holders(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
-    let r = lathe.p.tip_radius * layout.scale;
+fn holders(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let r = lathe.params.tip_radius * layout.scale;
     let tips = tips(lathe, layout);
     let half = r * width(lathe, tips.len());
     // Inserts face in the direction of a cutter that turns in the sense of the work, or against it. Positive turns are counter-clockwise.
-    let hand = if lathe.d.inserts.faces_forward == (lathe.p.work_speed() > 0.0) { 1.0 } else { -1.0 };
+    let hand = if lathe.derived.inserts.faces_forward == (lathe.params.work_speed() > 0.0) { 1.0 } else { -1.0 };
     let (disc, outer) = (body(lathe).0 * r, body(lathe).1 * r);
     let inner = 0.87 * disc;
     // The insert reaches into its holder.
@@ -173,15 +174,15 @@ fn holders(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
         inserts.push('Z');
         screws += &circle(seat * c, seat * s, (0.014 * r).min(0.2 * half));
     }
-    d.path(holders, Look::fill(Paint::DarkFace).thin(Paint::Edge, 0.8));
-    d.path(rims, Look::RIM.faint(0.5));
-    d.path(inserts, Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
-    d.path(screws, Look::fill(Paint::Black));
+    drawing.path(holders, Look::fill(Paint::DarkFace).thin(Paint::Edge, 0.8));
+    drawing.path(rims, Look::RIM.faint(0.5));
+    drawing.path(inserts, Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
+    drawing.path(screws, Look::fill(Paint::Black));
 }
 
 /// Marks of the turn on the face of the disc: clamps of the holders and holes.
-fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
-    let count = lathe.p.inserts.max(1.0);
+fn face(drawing: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
+    let count = lathe.params.inserts.max(1.0);
     let half = disc * width(lathe, count as usize) / body(lathe).0;
     let tips = (0..count as u32).map(|at| 180.0 - 360.0 * f64::from(at) / count);
     let (mut clamps, mut holes) = (String::new(), String::new());
@@ -206,26 +207,26 @@ fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
             holes += &circle(x, y, 0.1 * disc);
         }
     }
-    d.path(clamps, Look::HAIR.faint(0.7));
-    d.path(holes, Look::HOLE);
+    drawing.path(clamps, Look::HAIR.faint(0.7));
+    drawing.path(holes, Look::HOLE);
 }
 
 /// Line of the distance between the axes, with the cutter `away` units from its last place.
 pub(in super::super) fn distance(lathe: &PolygonLathe, layout: &Layout, away: f64) -> String {
     let (left, right, y) = (layout.work.0, layout.cutter.0 + away, DISTANCE);
-    let disc = body(lathe).0 * lathe.p.tip_radius * layout.scale;
-    let work = 0.5 * lathe.p.stock_diameter * layout.scale;
+    let disc = body(lathe).0 * lathe.params.tip_radius * layout.scale;
+    let work = 0.5 * lathe.params.stock_diameter * layout.scale;
     if right > RIGHT {
         return filled("M# #V#M# #H#", &[left, AXIS + work + 12.0, y + 6.0, left, y, RIGHT]);
     }
-    let mut d = filled(
+    let mut path = filled(
         "M# #V#M# #V#M# #H#",
         &[left, AXIS + work + 12.0, y + 6.0, right, AXIS + disc + 4.0, y + 6.0, left, y, right],
     );
     if right - left > 24.0 {
-        fill(&mut d, "M# #l-8 4l8 4M# #l8 4l-8 4", &[left + 8.0, y - 4.0, right - 8.0, y - 4.0]);
+        fill(&mut path, "M# #l-8 4l8 4M# #l8 4l-8 4", &[left + 8.0, y - 4.0, right - 8.0, y - 4.0]);
     }
-    d
+    path
 }
 
 /// Offset of the distance's figure from its place in the drawing, in units: in the middle between the axes, and always within the drawing.

@@ -56,12 +56,12 @@ pub(in super::super) struct Layout {
 
 impl Layout {
     pub(in super::super) fn new(lathe: &PolygonLathe) -> Layout {
-        let p = &lathe.p;
+        let p = &lathe.params;
         let stock = 0.5 * p.stock_diameter;
         let most = |value: fn(&PolygonLathe) -> f64| lathe.polygons().map(value).fold(0.0, f64::max);
-        let r = most(|lathe| lathe.p.tip_radius);
+        let r = most(|lathe| lathe.params.tip_radius);
         let across = RIGHT - LEFT - CHUCK.1;
-        let clear = (0.5 * p.clear_diameter()).max(most(|lathe| 0.5 * lathe.p.across_flats));
+        let clear = (0.5 * p.clear_diameter()).max(most(|lathe| 0.5 * lathe.params.across_flats));
         let part = (ROOM.0 / r).min(ROOM.1 / stock).min(across / (clear + 2.0 * r));
         let whole = across / (clear.max(0.5 * p.start_x) + 2.0 * r);
         let scale = part.min(whole.max(SMALLER * part));
@@ -70,7 +70,7 @@ impl Layout {
         let free = if p.free_length > 0.0 {
             p.free_length
         } else {
-            most(|lathe| lathe.p.far_end()) + 0.3 * p.length + 0.4 * stock
+            most(|lathe| lathe.params.far_end()) + 0.3 * p.length + 0.4 * stock
         };
         let bar = (BAR.0 / (free + p.clearance)).min(BAR.1 / stock);
         let start = ((BAR.0 + 46.0) / (free + p.start_z))
@@ -84,7 +84,7 @@ impl Layout {
 
     /// The layout with the cutter at the depth of a polygon.
     pub(in super::super) fn of(self, lathe: &PolygonLathe) -> Layout {
-        let p = &lathe.p;
+        let p = &lathe.params;
         Layout { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }
     }
 
@@ -102,6 +102,6 @@ impl Layout {
 
     /// Where an insert touches the finished side of a polygon: at the level of the axes, towards the cutter.
     pub(in super::super) fn contact(&self, lathe: &PolygonLathe) -> (f64, f64) {
-        (self.work.0 + 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * self.scale, AXIS)
+        (self.work.0 + 0.5 * lathe.params.across_flats.min(lathe.params.stock_diameter) * self.scale, AXIS)
     }
 }

@@ -31,23 +31,23 @@ pub(super) use side::{bar, edges, profile};
 /// The drawing at rest.
 pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     let layout = Layout::new(lathe);
-    let mut d = Drawing::new(UNIT);
-    front::draw_back(&mut d, lathe, &layout);
-    cutter::draw_base(&mut d, lathe, &layout);
-    front::draw_chuck(&mut d, lathe, &layout);
-    front::draw_work(&mut d, lathe, &layout);
-    cutter::draw(&mut d, lathe, &layout);
-    front::draw_arrows(&mut d, lathe, &layout);
-    side::draw(&mut d, lathe, &layout);
-    lens::draw(&mut d, lathe, &layout);
-    lens::draw_close(&mut d, lathe, &layout);
-    labels(&mut d, lathe, &layout);
-    d.stations = vec![
+    let mut drawing = Drawing::new(UNIT);
+    front::draw_back(&mut drawing, lathe, &layout);
+    cutter::draw_base(&mut drawing, lathe, &layout);
+    front::draw_chuck(&mut drawing, lathe, &layout);
+    front::draw_work(&mut drawing, lathe, &layout);
+    cutter::draw(&mut drawing, lathe, &layout);
+    front::draw_arrows(&mut drawing, lathe, &layout);
+    side::draw(&mut drawing, lathe, &layout);
+    lens::draw(&mut drawing, lathe, &layout);
+    lens::draw_close(&mut drawing, lathe, &layout);
+    labels(&mut drawing, lathe, &layout);
+    drawing.stations = vec![
         ("polygon.station.work", layout.work.0),
         ("polygon.station.cutter", layout.cutter.0),
         ("polygon.station.details", 860.0),
     ];
-    d.scene(VIEW, "polygon.scene.alt")
+    drawing.scene(VIEW, "polygon.scene.alt")
 }
 
 /// Base line of the names over the machine, and of those below the lens.
@@ -84,17 +84,17 @@ fn beside_passes(lathe: &PolygonLathe) -> (f64, Anchor) {
 }
 
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
-fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
-    let p = &lathe.p;
+fn labels(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let p = &lathe.params;
     let mm = |value: f64| units::text(value, 3, "mm");
     let callout =
-        |d: &mut Drawing, field: &'static str, at, anchor, name: &str, values: &[(Option<u16>, &str)], part| {
-            d.showing(field, |d| d.callout(&Callout { at, anchor, name, values, part }));
+        |drawing: &mut Drawing, field: &'static str, at, anchor, name: &str, values: &[(Option<u16>, &str)], part| {
+            drawing.showing(field, |drawing| drawing.callout(&Callout { at, anchor, name, values, part }));
         };
     let chuck = (layout.work.0 + 0.72 * layout.chuck, layout.work.1 - 0.62 * layout.chuck);
     let (work, cutter) = columns(lathe, layout);
     callout(
-        d,
+        drawing,
         "speed",
         (work, ROW),
         Anchor::Start,
@@ -102,47 +102,55 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
         &[(Some(node::WORK_SPEED), "")],
         Some(chuck),
     );
-    d.path(String::new(), Look::LEAD).id = Some(node::LEADER);
+    drawing.path(String::new(), Look::LEAD).id = Some(node::LEADER);
     let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
     let values = [(Some(node::TOOL_SPEED), ""), (Some(node::RADIUS), radius.as_str())];
-    callout(d, "tip-radius", (cutter, ROW), Anchor::Start, &name, &values, None);
+    callout(drawing, "tip-radius", (cutter, ROW), Anchor::Start, &name, &values, None);
     let ahead = [(Some(node::PHASE), ""), (Some(node::STATE), "")];
-    callout(d, "", (DETAILS[0], LOW_ROW), Anchor::Start, &say("polygon.scene.phase"), &ahead, None);
-    callout(d, "depth", (PASS, LOW_ROW), Anchor::Start, &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
+    callout(drawing, "", (DETAILS[0], LOW_ROW), Anchor::Start, &say("polygon.scene.phase"), &ahead, None);
+    callout(
+        drawing,
+        "depth",
+        (PASS, LOW_ROW),
+        Anchor::Start,
+        &say("polygon.scene.pass"),
+        &[(Some(node::PASS), "")],
+        None,
+    );
     let stock = format!("Ø {}", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
     let (at, anchor) = beside_passes(lathe);
-    callout(d, "across-flats", (at, LOW_ROW), anchor, &say("polygon.scene.close"), &values, None);
-    d.text((DETAILS[0], ABOVE), Anchor::Start, &say("polygon.scene.above"), Font::Label, Paint::Dim);
+    callout(drawing, "across-flats", (at, LOW_ROW), anchor, &say("polygon.scene.close"), &values, None);
+    drawing.text((DETAILS[0], ABOVE), Anchor::Start, &say("polygon.scene.above"), Font::Label, Paint::Dim);
     // Below the slide at any of its positions.
-    side::draw_arrows(d, (DETAILS[0] + 14.0, SLIDES));
-    d.text((DETAILS[0] + 38.0, SLIDES), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::SIZE);
-    d.text((DETAILS[0] + 38.0, SLIDES + 24.0), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::ALONG);
+    side::draw_arrows(drawing, (DETAILS[0] + 14.0, SLIDES));
+    drawing.text((DETAILS[0] + 38.0, SLIDES), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::SIZE);
+    drawing.text((DETAILS[0] + 38.0, SLIDES + 24.0), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::ALONG);
     let start = format!("X{} Z{}", show(lathe.x_of(p.start_x), 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 450.0), Anchor::End, &say("polygon.scene.start"), &[(None, &start)], None);
-    d.showing("clearance", |d| {
+    callout(drawing, "start-x", (RIGHT, 450.0), Anchor::End, &say("polygon.scene.start"), &[(None, &start)], None);
+    drawing.showing("clearance", |drawing| {
         let text = format!("{} {}", say("polygon.clearance"), mm(p.clearance));
-        d.text((RIGHT, ABOVE), Anchor::End, &text, Font::Label, Paint::Dim);
+        drawing.text((RIGHT, ABOVE), Anchor::End, &text, Font::Label, Paint::Dim);
     });
     // The distance of the axes, in the middle between them.
-    d.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);
+    drawing.path(String::new(), Look::LEAD.edge(Paint::Accent, 1.2)).id = Some(node::DISTANCE);
     let middle = (0.5 * (layout.work.0 + layout.cutter.0), cutter::DISTANCE);
-    d.place(group::DISTANCE, SceneGroup { at: middle, ..SceneGroup::default() });
-    d.within(group::DISTANCE, |d| {
-        d.text((0.0, -7.0), Anchor::Middle, "", Font::Value, Paint::Ink).id = Some(node::APART);
+    drawing.place(group::DISTANCE, SceneGroup { at: middle, ..SceneGroup::default() });
+    drawing.within(group::DISTANCE, |drawing| {
+        drawing.text((0.0, -7.0), Anchor::Middle, "", Font::Value, Paint::Ink).id = Some(node::APART);
     });
 }
 
 /// Distance across flats and tip radius of a polygon.
 pub(super) fn sizes(lathe: &PolygonLathe) -> [String; 2] {
     let mm = |value: f64| units::text(value, 3, "mm");
-    [format!("AF {}", mm(lathe.p.across_flats)), format!("r {}", mm(lathe.p.tip_radius))]
+    [format!("AF {}", mm(lathe.params.across_flats)), format!("r {}", mm(lathe.params.tip_radius))]
 }
 
 /// Leader of the cutter's label to the disc of the present polygon, `away` units from its last place; none where the disc has left the
 /// drawing.
 pub(super) fn leader((lathe, polygon): (&PolygonLathe, &PolygonLathe), layout: &Layout, away: f64) -> String {
-    let r = 0.6 * polygon.p.tip_radius * layout.scale;
+    let r = 0.6 * polygon.params.tip_radius * layout.scale;
     let (x, y) = (layout.cutter.0 + away + 0.3 * r, layout.cutter.1 - 0.95 * r);
     if x > layout::RIGHT {
         return String::new();

@@ -23,49 +23,55 @@ const MOST_TURNS: f64 = 8.0;
 const TWIST: u32 = 64;
 
 /// Everything from above.
-pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
-    let p = &lathe.p;
+pub(super) fn draw(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let p = &lathe.params;
     let (front, axis) = SIDE;
     let (scale, face) = (layout.side, layout.face);
     let half = 0.5 * p.stock_diameter * scale;
     // Chuck with its jaws.
     let chuck = (1.5 * half).max(38.0);
-    d.rect([LEFT, axis - chuck, 30.0, 2.0 * chuck, 2.0], Look::fill(Paint::DarkBar).thin(Paint::Edge, 0.8));
-    d.rect(
+    drawing.rect([LEFT, axis - chuck, 30.0, 2.0 * chuck, 2.0], Look::fill(Paint::DarkBar).thin(Paint::Edge, 0.8));
+    drawing.rect(
         [LEFT + 30.0, axis - 0.86 * chuck, 8.0, 1.72 * chuck, 0.0],
         Look::fill(Paint::DarkBar).thin(Paint::Edge, 0.8),
     );
     for side in [-1.0, 1.0] {
         let (near, far) = (axis + side * half, axis + side * (half + 0.32 * chuck).min(0.84 * chuck).max(half + 6.0));
         let left = LEFT + 38.0;
-        d.path(filled("M# #H#V#H#Z", &[left, near, front, far, left]), Look::fill(Paint::Steel).thin(Paint::Edge, 0.8));
+        drawing.path(
+            filled("M# #H#V#H#Z", &[left, near, front, far, left]),
+            Look::fill(Paint::Steel).thin(Paint::Edge, 0.8),
+        );
     }
-    d.showing("length", |d| {
-        d.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::BAR);
+    drawing.showing("length", |drawing| {
+        drawing.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::BAR);
     });
-    d.within(group::EDGES, |d| {
-        d.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::EDGES);
+    drawing.within(group::EDGES, |drawing| {
+        drawing.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::EDGES);
     });
-    twist(d, lathe, layout);
-    d.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
-    dimension(d, lathe, layout, half);
-    approach(d, lathe, layout);
+    twist(drawing, lathe, layout);
+    drawing.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
+    dimension(drawing, lathe, layout, half);
+    approach(drawing, lathe, layout);
     let top = axis + 0.5 * p.across_flats * scale;
-    d.place(group::SIDE, SceneGroup { at: (face, top), ..SceneGroup::default() });
-    d.within(group::SIDE, |d| {
-        d.path(filled("M-34 #l12 -7h66l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkLight));
-        d.path(filled("M32 #l12 -7v18l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkShade));
-        d.rect([-34.0, CUTTER + 6.0, 66.0, 18.0, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
+    drawing.place(group::SIDE, SceneGroup { at: (face, top), ..SceneGroup::default() });
+    drawing.within(group::SIDE, |drawing| {
+        drawing.path(filled("M-34 #l12 -7h66l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkLight));
+        drawing.path(filled("M32 #l12 -7v18l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkShade));
+        drawing.rect([-34.0, CUTTER + 6.0, 66.0, 18.0, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
         // A line of fracture: the disc is longer than drawn.
-        d.path(filled("M-1 16h14V#l-5 4l-5 -7l-4 5Z", &[CUTTER]), Look::fill(Paint::SteelBody).thin(Paint::Edge, 0.8));
-        d.rect([-9.0, 40.0, 30.0, 17.0, 2.0], Look::FACE);
-        d.path("M0 0h7l5 17h-12Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
+        drawing.path(
+            filled("M-1 16h14V#l-5 4l-5 -7l-4 5Z", &[CUTTER]),
+            Look::fill(Paint::SteelBody).thin(Paint::Edge, 0.8),
+        );
+        drawing.rect([-9.0, 40.0, 30.0, 17.0, 2.0], Look::FACE);
+        drawing.path("M0 0h7l5 17h-12Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
     });
 }
 
 /// Approach of the slide from its start to the clearance.
-fn approach(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
-    let p = &lathe.p;
+fn approach(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let p = &lathe.params;
     let at = |across: f64, z: f64| (layout.face + z * layout.side, SIDE.1 + 0.5 * across * layout.side);
     let (start, near) = (at(p.start_x, p.start_z), at(p.clear_diameter(), p.clearance));
     let mut path = filled("M# #L# #", &[start.0, start.1, near.0, near.1]);
@@ -73,20 +79,20 @@ fn approach(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
         let (over, down) = (at(p.clear_diameter(), p.approach()), at(p.across_flats, p.approach()));
         fill(&mut path, "L# #L# #", &[over.0, over.1, down.0, down.1]);
     }
-    d.showing("clearance", |d| {
-        d.path(path, Look::LEAD.dashed(7.0, 4.0).faint(0.7));
+    drawing.showing("clearance", |drawing| {
+        drawing.path(path, Look::LEAD.dashed(7.0, 4.0).faint(0.7));
     });
-    d.showing("start-x", |d| {
-        d.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
+    drawing.showing("start-x", |drawing| {
+        drawing.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
     });
 }
 
 /// The length of the polygon over the bar.
-fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) {
-    let p = &lathe.p;
+fn dimension(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) {
+    let p = &lathe.params;
     let [left, right] = [p.far_end(), p.from_face].map(|at| layout.face - at * layout.side);
     let y = SIDE.1 - 46.0;
-    d.showing("length", |d| {
+    drawing.showing("length", |drawing| {
         let ends = filled("M# #V#M# #V#", &[left, SIDE.1 - half - 3.0, y - 4.0, right, SIDE.1 - half - 3.0, y - 4.0]);
         let arrows = if right - left > 26.0 {
             filled("M# #H#M# #l-8 4l8 4M# #l8 4l-8 4", &[left, y, right, left + 8.0, y - 4.0, right - 8.0, y - 4.0])
@@ -96,24 +102,24 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout, half: f64) 
                 &[left - 22.0, y, left, right, y, right + 22.0, left - 8.0, y - 4.0, right + 8.0, y - 4.0],
             )
         };
-        d.path([ends, arrows].concat(), Look::LEAD);
+        drawing.path([ends, arrows].concat(), Look::LEAD);
         for other in &lathe.further {
-            let ends = [other.p.far_end(), other.p.from_face].map(|at| layout.face - at * layout.side);
+            let ends = [other.params.far_end(), other.params.from_face].map(|at| layout.face - at * layout.side);
             for end in ends {
-                d.path(filled("M# #V#", &[end, SIDE.1 - half - 3.0, y - 4.0]), Look::LEAD);
+                drawing.path(filled("M# #V#", &[end, SIDE.1 - half - 3.0, y - 4.0]), Look::LEAD);
             }
-            d.path(filled("M# #H#", &[ends[0], y, ends[1]]), Look::LEAD);
+            drawing.path(filled("M# #H#", &[ends[0], y, ends[1]]), Look::LEAD);
         }
-        let text = format!("{} {}", say("polygon.scene.length"), units::text(lathe.p.length, 3, "mm"));
+        let text = format!("{} {}", say("polygon.scene.length"), units::text(lathe.params.length, 3, "mm"));
         let half = 0.3 * LETTER * UNIT * columns(&text) as f64;
         let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);
-        d.text((middle, y - 12.0), Anchor::Middle, &text, Font::Label, Paint::Ink);
+        drawing.text((middle, y - 12.0), Anchor::Middle, &text, Font::Label, Paint::Ink);
     });
 }
 
 /// The corners of a twisted polygon along the bar, on the near side of the part.
-fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
-    let (p, derived) = (&lathe.p, &lathe.d);
+fn twist(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
+    let (p, derived) = (&lathe.params, &lathe.derived);
     let (scale, face) = (layout.side, layout.face);
     let turns = p.length / p.lead;
     if turns.abs() > MOST_TURNS || !derived.cuts || derived.section.sides <= 1.0 {
@@ -133,8 +139,8 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
             }
             seen = sin >= 0.0;
         }
-        d.showing("lead", |d| {
-            d.path(line, Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
+        drawing.showing("lead", |drawing| {
+            drawing.path(line, Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
         });
     }
 }
@@ -153,10 +159,10 @@ fn stretches(lathe: &PolygonLathe, passes: &[SizedStretch]) -> Vec<SizedStretch>
     let mut all: Vec<SizedStretch> = Vec::new();
     for (near, far) in ends.iter().zip(ends.iter().skip(1)) {
         let over = passes.iter().filter(|pass| pass.near <= *near && pass.far >= *far);
-        let size = over.map(|pass| pass.size).fold(lathe.p.stock_diameter, f64::min);
+        let size = over.map(|pass| pass.size).fold(lathe.params.stock_diameter, f64::min);
         match all.last_mut().filter(|last| last.far == *near && last.size == size) {
             Some(last) => last.far = *far,
-            None if size < lathe.p.stock_diameter => all.push(SizedStretch { near: *near, far: *far, size }),
+            None if size < lathe.params.stock_diameter => all.push(SizedStretch { near: *near, far: *far, size }),
             None => {}
         }
     }
@@ -166,7 +172,7 @@ fn stretches(lathe: &PolygonLathe, passes: &[SizedStretch]) -> Vec<SizedStretch>
 /// The bar from above, as cut so far.
 pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Progress) -> String {
     let (scale, face) = (layout.side, layout.face);
-    let stock = 0.5 * lathe.p.stock_diameter;
+    let stock = 0.5 * lathe.params.stock_diameter;
     // From the face to the jaws.
     let mut upper = Vec::new();
     let cut: Vec<_> = progress.pass_stretches().chain(progress.turned_stretches.iter().copied()).collect();
@@ -196,15 +202,15 @@ pub(in super::super) fn edges(
     (from, to): (f64, f64),
     angle: f64,
 ) -> String {
-    let (p, derived) = (&lathe.p, &lathe.d);
-    let mut d = String::new();
+    let (p, derived) = (&lathe.params, &lathe.derived);
+    let mut path = String::new();
     if p.lead != 0.0
         || !derived.cuts
         || derived.section.sides < 2.0
         || derived.section.sides > 24.0
         || size >= p.stock_diameter
     {
-        return d;
+        return path;
     }
     let pitch = 2.0 * PI / derived.section.sides;
     // Corner of two planes, or the stock that is left between them.
@@ -222,15 +228,16 @@ pub(in super::super) fn edges(
             (top, bottom) = (top.min(y), bottom.max(y));
             // From above, with the cutter towards the operator.
             if sin > 0.0 {
-                fill(&mut d, "M# #H#", &[left, y, right]);
+                fill(&mut path, "M# #H#", &[left, y, right]);
             }
         }
     }
-    fill(&mut d, "M# #H#V#H#Z", &[left, top, right, bottom, left]);
-    d
+    fill(&mut path, "M# #H#V#H#Z", &[left, top, right, bottom, left]);
+    path
 }
 
 /// Arrows at the figures of the slides.
-pub(super) fn draw_arrows(d: &mut Drawing, (x, y): (f64, f64)) {
-    d.path(filled("M# #v-16m-4 6l4 -6l4 6M# #h-16m6 -4l-6 4l6 4", &[x, y + 2.0, x + 8.0, y + 18.0]), Look::POINTER);
+pub(super) fn draw_arrows(drawing: &mut Drawing, (x, y): (f64, f64)) {
+    drawing
+        .path(filled("M# #v-16m-4 6l4 -6l4 6M# #h-16m6 -4l-6 4l6 4", &[x, y + 2.0, x + 8.0, y + 18.0]), Look::POINTER);
 }

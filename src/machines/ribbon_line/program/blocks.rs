@@ -28,7 +28,7 @@ pub(super) fn travel(line: &RibbonLine, axis: usize, by: Formula) -> NewWord {
 
 /// A note about the print roller's axis.
 pub(super) fn about(line: &RibbonLine, what: &str) -> String {
-    format!("{} {what}", line.p.print_axis.address())
+    format!("{} {what}", line.params.print_axis.address())
 }
 
 /// Words of the pull axis for a length of ribbon in mm.
@@ -41,7 +41,7 @@ pub(super) fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
 
 /// The block that pulls and prints. An exact stop that acts in one block alone is written in each.
 pub(super) fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
-    let once = line.p.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
+    let once = line.params.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
     let mut words = codes(line, once.then_some(Code::ExactStopOnce));
     words.extend([
         g(1),
@@ -64,7 +64,7 @@ pub(super) fn wait_for_knob(b: &mut Builder, line: &RibbonLine) {
 
 /// Incremental dimensions, unit of F, and how blocks join.
 pub(super) fn modes(line: &RibbonLine) -> Vec<NewWord> {
-    let path = if line.p.path_mode == PathMode::ExactStop { Code::ExactStop } else { Code::Cutting };
+    let path = if line.params.path_mode == PathMode::ExactStop { Code::ExactStop } else { Code::Cutting };
     codes(line, [Code::Incremental, feed_unit(line), path])
 }
 
@@ -82,7 +82,7 @@ pub(super) fn overrides_can_be_off(line: &RibbonLine) -> bool {
 
 /// Whether the program shifts the coordinates back at each start.
 pub(super) fn presets(line: &RibbonLine) -> bool {
-    line.p.endless == Endless::Shift
+    line.params.endless == Endless::Shift
 }
 
 /// Brings a head to the ribbon before the product begins.
@@ -97,19 +97,19 @@ pub(super) fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
     }
     let zero = || real(0.0, 0);
     let mut words = codes(line, [Code::SetCoordinates]);
-    words.extend([x(zero()), word(line.p.print_axis.address(), zero())]);
+    words.extend([x(zero()), word(line.params.print_axis.address(), zero())]);
     b.n(number).words(words);
 }
 
 /// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed
 /// override leaves.
 pub(super) fn spindle_word(line: &RibbonLine) -> u32 {
-    if line.p.knob_is_locked() { ACTUAL_SPEED } else { SPEED }
+    if line.params.knob_is_locked() { ACTUAL_SPEED } else { SPEED }
 }
 
 /// Starts the unwinder before the program reads its speed back: a register with the final speed is 0 until the control puts out an S.
 pub(super) fn speed_before_reading(b: &mut Builder, line: &RibbonLine) {
-    if line.p.override_form == OverrideForm::FinalSpeed {
+    if line.params.override_form == OverrideForm::FinalSpeed {
         b.words([s(v(SPEED)), m(3)]).note("S IS READ BACK");
     }
 }
@@ -117,9 +117,9 @@ pub(super) fn speed_before_reading(b: &mut Builder, line: &RibbonLine) {
 /// S and M3, and the wait until the unwinder runs.
 pub(super) fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
     b.n(start).words([s(v(spindle_word(line))), m(3)]);
-    match line.p.wait {
-        Wait::Dwell if line.p.dwell > 0.0 => {
-            let (seconds, note) = (real(line.p.dwell, 3), "SPINDLE GETS ITS SPEED");
+    match line.params.wait {
+        Wait::Dwell if line.params.dwell > 0.0 => {
+            let (seconds, note) = (real(line.params.dwell, 3), "SPINDLE GETS ITS SPEED");
             writing::wait(b.n(wait), line.control, feed_unit(line), seconds, note);
         }
         Wait::Dwell => {}

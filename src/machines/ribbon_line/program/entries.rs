@@ -25,7 +25,7 @@ pub(super) const ENTRIES: [OperatorVariable; 10] = [
 
 /// Whether a product is given by its length, independent of the pitch.
 pub(super) fn is_length(line: &RibbonLine) -> bool {
-    line.p.is_length(line.control)
+    line.params.is_length(line.control)
 }
 
 /// The operator's variables on this control.
@@ -63,7 +63,7 @@ pub(in crate::machines::ribbon_line) fn variables(line: &RibbonLine) -> Vec<Mach
         variable(STROKE, "ribbon.readout.y-stroke", ""),
         variable(VECTOR_FEED, "ribbon.readout.vector-feed", "mm/min"),
     ];
-    let ready_made = line.p.variant == Variant::ReadyMade;
+    let ready_made = line.params.variant == Variant::ReadyMade;
     if per_turn || ready_made {
         all.push(variable(FEED_PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
     }

@@ -13,12 +13,12 @@ use crate::nc::build::{Condition, Formula, real, v};
 /// control takes fewer digits, it gets what fits.
 pub(super) fn pi(line: &RibbonLine) -> Formula {
     let decimals = line.dialect.reading.digits.saturating_sub(1).min(9);
-    real(line.p.program_pi(), decimals as u8)
+    real(line.params.program_pi(), decimals as u8)
 }
 
 /// Actual spindle speed, equation (1). `input` holds the PLC's word.
 pub(super) fn actual_speed(line: &RibbonLine, input: u32) -> Formula {
-    match line.p.override_form {
+    match line.params.override_form {
         OverrideForm::Percent => v(SPEED) * v(input) / 100,
         OverrideForm::FinalSpeed => v(input),
     }

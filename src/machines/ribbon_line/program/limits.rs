@@ -22,7 +22,7 @@ pub(super) fn feed_guard(b: &mut Builder, line: &RibbonLine, number: u32) {
 /// Jumps to one of two blocks where the control would slow both axes, and the unwinder not: where the pull axis or the print roller is above
 /// the clamp of its feed.
 pub(super) fn clamp_guards(b: &mut Builder, line: &RibbonLine, [of_pull, of_print]: [u32; 2]) {
-    let [clamp_x, clamp_y] = [line.p.clamp_x, line.p.clamp_y].map(|clamp| real(clamp, 3));
+    let [clamp_x, clamp_y] = [line.params.clamp_x, line.params.clamp_y].map(|clamp| real(clamp, 3));
     b.if_goto(v(LINE_SPEED).gt(clamp_x), of_pull);
     b.if_goto((v(LINE_SPEED) * v(STROKE)).gt(v(PITCH) * clamp_y), of_print);
 }
@@ -45,7 +45,7 @@ pub(super) fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
 
 /// The alarms of an axis above its clamp.
 pub(super) fn clamp_alarms(b: &mut Builder, line: &RibbonLine) {
-    let axes = [("X".to_owned(), line.p.clamp_x), (line.letter(), line.p.clamp_y)];
+    let axes = [("X".to_owned(), line.params.clamp_x), (line.letter(), line.params.clamp_y)];
     for (number, (axis, clamp)) in CLAMP_ALARMS.into_iter().zip(axes) {
         writing::alarm(b, line.control, number, &format!("{axis} FEED ABOVE CLAMP {clamp}"));
         if writing::has_alarms(line.control) {

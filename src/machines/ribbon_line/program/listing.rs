@@ -42,7 +42,7 @@ pub(super) fn product(b: &mut Builder, line: &RibbonLine) {
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
         b.if_goto(v(LEFT).lt(1), alarm_block(SHORT_ALARM));
-        if line.p.variant == Variant::Precomputed {
+        if line.params.variant == Variant::Precomputed {
             b.assign(PITCH_COPY, v(PITCH));
         }
     } else {

@@ -29,7 +29,7 @@ use crate::nc::build::Builder;
 /// The programs, one per file.
 pub(super) fn deck(line: &RibbonLine) -> Deck {
     let mut b = Builder::new();
-    match line.p.variant {
+    match line.params.variant {
         Variant::ReadyMade => {
             ready_made::compute(&mut b, line);
             ready_made::run(&mut b, line);

@@ -20,16 +20,16 @@ pub(super) const WHOLE_ALARM: u32 = 22;
 /// Writes the pitches left of a length by the rule for its remainder, and the length of a shorter last pitch.
 pub(super) fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
     let pitches = || length.clone() / v(PITCH);
-    let whole = match line.p.rest {
+    let whole = match line.params.rest {
         Rest::Shorten => (pitches() + real(PITCH_TOLERANCE, 4)).fix(),
         Rest::Round | Rest::Alarm => pitches().round(),
     };
     b.assign(LEFT, whole).note("PITCHES LEFT");
-    match line.p.rest {
+    match line.params.rest {
         Rest::Shorten => b.assign(LAST, length.clone() - v(LEFT) * v(PITCH)).note("LAST PITCH"),
         Rest::Round | Rest::Alarm => b.assign(LAST, 0).note("NO SHORTER PITCH"),
     };
-    if line.p.rest == Rest::Alarm {
+    if line.params.rest == Rest::Alarm {
         b.if_goto((length - v(LEFT) * v(PITCH)).abs().gt(real(0.001, 3)), alarm_block(WHOLE_ALARM));
     }
 }
@@ -47,7 +47,7 @@ pub(super) fn compute_again(b: &mut Builder, line: &RibbonLine) {
 
 /// The block of the shorter last pitch: both axes in the same ratio as before.
 pub(super) fn last_pitch(b: &mut Builder, line: &RibbonLine) {
-    if !is_length(line) || line.p.rest != Rest::Shorten {
+    if !is_length(line) || line.params.rest != Rest::Shorten {
         return;
     }
     b.if_goto(v(LAST).le(real(SHORTEST, 4)), 50);
@@ -63,7 +63,7 @@ pub(super) fn length_alarms(b: &mut Builder, line: &RibbonLine) {
     }
     let length = line.control.variable(LENGTH);
     writing::alarm(b, line.control, SHORT_ALARM, &format!("LENGTH {length} IS BELOW A PITCH"));
-    if line.p.rest == Rest::Alarm {
+    if line.params.rest == Rest::Alarm {
         writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO WHOLE PITCHES"));
     }
     if writing::has_alarms(line.control) {

@@ -113,7 +113,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
     // screen, this one without its number.
     let (first, second) = WATCHED.split_at(3);
     let with_knob: Vec<_> = core::iter::once((line.override_variable(), KNOB)).chain(first.iter().copied()).collect();
-    if line.p.knob_is_locked() {
+    if line.params.knob_is_locked() {
         // S changes with the typed override.
         b.if_goto(changed(&with_knob).gt(0), 15);
     } else {

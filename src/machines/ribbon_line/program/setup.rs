@@ -13,7 +13,7 @@ use crate::nc::build::{Builder, m, real};
 pub(super) fn write(b: &mut Builder, line: &RibbonLine) {
     b.program(SETUP, "RIBBON LINE - SET VALUES ONCE");
     header(b, line);
-    let p = &line.p;
+    let p = &line.params;
     let values = [
         (SPEED, p.spindle_speed, 0, "SPINDLE SPEED S"),
         (REDUCTION, p.reduction_ratio, 6, "REDUCTION RATIO"),

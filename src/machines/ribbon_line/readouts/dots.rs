@@ -86,7 +86,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         decimals: 3,
         formula: "π · #111 / #109 - l",
         cite: Citation::new("sizing facts 3.1", Grade::Inferred),
-        value: |line| line.p.head_gap(),
+        value: |line| line.params.head_gap(),
         ..ReadoutRow::BASE
     },
 ];

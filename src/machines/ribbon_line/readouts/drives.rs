@@ -94,14 +94,14 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts 2.1", Grade::Inferred),
         value: |line| {
             let axis = &line.mechanics.print;
-            inertia::best_ratio(axis.output.inertia, axis.fitted.motor.rotor + line.p.print.gear_inertia * CM2)
+            inertia::best_ratio(axis.output.inertia, axis.fitted.motor.rotor + line.params.print.gear_inertia * CM2)
         }, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "site-share", label: "ribbon.readout.site-share", unit: "%", decimals: 1,
         formula: "table of height and temperature, at most 100 %",
         cite: Citation::new("SIMOTICS S-1FL2 operating instructions, p.628: derating by height and temperature", Grade::Inferred),
-        value: |line| 100.0 * line.p.site().share(), ..ReadoutRow::BASE
+        value: |line| 100.0 * line.params.site().share(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "dot-length", label: "ribbon.readout.dot-length", unit: "mm", decimals: 3,

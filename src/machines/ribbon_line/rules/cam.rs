@@ -54,7 +54,7 @@ fn not_written(line: &RibbonLine) -> Option<Judgement> {
 
 fn motor(line: &RibbonLine) -> Option<Judgement> {
     let (now, _) = cam::chosen(line)?;
-    feeds::motor(line, now.motor_speed(), line.p.motor_rated_y, line.p.motor_max_y)
+    feeds::motor(line, now.motor_speed(), line.params.motor_rated_y, line.params.motor_max_y)
 }
 
 /// A torque now and with the knob at its highest position against what is allowed there, and the ribbon speed (mm/min) that keeps it.
@@ -99,7 +99,7 @@ fn lag(line: &RibbonLine) -> Option<Judgement> {
 /// Time of a short block against the time that the control needs for a block with a macro statement for its end point and F.
 fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast): (Cam, Cam) = cam::chosen(line)?;
-    let (lasts, needed) = (fast.block_time(), line.p.block_time + line.p.macro_time);
+    let (lasts, needed) = (fast.block_time(), line.params.block_time + line.params.macro_time);
     if lasts.is_infinite() {
         return ok(AtLeast(needed));
     }
@@ -114,7 +114,7 @@ fn block_time(line: &RibbonLine) -> Option<Judgement> {
 /// Smear that ramp and lag of the axis leave of a correction by short blocks.
 fn smear(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = cam::chosen(line)?;
-    let limit = AtMost(here(line.p.smear_limit, now.smear_of_blocks(), fast.smear_of_blocks()));
+    let limit = AtMost(here(line.params.smear_limit, now.smear_of_blocks(), fast.smear_of_blocks()));
     if limit.holds(now.smear_of_blocks()) {
         return ok(limit);
     }

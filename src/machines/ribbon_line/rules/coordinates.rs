@@ -15,7 +15,7 @@ use crate::view::{Advice, Verdict};
 
 /// A block with a word beyond the coordinate range of the control.
 pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let limits = &line.control.limits;
     let pitches = p.block_pitches().min(p.count());
     let pull = p.pitch * f64::from(line.pull_words());
@@ -32,8 +32,8 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
 /// The axis whose words leave the control's range first, and its travel per pitch in words; none where the coordinates of both roll over.
 fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
     let [pull_rolls, print_rolls] = line.rolls_over();
-    let pull = ("X".to_owned(), line.p.pitch * f64::from(line.pull_words()));
-    let print = (line.letter(), line.d.feeds.y_stroke);
+    let pull = ("X".to_owned(), line.params.pitch * f64::from(line.pull_words()));
+    let print = (line.letter(), line.derived.feeds.y_stroke);
     match (pull_rolls, print_rolls) {
         (true, true) => None,
         (true, false) => Some(print),
@@ -44,10 +44,10 @@ fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
 
 /// Seconds of running from zero to the end of the control's range: `range / (travel per pitch · pitches per second)`; 0 at standstill.
 pub(in crate::machines::ribbon_line) fn range_time(line: &RibbonLine) -> f64 {
-    let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.d.timing.dots_per_second);
+    let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.derived.timing.dots_per_second);
     match speed > 0.0 {
         true => line.control.limits.coordinate_max / speed,
-        false if line.d.timing.dots_per_second > 0.0 => f64::INFINITY,
+        false if line.derived.timing.dots_per_second > 0.0 => f64::INFINITY,
         false => 0.0,
     }
 }
@@ -64,15 +64,15 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
         // The print roller is left, and counts millimetres.
         let advice = Advice::from(msg!("ribbon.range-degrees"));
         let set = [("y-unit", "degrees")];
-        return if line.p.print_axis == PrintAxis::Y {
+        return if line.params.print_axis == PrintAxis::Y {
             vec![advice.setting(msg!("advice.degrees"), set)]
         } else {
             vec![]
         };
     }
     let needs_degrees = line.reads_positions() && !line.degrees();
-    let can_roll =
-        line.control.param(ParamRole::AxisRollOver).is_some() && (!needs_degrees || line.p.print_axis == PrintAxis::Y);
+    let can_roll = line.control.param(ParamRole::AxisRollOver).is_some()
+        && (!needs_degrees || line.params.print_axis == PrintAxis::Y);
     let shifts = product_fits && line.control.can(Code::SetCoordinates);
     if can_roll && line.pull_words() > 1 && !shifts {
         return vec![msg!("ribbon.range-roll-over-in-radius", parameters = roll_parameters(line)).into()];
@@ -86,7 +86,7 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
             advice.setting(msg!("advice.roll-over"), [rolls])
         }];
     }
-    if shifts && line.p.endless != Endless::Shift {
+    if shifts && line.params.endless != Endless::Shift {
         return vec![Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), [("endless", "shift")])];
     }
     Vec::new()
@@ -101,12 +101,12 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
         return Some(Judgement { verdict: Verdict::Ok, limit: None, advice: vec![advice.into()] });
     };
     let with = |advice: Advice, fits: bool| [vec![advice], endless_axes(line, fits)].concat();
-    let products = (max / (travel * line.p.count())).floor();
+    let products = (max / (travel * line.params.count())).floor();
     if products < 1.0 {
         let pitches = (max / travel).floor();
         let advice = Advice::from(msg!("ribbon.range-product", axis, limit = max, count = (pitches, 0)));
-        let set = if line.p.is_length(line.control) {
-            at_most(FIELDS, "product-length", pitches * line.p.pitch)
+        let set = if line.params.is_length(line.control) {
+            at_most(FIELDS, "product-length", pitches * line.params.pitch)
         } else {
             at_most(FIELDS, "pitch-count", pitches)
         };
@@ -114,7 +114,7 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
         return fail(None, with(if pitches >= 1.0 { advice.setting(button, [set]) } else { advice }, false));
     }
     let seconds = (range_time(line), 0);
-    if line.p.endless == Endless::Shift && line.dialect.running.range != Some(CoordinateFrame::Machine) {
+    if line.params.endless == Endless::Shift && line.dialect.running.range != Some(CoordinateFrame::Machine) {
         let advice = msg!("ribbon.range-shifted", axis, limit = max, time = seconds, products = (products, 0));
         return Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] });
     }
@@ -127,14 +127,14 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
 /// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors, by the whole numbers of the scaling parameters; none
 /// if the control has no such numbers.
 pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
-    let feeds = [line.d.feeds.line_speed, line.d.feeds.y_feed];
+    let feeds = [line.derived.feeds.line_speed, line.derived.feeds.y_feed];
     let drives = line.drives("");
     [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
 }
 
 /// The dots of a product may drift by the tolerance of a dot.
 fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     line.control.scaling?;
     let axis = if at == 0 { "X".to_owned() } else { line.letter() };
     let Some(drift) = scaling_drifts(line)[at] else {

@@ -20,7 +20,7 @@ pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
 ];
 
 fn error(line: &RibbonLine) -> Option<Judgement> {
-    let (p, of) = (&line.p, DotError::of(line));
+    let (p, of) = (&line.params, DotError::of(line));
     let limit = AtMost(p.dot_tolerance);
     if of.total() <= p.dot_tolerance {
         return ok(limit);
@@ -79,7 +79,7 @@ fn with_head(advice: Message, longest: f64) -> Advice {
 
 /// Judges the room between two heads on the print roller.
 fn head_gap(line: &RibbonLine) -> Option<Judgement> {
-    let (p, limit) = (&line.p, AtLeast(0.0));
+    let (p, limit) = (&line.params, AtLeast(0.0));
     if p.head_gap() >= 0.0 {
         return ok(limit);
     }
@@ -90,11 +90,11 @@ fn head_gap(line: &RibbonLine) -> Option<Judgement> {
 
 /// Judges the ribbon left between two dots. The slip lengthens a dot whatever the length of its head.
 fn dot_gap(line: &RibbonLine) -> Option<Judgement> {
-    let (p, limit) = (&line.p, AtLeast(0.0));
+    let (p, limit) = (&line.params, AtLeast(0.0));
     if line.dot_gap() >= 0.0 {
         return ok(limit);
     }
     let length = p.pitch - line.dot_gap();
     let advice = msg!("ribbon.dots-touch", length = (length, 3), pitch = (p.pitch, 3));
-    fail(limit, [with_head(advice, (p.pitch - line.d.surface.smear) * line.d.surface.ratio)])
+    fail(limit, [with_head(advice, (p.pitch - line.derived.surface.smear) * line.derived.surface.ratio)])
 }

@@ -138,10 +138,10 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(now) {
         return ok(limit);
     }
-    let set = at_least(FIELDS, "pinch-force", line.p.pull.pinch_force * fast / GRIP);
+    let set = at_least(FIELDS, "pinch-force", line.params.pull.pinch_force * fast / GRIP);
     let force = set.value;
     let tautest = line.mechanics.tautest;
-    let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.p.web.tension_before;
+    let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.params.web.tension_before;
     let message = if is_taut {
         msg!("ribbon.nip-slips-taut", tension = (tautest, 0), percent = (fast, 1), force = (force, 1))
     } else {
@@ -163,7 +163,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
 /// The steady torque is the same at every speed: the fan on the motor's shaft cools least with the knob at its lowest position, and the field
 /// is weakest at its highest.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
-    let (torque, p) = (line.mechanics.unwinder, &line.p);
+    let (torque, p) = (line.mechanics.unwinder, &line.params);
     let (slow, fast) = (line.lowest_frequency(), line.fast.unwinder.frequency);
     let (most, at_fast) = (p.unwinding.continuous(slow), p.unwinding.continuous(fast));
     let limit = AtMost(most.min(at_fast));
@@ -195,7 +195,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
 
 /// Judges the stop over the inverter's ramp: an inverter that takes back less trips, and the unwinder coasts into the loop.
 fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
-    let (p, torque, steady) = (&line.p, line.mechanics.unwinder_braking, line.mechanics.unwinder);
+    let (p, torque, steady) = (&line.params, line.mechanics.unwinder_braking, line.mechanics.unwinder);
     let percent = p.unwinding.motor_braking;
     let most = p.unwinding.short_time(percent / 100.0, line.fast.unwinder.frequency);
     let limit = AtMost(most);
@@ -224,7 +224,7 @@ fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
 /// Judges the inverter's ramp. Its torque is the same at every speed, because the ramp is set for the speed at 10 V; that of the motor is least
 /// with the knob at its highest position.
 fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
-    let (p, torque, steady) = (&line.p, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
+    let (p, torque, steady) = (&line.params, line.mechanics.unwinder_ramp, line.mechanics.unwinder);
     let most = p.unwinding.short_time(SHORT_TIME, line.fast.unwinder.frequency);
     let limit = AtMost(most);
     if limit.holds(torque) {
@@ -243,7 +243,7 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
 
 /// The load by which the slip is computed against the torque that follows from brake and friction.
 fn unwinder_load(line: &RibbonLine) -> Option<Judgement> {
-    let (p, share) = (&line.p, 100.0 * line.mechanics.unwinder / line.p.unwinding.torque);
+    let (p, share) = (&line.params, 100.0 * line.mechanics.unwinder / line.params.unwinding.torque);
     if (share - p.unwinder_load).abs() <= LOAD {
         return None;
     }

@@ -15,7 +15,7 @@ use crate::view::Limit::{AtLeast, AtMost, Within};
 
 /// F in mm/min beyond the control's range: the finding, and the remedies.
 pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let limits = &line.control.limits;
     let max = line.feed_max();
     if line.feeds_per_revolution() || d.feeds.vector_feed <= max {
@@ -32,7 +32,7 @@ pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(M
 
 /// Driven feed of a commanded one, mm/min.
 pub(in crate::machines::ribbon_line) fn followed(line: &RibbonLine, feed: f64) -> f64 {
-    feed * line.driven_share(&line.d)
+    feed * line.driven_share(&line.derived)
 }
 
 /// The highest whole speed of the unwinder within all limits of rule 4.
@@ -42,7 +42,7 @@ fn fastest(line: &RibbonLine) -> f64 {
 
 /// The least limit of axes and F over its feed with the knob at its highest position: below 1, the line must run slower by as much.
 fn share_of_feeds(line: &RibbonLine) -> f64 {
-    let RibbonLine { p, fast, .. } = line;
+    let RibbonLine { params: p, fast, .. } = line;
     let driven = line.driven_share(fast);
     let clamps = (p.clamp_x / (fast.feeds.line_speed * driven)).min(p.clamp_y / (fast.feeds.y_feed * driven));
     if line.feeds_per_revolution() { clamps } else { clamps.min(line.feed_max() / fast.feeds.vector_feed) }
@@ -51,7 +51,7 @@ fn share_of_feeds(line: &RibbonLine) -> f64 {
 /// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
 /// the control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's highest position.
 pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
-    let RibbonLine { p, d, fast, .. } = line;
+    let RibbonLine { params: p, derived: d, fast, .. } = line;
     if fast.unwinder.actual <= 0.0 {
         return 0.0;
     }
@@ -64,7 +64,7 @@ pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
 
 /// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
 pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
-    let RibbonLine { p, d, fast, .. } = line;
+    let RibbonLine { params: p, derived: d, fast, .. } = line;
     let mut sets = Vec::new();
     if d.unwinder.commanded > speed {
         sets.push(at_most(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
@@ -83,7 +83,7 @@ pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64
 pub(in crate::machines::ribbon_line) fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
         speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
-        speed if line.d.unwinder.actual > speed => {
+        speed if line.derived.unwinder.actual > speed => {
             with_speed(line, speed, msg!("ribbon.run-slower", speed = (speed, 0)))
         }
         speed => with_speed(
@@ -105,12 +105,12 @@ fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement
 }
 
 pub(in crate::machines::ribbon_line) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(line.d.feeds.line_speed, line.p.clamp_x, line)
+    within_or_error(line.derived.feeds.line_speed, line.params.clamp_x, line)
 }
 
 /// Judges the speed of the line by the axis that reaches its clamp first: beyond it the control slows both.
 pub(in crate::machines::ribbon_line) fn clamped_line_speed(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     if d.feeds.line_speed == 0.0 {
         return ok(None);
     }
@@ -121,7 +121,7 @@ pub(in crate::machines::ribbon_line) fn clamped_line_speed(line: &RibbonLine) ->
 }
 
 pub(in crate::machines::ribbon_line) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(line.d.feeds.y_feed, line.p.clamp_y, line)
+    within_or_error(line.derived.feeds.y_feed, line.params.clamp_y, line)
 }
 
 pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
@@ -130,7 +130,7 @@ pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<
     }
     let limit = AtMost(line.feed_max() * line.knob_share());
     let Some((message, mut advice)) = too_fast(line) else {
-        if limit.holds(line.d.feeds.vector_feed) {
+        if limit.holds(line.derived.feeds.vector_feed) {
             return ok(limit);
         }
         let feed = msg!(
@@ -149,7 +149,7 @@ pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<
 
 /// The control reads F per revolution in steps, which makes X run a little faster or slower than the unwinder, and up to a limit.
 pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { d, .. } = line;
+    let RibbonLine { derived: d, .. } = line;
     let limits = &line.control.limits;
     if !line.feeds_per_revolution() {
         return None;
@@ -162,7 +162,7 @@ pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Op
         );
     }
     let drift = (1.0 - (feed / step).round() * step / feed) * d.feeds.line_speed;
-    if drift.abs() > 1.0 && !line.p.dancer {
+    if drift.abs() > 1.0 && !line.params.dancer {
         return warn(AtMost(limit), [with_dancer(msg!("ribbon.feed-in-steps", step, rate = (drift.abs(), 1)))]);
     }
     ok(AtMost(limit))
@@ -177,7 +177,7 @@ pub(in crate::machines::ribbon_line) fn motor(
 ) -> Option<Judgement> {
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
-        let slower = line.d.unwinder.actual * rated.min(max) / speed;
+        let slower = line.derived.unwinder.actual * rated.min(max) / speed;
         let advice = msg!("ribbon.motor-too-fast", speed = (speed / line.knob_share(), 0), limit = (max, 0));
         fail(limit, [with_speed(line, slower, advice)])
     } else if speed > rated {
@@ -188,17 +188,17 @@ pub(in crate::machines::ribbon_line) fn motor(
 }
 
 pub(in crate::machines::ribbon_line) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
-    motor(line, line.d.feeds.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
+    motor(line, line.derived.feeds.x_motor_speed, line.params.motor_rated_x, line.params.motor_max_x)
 }
 
 pub(in crate::machines::ribbon_line) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
-    motor(line, line.d.feeds.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
+    motor(line, line.derived.feeds.y_motor_speed, line.params.motor_rated_y, line.params.motor_max_y)
 }
 
 /// Speed (r/min) of the motor of X, or of the print roller, at rapid traverse.
 pub(in crate::machines::ribbon_line) fn rapid_speeds(line: &RibbonLine) -> [f64; 2] {
     let [x, y] = line.drives("").map(|drive| drive.travel());
-    [line.p.rapid_x / x, line.p.rapid_y / y]
+    [line.params.rapid_x / x, line.params.rapid_y / y]
 }
 
 /// Rapid traverse turns the print roller to its next head after a break, and both rollers by hand.
@@ -213,16 +213,16 @@ fn rapid(speed: f64, most: f64, field: &'static str, rapid: f64) -> Option<Judge
 }
 
 pub(in crate::machines::ribbon_line) fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
-    rapid(rapid_speeds(line)[0], line.p.motor_max_x, "rapid-x", line.p.rapid_x)
+    rapid(rapid_speeds(line)[0], line.params.motor_max_x, "rapid-x", line.params.rapid_x)
 }
 
 pub(in crate::machines::ribbon_line) fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
-    rapid(rapid_speeds(line)[1], line.p.motor_max_y, "rapid-y", line.p.rapid_y)
+    rapid(rapid_speeds(line)[1], line.params.motor_max_y, "rapid-y", line.params.rapid_y)
 }
 
 /// Error (%) of the unwinder's speed at 10 V, which the regulator of a dancer has to make up for.
 pub(in crate::machines::ribbon_line) fn dancer_trim(line: &RibbonLine) -> f64 {
-    100.0 * line.p.induction().error(line.p.speed_at_10v)
+    100.0 * line.params.induction().error(line.params.speed_at_10v)
 }
 
 /// Error (%) of a speed that the regulator of a dancer makes up for. Source: engineering choice.
@@ -235,7 +235,7 @@ pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgem
     if error.abs() <= TRIM {
         return ok(limit);
     }
-    let (p, motor) = (&line.p, line.p.induction());
+    let (p, motor) = (&line.params, line.params.induction());
     let speeds = ((p.speed_at_10v, 0), (motor.speed(p.speed_at_10v).max(0.0), 0));
     let no_load = p.speed_at_10v + motor.slip();
     let entries = [
@@ -251,21 +251,21 @@ pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgem
 
 /// Slip of the motor at a load (part of the rated torque) and its speed, as a sentence has them.
 fn slip(line: &RibbonLine, load: f64) -> [(f64, u8); 2] {
-    [(Induction { load, ..line.p.induction() }.slip(), 1), (line.d.unwinder.actual, 1)]
+    [(Induction { load, ..line.params.induction() }.slip(), 1), (line.derived.unwinder.actual, 1)]
 }
 
 /// A motor that slips by its whole speed at the load of the form stands.
 pub(in crate::machines::ribbon_line) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
-    if line.d.unwinder.error > -1.0 {
+    if line.derived.unwinder.error > -1.0 {
         return None;
     }
-    let [slip, speed] = slip(line, line.p.induction().load);
+    let [slip, speed] = slip(line, line.params.induction().load);
     fail(AtLeast(-100.0), [msg!("ribbon.slips-to-rest", slip, speed).into()])
 }
 
 /// The same at rated torque, which the load of the form is below.
 pub(in crate::machines::ribbon_line) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
-    if line.d.unwinder.error_rated > -1.0 {
+    if line.derived.unwinder.error_rated > -1.0 {
         return None;
     }
     let [slip, speed] = slip(line, 1.0);
@@ -276,7 +276,7 @@ pub(in crate::machines::ribbon_line) fn stalls_when_rated(line: &RibbonLine) -> 
 /// block is longer by the share that the knob may take from it. The driven block is compared, so the limit of the commanded one is also
 /// longer if the unwinder is fast.
 pub(in crate::machines::ribbon_line) fn block_time(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, fast, .. } = line;
+    let RibbonLine { params: p, derived: d, fast, .. } = line;
     let (needed, turned) = (d.timing.needed * 1000.0, d.timing.needed_turned * 1000.0);
     if d.timing.block.is_infinite() {
         return warn(AtLeast(needed), [msg!("ribbon.stands").into()]);
@@ -333,7 +333,7 @@ fn precomputed_in_time(p: &Params, in_time: impl Fn(f64) -> bool) -> Option<Advi
 
 /// Volts of the analog output; where the speed is beyond the clamp or the output, those that it would take, `10 n / n10`.
 pub(in crate::machines::ribbon_line) fn volts(line: &RibbonLine) -> f64 {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     if d.unwinder.commanded > d.unwinder.greatest {
         10.0 * d.unwinder.commanded / p.speed_at_10v
     } else {
@@ -342,7 +342,7 @@ pub(in crate::machines::ribbon_line) fn volts(line: &RibbonLine) -> f64 {
 }
 
 pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let limit = AtMost(d.unwinder.greatest_volts);
     if d.unwinder.commanded > d.unwinder.greatest {
         let advice = msg!(
@@ -369,7 +369,7 @@ pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<
 const LEAST_FREQUENCY: f64 = 5.0;
 
 pub(in crate::machines::ribbon_line) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
-    let (d, limit) = (&line.d, AtLeast(LEAST_FREQUENCY));
+    let (d, limit) = (&line.derived, AtLeast(LEAST_FREQUENCY));
     if d.unwinder.frequency < LEAST_FREQUENCY && d.unwinder.actual > 0.0 {
         warn(limit, [msg!("ribbon.low-frequency", frequency = (d.unwinder.frequency, 2)).into()])
     } else if d.unwinder.actual > 0.0 {

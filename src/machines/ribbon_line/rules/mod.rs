@@ -124,7 +124,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
 
 /// Errors that refuse the export, feeds out of the control's range, and notes for the operator.
 pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let limits = &line.control.limits;
     let mut found = Vec::new();
     let print = line.letter();

@@ -13,7 +13,7 @@ use crate::view::{Advice, FieldEntry, Verdict};
 
 /// OK up to the allowed smear, a warning up to four times it, a failure beyond.
 fn slip(line: &RibbonLine) -> Verdict {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     if d.surface.smear <= p.smear_limit {
         Verdict::Ok
     } else if d.surface.smear <= 4.0 * p.smear_limit {
@@ -30,7 +30,7 @@ const MATCH_TOLERANCE: f64 = 0.025;
 const OTHER_ROLLER: f64 = 2.0;
 
 pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let slips = slip(line);
     let verdict = if (d.surface.ratio - 1.0).abs() > MATCH_TOLERANCE { slips.max(Verdict::Warn) } else { slips };
     let advice = if verdict == Verdict::Ok {
@@ -82,17 +82,17 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
 }
 
 pub(in crate::machines::ribbon_line) fn smear(line: &RibbonLine) -> Option<Judgement> {
-    Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.p.smear_limit)), advice: Vec::new() })
+    Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.params.smear_limit)), advice: Vec::new() })
 }
 
 pub(in crate::machines::ribbon_line) fn pi(line: &RibbonLine) -> Option<Judgement> {
-    match line.p.pi {
+    match line.params.pi {
         PiForm::Exact => ok(None),
         PiForm::Short => {
             let advice = msg!(
                 "ribbon.pi-short",
-                rate = (line.d.accuracy.pi_drift, 2),
-                length = (line.d.accuracy.pi_drift * 60.0, 0)
+                rate = (line.derived.accuracy.pi_drift, 2),
+                length = (line.derived.accuracy.pi_drift * 60.0, 0)
             );
             let set = [("pi", "exact")];
             warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
@@ -104,7 +104,7 @@ pub(in crate::machines::ribbon_line) fn pi(line: &RibbonLine) -> Option<Judgemen
 const THICKNESS: f64 = 0.05;
 
 pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let limit = AtMost(THICKNESS);
     if d.accuracy.thickness_error <= THICKNESS {
         return ok(limit);
@@ -118,7 +118,7 @@ pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<J
 }
 
 fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {
-    let p = &line.p;
+    let p = &line.params;
     let limit = p.dot_tolerance * 1000.0 / 10.0;
     if micrometres <= limit {
         return ok(AtMost(limit));
@@ -129,16 +129,16 @@ fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static st
 }
 
 pub(in crate::machines::ribbon_line) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line, line.d.accuracy.x_resolution, ("encoder-resolution-x", line.p.encoder_x))
+    resolution(line, line.derived.accuracy.x_resolution, ("encoder-resolution-x", line.params.encoder_x))
 }
 
 pub(in crate::machines::ribbon_line) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line, line.d.accuracy.y_resolution, ("encoder-resolution-y", line.p.encoder_y))
+    resolution(line, line.derived.accuracy.y_resolution, ("encoder-resolution-y", line.params.encoder_y))
 }
 
 /// Judges a wanted length against the length that the program makes by the rule for its rest.
 pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judgement> {
-    let p = &line.p;
+    let p = &line.params;
     if !p.is_length(line.control) {
         return None;
     }
@@ -164,6 +164,6 @@ pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judg
 
 pub(in crate::machines::ribbon_line) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
-    let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.d.accuracy.y_drift, 3), unit);
+    let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.derived.accuracy.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
 }

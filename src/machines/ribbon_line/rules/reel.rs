@@ -25,11 +25,11 @@ pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
 
 /// Judges whether a full reel holds at least one product; the advice is the smallest reel that does, if the form accepts it.
 fn lasts(line: &RibbonLine) -> Option<Judgement> {
-    let (limit, reel) = (AtLeast(1.0), wound(&line.p));
+    let (limit, reel) = (AtLeast(1.0), wound(&line.params));
     if limit.holds(products(line)) {
         return ok(limit);
     }
-    let needed = (line.d.product.length + left_at_reel_end(line)) / 1e3;
+    let needed = (line.derived.product.length + left_at_reel_end(line)) / 1e3;
     let advice = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
     let set = at_least(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
     let fits = set.value <= field_max(FIELDS, "reel-diameter");
@@ -39,7 +39,7 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
 
 /// The pull at the start against the tension limit of the ribbon.
 fn pull(line: &RibbonLine) -> Option<Judgement> {
-    let (p, most) = (&line.p, line.d.tension.limit);
+    let (p, most) = (&line.params, line.derived.tension.limit);
     let (brake, extra) = (p.unwinding.brake, ramp_pull(p));
     let limit = AtMost(most);
     if limit.holds(brake + extra) {
@@ -61,7 +61,7 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
 /// The torque of the brake on the full reel against the torque that the ribbon bears at the core: beyond it the brake must follow the
 /// diameter.
 fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
-    let (reel, most, brake) = (wound(&line.p), line.d.tension.limit, line.p.unwinding.brake);
+    let (reel, most, brake) = (wound(&line.params), line.derived.tension.limit, line.params.unwinding.brake);
     let limit = AtMost(reel::torque(reel.core, most));
     if limit.holds(reel::torque(reel.full, brake)) {
         return ok(limit);
@@ -78,7 +78,7 @@ fn with_ramp(seconds: f64, advice: Advice) -> Advice {
 
 /// Whether the brake slows the reel down as fast as the unwinder stops: otherwise the reel runs on and the ribbon goes slack.
 fn holds(line: &RibbonLine) -> Option<Judgement> {
-    let (p, brake) = (&line.p, line.p.unwinding.brake);
+    let (p, brake) = (&line.params, line.params.unwinding.brake);
     let (ramp, coasting) = (ramp_pull(p), coasting_pull(line));
     let (limit, needed) = (AtMost(brake), ramp.max(coasting));
     if limit.holds(needed) {

@@ -35,7 +35,7 @@ pub(in crate::machines::ribbon_line) fn equal_entries(p: &Params) -> Vec<NumberE
 
 /// Both axes with the greater time constant and the lower gain.
 pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let sets = equal_entries(p);
     let mut advice = Vec::new();
     let mut say =
@@ -117,7 +117,7 @@ pub(in crate::machines::ribbon_line) fn with_loop(advice: Advice, needed: f64, c
 
 /// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity, over the range of the knob.
 pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
-    let (p, d) = (&line.p, worst_loop(line));
+    let (p, d) = (&line.params, worst_loop(line));
     let limit = AtMost(p.loop_capacity);
     if d.slack.loop_needed <= p.loop_capacity {
         return ok(limit);
@@ -203,7 +203,7 @@ struct LowestTurns {
 /// The unwinder follows the knob, the queued blocks keep their feed: `queued · (highest / k - 1)` is laid more than pulled, or
 /// `queued · (1 - k / highest)` pulled more than laid. Source: ribbon line facts, 5.
 fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
-    let p = &line.p;
+    let p = &line.params;
     if line.feeds_per_revolution() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
         return None;
     }
@@ -221,7 +221,7 @@ pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
 
 /// Judges a turn of the knob between the lowest position in common use and its highest.
 pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
-    let (p, highest) = (&line.p, line.fast.unwinder.effective_override);
+    let (p, highest) = (&line.params, line.fast.unwinder.effective_override);
     // A knob that ends below is no wider.
     let low = LOW_KNOB.min(highest);
     let limit = AtMost(low);
@@ -256,14 +256,14 @@ pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<J
 
 /// Whether one turn of the knob lays ribbon: the unwinder follows it at once, and the queued blocks keep their feed.
 pub(in crate::machines::ribbon_line) fn turns_with_queue(line: &RibbonLine) -> bool {
-    let p = &line.p;
-    !line.feeds_per_revolution() && !p.knob_is_locked() && !p.knob_turns_alone() && line.d.unwinder.actual > 0.0
+    let p = &line.params;
+    !line.feeds_per_revolution() && !p.knob_is_locked() && !p.knob_turns_alone() && line.derived.unwinder.actual > 0.0
 }
 
 /// Ribbon (mm) that one turn of the knob from its lowest position in a run to that of the form lays more than X pulls, and that lowest
 /// position, %: `queued · (v / v_low - 1)`. Source: ribbon line facts, 5.
 fn laid_by_turn_up(line: &RibbonLine) -> (f64, f64) {
-    let (p, now) = (&line.p, line.d.unwinder.actual);
+    let (p, now) = (&line.params, line.derived.unwinder.actual);
     let lowest = line.dialect.spindle().knob.low.max(LOWEST_KNOB);
     (queued(p) * (now / p.speed_at(lowest) - 1.0).max(0.0), lowest)
 }
@@ -275,7 +275,7 @@ pub(in crate::machines::ribbon_line) fn loop_for_turn(line: &RibbonLine) -> f64 
 
 /// Judges one turn of the knob up from its lowest position as the operating envelope does: the loop has to take its ribbon.
 pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Judgement> {
-    let (p, needed) = (&line.p, loop_for_turn(line));
+    let (p, needed) = (&line.params, loop_for_turn(line));
     let limit = AtMost(p.loop_capacity);
     if needed <= p.loop_capacity {
         return ok(limit);
@@ -284,7 +284,7 @@ pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Jud
     let message = msg!(
         "ribbon.knob-fills-loop",
         low = (lowest, 0),
-        high = (line.d.unwinder.effective_override, 0),
+        high = (line.derived.unwinder.effective_override, 0),
         laid = (laid.ceil(), 0),
         queued = (queued(p), 0),
         before = (laid_so_far(line).ceil(), 0),
@@ -296,7 +296,7 @@ pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Jud
 
 /// The greatest number of pitches per block at which the loop takes a turn of the knob that lays `laid` mm now; none where one is too many.
 fn fewer_pitches(line: &RibbonLine, laid: f64) -> Option<Advice> {
-    let p = &line.p;
+    let p = &line.params;
     let room = p.loop_capacity - laid_so_far(line);
     let pitches = (p.block_pitches() * room / laid).floor();
     if p.variant != Variant::ReadyMade || pitches < 1.0 || pitches >= p.block_pitches() {
@@ -330,7 +330,7 @@ const DRIFT: f64 = 50.0;
 
 /// Advice for blocks that the control reads slower than the axes carry them out; `kept` is the share of the speed that is left, %.
 fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let message = msg!("ribbon.starved", percent = kept);
     let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
     let pitches = ready.pass_needed() * line.driven_share(d) / d.timing.pitch;
@@ -349,12 +349,12 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     if rate.abs() <= DRIFT {
         return ok(limit);
     }
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     let lasts = p.loop_capacity / rate.abs() * 60.0;
     let fills = if rate > 0.0 {
-        msg!("ribbon.loop-fills", rate = (rate, 0), capacity = (line.p.loop_capacity, 0), time = (lasts, 0))
+        msg!("ribbon.loop-fills", rate = (rate, 0), capacity = (line.params.loop_capacity, 0), time = (lasts, 0))
     } else {
-        msg!("ribbon.loop-empties", rate = (-rate, 0), capacity = (line.p.loop_capacity, 0), time = (lasts, 0))
+        msg!("ribbon.loop-empties", rate = (-rate, 0), capacity = (line.params.loop_capacity, 0), time = (lasts, 0))
     };
     let mut advice = vec![Advice::from(fills)];
     // Loss of X by exact stops and starved blocks, mm/min; a dancer does not compensate it.
@@ -379,11 +379,11 @@ pub(in crate::machines::ribbon_line) fn with_dancer(advice: Message) -> Advice {
 }
 
 pub(in crate::machines::ribbon_line) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
-    drift(line.d.slack.rate, line)
+    drift(line.derived.slack.rate, line)
 }
 
 pub(in crate::machines::ribbon_line) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
-    drift(line.d.slack.rate_rated, line)
+    drift(line.derived.slack.rate_rated, line)
 }
 
 /// Slack rate (mm/min) with the knob at its worse extreme position, where the knob turns the unwinder and the axes stay; else 0:
@@ -404,7 +404,7 @@ pub(in crate::machines::ribbon_line) struct KnobPosition {
 
 /// The worse extreme position of such a knob; none if the axes follow it, or if nothing turns.
 pub(in crate::machines::ribbon_line) fn worst_knob(line: &RibbonLine) -> Option<KnobPosition> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     if !p.knob_turns_alone() || d.unwinder.actual <= 0.0 {
         return None;
     }
@@ -427,9 +427,9 @@ pub(in crate::machines::ribbon_line) fn slack_rate_knob(line: &RibbonLine) -> Op
     let lock = [("knob-use", "locked")];
     let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
     if line.control.can(Code::FeedPerRevolution) {
-        let follow = msg!("ribbon.follow-measured", feed = (line.d.feeds.per_revolution, 3));
+        let follow = msg!("ribbon.follow-measured", feed = (line.derived.feeds.per_revolution, 3));
         let set = [("feed-form", "per-revolution")];
-        advice.push(if line.p.spindle_encoder {
+        advice.push(if line.params.spindle_encoder {
             Advice::from(follow).setting(msg!("advice.per-revolution"), set)
         } else {
             follow.into()
@@ -441,7 +441,7 @@ pub(in crate::machines::ribbon_line) fn slack_rate_knob(line: &RibbonLine) -> Op
 /// Judges the tension of a tight ribbon over the range of the knob against that at which the switch holds the program: by the draw while the
 /// line runs, and by the ribbon that is missing after a start.
 pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
-    let p = &line.p;
+    let p = &line.params;
     let most = TensionSwitch::new(line).tension;
     let limit = AtMost(most);
     let (drawn, started) = (line.worst(|d| d.tension.draw), line.worst(|d| d.tension.start));
@@ -468,7 +468,7 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
 
 /// Whether the draw pulls the ribbon tauter than a start that misses ribbon.
 pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool {
-    line.worst(|d| d.tension.draw).tension.with_draw(&line.p) > line.worst(|d| d.tension.start).tension.start
+    line.worst(|d| d.tension.draw).tension.with_draw(&line.params) > line.worst(|d| d.tension.start).tension.start
 }
 
 /// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
@@ -476,14 +476,14 @@ pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, m
     if is_drawn_taut(line) {
         return with_dancer(message);
     }
-    let dwell = matching_dwell(line, &line.p);
+    let dwell = matching_dwell(line, &line.params);
     let button = msg!("advice.set-dwell", time = dwell.text.as_str());
     Advice::from(message).setting(button, [dwell])
 }
 
 /// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
 pub(in crate::machines::ribbon_line) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
+    let RibbonLine { params: p, derived: d, .. } = line;
     if p.path_mode != PathMode::ExactStop || d.timing.stops_per_minute <= 100.0 {
         return None;
     }

@@ -33,7 +33,7 @@ fn times(magnified: f64) -> String {
 
 /// Names with values and leaders.
 pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
-    let (p, unit) = (&line.p, layout.unit);
+    let (p, unit) = (&line.params, layout.unit);
     let (lefts, base) = layout.names;
     let nip = |station: &Station| (station.x - 0.3 * station.r, -0.9 * station.r);
     let contact = (layout.print.x - 0.45 * layout.print.r, -1.5 * layout.print.r);
@@ -105,7 +105,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
 
 /// Limits of the loop, ruler and pointer.
 pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
-    let (p, unit) = (&line.p, layout.unit);
+    let (p, unit) = (&line.params, layout.unit);
     let (left, right) = (layout.unwinder.x + layout.unwinder.r, layout.pull.x - layout.pull.r);
     let x = left + 0.36 * (right - left);
     let low = layout.full;
@@ -149,7 +149,7 @@ pub(crate) fn slack(drawing: &mut Drawing, layout: &Layout) {
 pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let unit = layout.unit;
     let middle = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
-    let mut limit = units::text(line.p.loop_capacity, 1, "mm");
+    let mut limit = units::text(line.params.loop_capacity, 1, "mm");
     if layout.slack.share < 1.0 {
         let factor = 1.0 / layout.slack.share;
         limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
@@ -160,13 +160,19 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
 /// Rim and figures of the lens: smear and magnification.
 pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (x, y, r) = layout.lens;
-    let bad = line.d.surface.smear > line.p.smear_limit;
+    let bad = line.derived.surface.smear > line.params.smear_limit;
     let letter = LETTER * layout.unit;
     let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
     let paint = if bad { Paint::Bad } else { Paint::Ink };
     drawing.lens((x, y, r), |drawing| {
         drawing.text((x, low), Anchor::Middle, &name, Font::Label, Paint::Dim);
-        drawing.text((x, low + LINE * letter), Anchor::Middle, &smear_text(line.d.surface.smear), Font::Value, paint);
+        drawing.text(
+            (x, low + LINE * letter),
+            Anchor::Middle,
+            &smear_text(line.derived.surface.smear),
+            Font::Value,
+            paint,
+        );
     });
 }
 

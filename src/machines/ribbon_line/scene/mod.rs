@@ -37,14 +37,14 @@ pub(super) fn band(layout: &Layout, web: &Web) -> [String; 2] {
 
 /// Length and width of a dot on the ribbon, mm. The width is no input.
 pub(super) fn dot(line: &RibbonLine) -> (f64, f64) {
-    let (p, s) = (&line.p, line.layout().scale);
-    let long = (p.contact_length + line.d.surface.smear).max(0.6 * s);
+    let (p, s) = (&line.params, line.layout().scale);
+    let long = (p.contact_length + line.derived.surface.smear).max(0.6 * s);
     (math::clamp(long, 0.05 * p.pitch, 0.7 * p.pitch), math::clamp(2.0 * p.contact_length, 1.6 * s, 4.0 * s))
 }
 
 /// The drawing at rest.
 pub(super) fn scene(line: &RibbonLine) -> Scene {
-    let (p, layout) = (&line.p, line.layout());
+    let (p, layout) = (&line.params, line.layout());
     let mut drawing = Drawing::new(layout.unit);
     let print = p.print_axis.address().to_string();
     ground(&mut drawing, layout);
@@ -68,7 +68,7 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     stations::before(&mut drawing, layout, &layout.pull, group::PULL, DriveKind::Servo);
     printing::before(&mut drawing, layout, p);
     printing::deflector(&mut drawing, layout);
-    lens::lens(&mut drawing, layout, p, line.d.surface.smear, line.d.surface.smear > p.smear_limit);
+    lens::lens(&mut drawing, layout, p, line.derived.surface.smear, line.derived.surface.smear > p.smear_limit);
     labels::lens(&mut drawing, line, layout);
     labels::callouts(&mut drawing, line, layout);
     let slack = 0.5 * (layout.unwinder.x + layout.pull.x);
@@ -131,8 +131,8 @@ fn ribbon(drawing: &mut Drawing, line: &RibbonLine) {
         drawing.within_hidden(group::DOTS, |drawing| {
             let look = Look::line(Paint::Black, wide);
             // Dots too close for the eye are drawn as a grey line.
-            let look = if line.p.pitch > 0.6 * layout.scale {
-                look.dashed(long, line.p.pitch - long)
+            let look = if line.params.pitch > 0.6 * layout.scale {
+                look.dashed(long, line.params.pitch - long)
             } else {
                 look.faint(0.5)
             };

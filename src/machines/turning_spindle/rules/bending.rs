@@ -15,18 +15,18 @@ use crate::view::Limit::AtMost;
 use crate::view::{Advice, FieldEntry};
 
 fn bending_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (bending::of(cut.p), NOTABLE)
+    (bending::of(cut.params), NOTABLE)
 }
 
 /// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force. Work that bends more than the
 /// cut along it is deep gives way before the tool: the force and with it the bending fall as the depth does, so that no smaller depth helps.
 pub(super) fn bends(lathe: &TurningSpindle) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let value = bending::of(p);
     if value <= NOTABLE {
         return at_knobs(lathe, NOTABLE, bending_demand, |cut, (bending, _)| {
             let (percent, bending) = ((cut.at.feed, 0), (bending, 2));
-            if cut.p.tailstock {
+            if cut.params.tailstock {
                 msg!("turning.held-work-bends-at-feed-knob", percent, bending)
             } else {
                 msg!("turning.bends-at-feed-knob", percent, bending)
@@ -44,7 +44,7 @@ pub(super) fn bends(lathe: &TurningSpindle) -> Option<Judgement> {
         };
         return fail(AtMost(p.depth), [advice]);
     }
-    let greatest = lathe.at_highest_feed().map_or(value, |(_, fed)| bending::of(&fed.p));
+    let greatest = lathe.at_highest_feed().map_or(value, |(_, fed)| bending::of(&fed.params));
     let shallower = |message: Message| with_depth(lathe, NOTABLE / greatest, message);
     match p.path {
         Path::Facing => warn(AtMost(NOTABLE), [shallower(msg!("turning.face-bends", bending))]),

@@ -69,7 +69,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
 
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let mut found = Vec::new();
     cut::check_diameters(p, &mut found);
     travel::findings(lathe, &mut found);

@@ -10,11 +10,11 @@ use crate::msg;
 use crate::view::Limit::{AtLeast, AtMost};
 
 pub(super) fn few_volts_smallest(lathe: &TurningSpindle) -> Option<Judgement> {
-    judge_volts(lathe, lathe.d.output.volts_smallest)
+    judge_volts(lathe, lathe.derived.output.volts_smallest)
 }
 
 pub(super) fn few_volts_largest(lathe: &TurningSpindle) -> Option<Judgement> {
-    judge_volts(lathe, lathe.d.output.volts_largest)
+    judge_volts(lathe, lathe.derived.output.volts_largest)
 }
 
 fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
@@ -22,7 +22,7 @@ fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= FEW_VOLTS {
         return ok(limit);
     }
-    let several = lathe.p.stages().nth(1).is_some();
+    let several = lathe.params.stages().nth(1).is_some();
     let advice = if several {
         with_best_stage(lathe, msg!("turning.few-volts", volts = (volts, 3)))
     } else {
@@ -33,7 +33,7 @@ fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
 
 /// A speed above that of the full output in the gear stage.
 pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { d, p, .. } = lathe;
+    let TurningSpindle { derived: d, params: p, .. } = lathe;
     if d.speeds.bound == Bound::Output {
         let asked = if lathe.rules().low_always { d.speeds.asked.max(p.lower_limit) } else { d.speeds.asked };
         let advice =

@@ -10,14 +10,14 @@ use crate::view::Limit::AtMost;
 
 /// Warning that the motor's short-time rating suffices, with its share in percent; then the advice about the positions of the knobs.
 pub(super) fn overloaded(lathe: &TurningSpindle, limit: f64, at_knobs: Option<Judgement>) -> Option<Judgement> {
-    let overload = Advice::from(msg!("turning.overload", percent = (lathe.p.motor_overload, 0)));
+    let overload = Advice::from(msg!("turning.overload", percent = (lathe.params.motor_overload, 0)));
     let at_knobs = at_knobs.map_or_else(Vec::new, |judgement| judgement.advice);
     warn(AtMost(limit), core::iter::once(overload).chain(at_knobs).collect::<Vec<_>>())
 }
 
 /// A demand above the continuous rating that the motor's overload would cover if the pause to the next part were longer.
 pub(super) fn overload_without_pause(lathe: &TurningSpindle, demand: f64, rated: f64) -> Option<Judgement> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     let set = at_least(FIELDS, "pause", d.times.pause_for_overload());
     let with_pause = Params { pause: set.value, ..p.clone() };
     if demand <= d.times.for_the_cut(p, rated) || demand > d.times.for_the_cut(&with_pause, rated) {

@@ -14,12 +14,12 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 fn power_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (cut.d.load.power, cut.d.times.for_the_cut(cut.p, cut.d.load.power_available))
+    (cut.derived.load.power, cut.derived.times.for_the_cut(cut.params, cut.derived.load.power_available))
 }
 
 /// Greatest power of cut and friction against the motor, with the cutting speed or the depth at which it suffices.
 pub(super) fn power(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     if p.cutting_force <= 0.0 {
         return None;
     }
@@ -36,7 +36,7 @@ pub(super) fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let at_share =
         |share: f64| lathe.with(Params { cutting_speed: lathe.form.cutting_speed * share, ..lathe.form.clone() });
-    let suffices = |slower: &TurningSpindle| slower.d.load.power <= slower.d.load.power_available;
+    let suffices = |slower: &TurningSpindle| slower.derived.load.power <= slower.derived.load.power_available;
     // The speed limit may hold the work below the entered cutting speed: less of that changes nothing at first.
     let share = math::greatest_share((1.0 / p.cutting_speed).min(1.0), |share| suffices(&at_share(share)));
     let slower = share.map_or(0.0, |share| (p.cutting_speed * share).floor());
@@ -44,7 +44,7 @@ pub(super) fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let friction = spindle_motor::power(p.spindle.friction, d.speeds.largest.max(d.speeds.smallest));
     let part = (rated - friction) / (d.load.power - friction);
     // Below base speed a slower cut needs the same torque, and the motor has no more.
-    let has_torque = |slower: &TurningSpindle| slower.d.load.torque <= slower.d.load.torque_available;
+    let has_torque = |slower: &TurningSpindle| slower.derived.load.torque <= slower.derived.load.torque_available;
     let advice = match slower >= 1.0 && has_torque(&at_share(slower / p.cutting_speed)) {
         true => {
             let set = at_most(FIELDS, "cutting-speed", slower);

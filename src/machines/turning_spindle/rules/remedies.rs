@@ -13,7 +13,7 @@ use crate::view::Advice;
 
 /// An advice with the feed that is `share` of the present one.
 pub(super) fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
-    let set = at_most(FIELDS, "feed", lathe.p.feed * share);
+    let set = at_most(FIELDS, "feed", lathe.params.feed * share);
     Advice::from(message).setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])
 }
 
@@ -21,11 +21,11 @@ pub(super) fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) ->
 pub(super) fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let advice = Advice::from(message);
     // The first of more passes is at a larger diameter, at most that of the stock.
-    let grows = lathe.p.stock_diameter / lathe.p.middle_of_edge(lathe.d.cut.largest_whole);
-    let set = at_most(FIELDS, "depth", lathe.p.depth * share / grows);
+    let grows = lathe.params.stock_diameter / lathe.params.middle_of_edge(lathe.derived.cut.largest_whole);
+    let set = at_most(FIELDS, "depth", lathe.params.depth * share / grows);
     let depth = set.value;
-    let passes = Params { depth, ..lathe.p.clone() };
-    if lathe.p.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= PASSES {
+    let passes = Params { depth, ..lathe.params.clone() };
+    if lathe.params.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= PASSES {
         return advice;
     }
     advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])

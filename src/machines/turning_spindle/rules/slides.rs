@@ -19,7 +19,7 @@ pub(super) fn scaling_z(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// The highest feed of the cut against the clamp of the slide that moves.
 pub(super) fn clamped_feed(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     let clamp = match p.path {
         Path::Facing => p.slides.x.clamp,
         Path::Turning => p.slides.z.clamp,

@@ -15,7 +15,7 @@ use crate::view::Limit::AtMost;
 
 /// The operator's limit against the highest speed of the chuck.
 pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     let limit = AtMost(p.chuck_limit);
     if p.upper_limit > p.chuck_limit {
         let set = at_most(FIELDS, "upper-limit", p.chuck_limit);
@@ -33,7 +33,7 @@ pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// Below the diameter of the limit the surface speed falls with the diameter: allowed over half of the diameters.
 pub(super) fn limit_diameter(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { d, .. } = lathe;
+    let TurningSpindle { derived: d, .. } = lathe;
     if !lathe.surface() || d.limits.limited_share <= 0.0 {
         return ok(None);
     }
@@ -51,7 +51,7 @@ pub(super) fn limit_diameter(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// Acceleration that constant surface speed asks, against the ramp of the spindle.
 pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
-    let d = &lathe.d;
+    let d = &lathe.derived;
     if d.acceleration.needed > d.acceleration.ramp {
         let advice =
             msg!("turning.spindle-lags", needed = (d.acceleration.needed, 0), acceleration = (d.acceleration.ramp, 0));
@@ -66,7 +66,7 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// The limits of the speed against each other.
 pub(super) fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let p = &lathe.p;
+    let p = &lathe.params;
     found.extend(lifted_speed(lathe));
     let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
     if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {
@@ -77,7 +77,7 @@ pub(super) fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnos
 
 /// A lower limit above the speed that the cut asks at its largest diameter, with the cutting speed that it makes.
 fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit.min(p.upper_limit) } else { 0.0 };
     let largest = d.cut.largest.min(p.stock_diameter);
     let asked = surface_rpm(p.cutting_speed, largest);
@@ -92,7 +92,7 @@ fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
 /// The greatest speed over the override knob against the operator's limit, with the cutting speed that stays below it: neither a fixed speed
 /// nor an override that acts after the limits is held by the control.
 pub(super) fn passes_limit(lathe: &TurningSpindle) -> Option<Judgement> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let most = p.chuck_limit.min(p.upper_limit);
     let (limit, (percent, speed)) = (AtMost(most), fastest(lathe));
     if speed <= most * (1.0 + ROUNDING) {
@@ -101,7 +101,7 @@ pub(super) fn passes_limit(lathe: &TurningSpindle) -> Option<Judgement> {
     let (percent_now, turns, held_at) = ((percent, 0), (speed, 0), (most, 0));
     let (message, diameter) = if lathe.surface() {
         let message = msg!("turning.override-after-limits", percent = percent_now, speed = turns, limit = held_at);
-        (message, lathe.d.cut.smallest)
+        (message, lathe.derived.cut.smallest)
     } else {
         let message = msg!("turning.override-passes-limit", percent = percent_now, speed = turns, limit = held_at);
         (message, p.stock_diameter)
@@ -127,7 +127,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The position (%) of the override knob where the speed of the program is greatest, and that speed.
 fn fastest(lathe: &TurningSpindle) -> (f64, f64) {
-    let present = (lathe.p.override_percent, programmed_speed_of(&lathe.d));
+    let present = (lathe.params.override_percent, programmed_speed_of(&lathe.derived));
     lathe
         .at_highest_knob()
         .map(|(percent, d)| (percent, programmed_speed_of(d)))

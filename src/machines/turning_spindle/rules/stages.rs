@@ -12,7 +12,7 @@ use crate::view::Advice;
 
 /// The time of a gear to mesh, against the time that the PLC waits for it.
 pub(super) fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { p, .. } = lathe;
+    let TurningSpindle { params: p, .. } = lathe;
     let shift = gear_times(lathe);
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
     let set = at_most(FIELDS, "gear-time", 2.0 * patience);
@@ -29,7 +29,7 @@ pub(super) fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
 /// An advice to let the program choose the gear stage instead of the form.
 pub(super) fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advice {
     let advice = Advice::from(message);
-    match lathe.p.gear {
+    match lathe.params.gear {
         Gear::Best => advice,
         _ => advice.setting(msg!("advice.best-stage"), [("gear", "best".to_owned())]),
     }
@@ -39,14 +39,14 @@ pub(super) fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advic
 pub(super) fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
     let output = &lathe.control.analog_output;
     let gears = [Gear::First, Gear::Second, Gear::Third, Gear::Fourth];
-    let mut fitted = (1..).zip(lathe.p.stages()).zip(gears);
+    let mut fitted = (1..).zip(lathe.params.stages()).zip(gears);
     let found = fitted.find(|(_, gear)| {
-        let p = Params { gear: *gear, ..lathe.p.clone() };
+        let p = Params { gear: *gear, ..lathe.params.clone() };
         let d = Derived::new(&p, output, &lathe.dialect.spindle());
         let as_fast = |now: f64, before: f64| (now - before).abs() <= 1e-9 * before.abs();
         d.load.torque <= d.load.torque_available
-            && as_fast(d.speeds.largest_whole, lathe.d.speeds.largest_whole)
-            && as_fast(d.speeds.smallest, lathe.d.speeds.smallest)
+            && as_fast(d.speeds.largest_whole, lathe.derived.speeds.largest_whole)
+            && as_fast(d.speeds.smallest, lathe.derived.speeds.smallest)
     });
     found.map(|((number, _), _)| number)
 }

@@ -13,7 +13,7 @@ const BLOCKS_OF_TAPER: f64 = 3.0;
 
 /// Blocks that are read while the cut lasts.
 pub(super) fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     // A speed that is kept in rapids lets a cut begin with the highest speed of the cut before.
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.speeds.high)).sum() } else { f64::INFINITY };

@@ -15,17 +15,17 @@ use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
 fn torque_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    (cut.d.load.torque, cut.d.times.for_the_cut(cut.p, cut.d.load.torque_available))
+    (cut.derived.load.torque, cut.derived.times.for_the_cut(cut.params, cut.derived.load.torque_available))
 }
 
 fn peak_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    let CutPoint { torque, most, .. } = worst_cut_point(cut.p, cut.d);
+    let CutPoint { torque, most, .. } = worst_cut_point(cut.params, cut.derived);
     (torque, most)
 }
 
 /// Torque of cut and friction at the largest diameter of the cut, where it is greatest, against the motor's curve in the gear stage.
 pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     if p.cutting_force <= 0.0 {
         return None;
     }
@@ -70,14 +70,14 @@ pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// Cut, friction and acceleration together against the short-time curve of the motor, at the diameter where they ask most of it.
 pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
-    if lathe.p.cutting_force <= 0.0 {
+    if lathe.params.cutting_force <= 0.0 {
         return None;
     }
-    let CutPoint { diameter, speed, torque, most } = worst_cut_point(&lathe.p, &lathe.d);
+    let CutPoint { diameter, speed, torque, most } = worst_cut_point(&lathe.params, &lathe.derived);
     if torque <= most {
         return at_knobs(lathe, most, peak_demand, |cut, (torque, limit)| {
             let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
-            let diameter = (worst_cut_point(cut.p, cut.d).diameter, 1);
+            let diameter = (worst_cut_point(cut.params, cut.derived).diameter, 1);
             msg!("turning.stalls-at-knobs", feed, spindle, diameter, torque = (torque, 1), limit = (limit, 1))
         });
     }
@@ -89,7 +89,7 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
         limit = (most, 1)
     );
     let holds = |slower: &TurningSpindle| {
-        let point = worst_cut_point(&slower.p, &slower.d);
+        let point = worst_cut_point(&slower.params, &slower.derived);
         point.torque <= point.most
     };
     let everywhere =

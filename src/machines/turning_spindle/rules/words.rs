@@ -8,7 +8,7 @@ use crate::text::Diagnostic;
 
 /// Values of the form against the words of the control: range, whole numbers, positions of the override knob.
 pub(super) fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let TurningSpindle { p, d, .. } = lathe;
+    let TurningSpindle { params: p, derived: d, .. } = lathe;
     let limits = &lathe.control.limits;
     if p.upper_limit > limits.speed_max {
         let message = msg!("turning.speed-above-range", speed = (p.upper_limit, 0), most = limits.speed_max);
@@ -36,7 +36,7 @@ pub(super) fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 
 /// Parameters out of the control's range: of the analog output, and those of its sheet.
 pub(super) fn check_parameters(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
-    let TurningSpindle { p, .. } = lathe;
+    let TurningSpindle { params: p, .. } = lathe;
     let rules = &lathe.control.spindle;
     let mut check = |field, value, unit, range| found.extend(sheets::beyond_range(field, value, unit, range));
     let offsets = |at: usize| rules.offsets.and_then(|ranges| ranges.get(at).copied());

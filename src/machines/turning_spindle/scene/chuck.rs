@@ -72,38 +72,39 @@ impl Chuck {
     }
 
     /// Nose of the spindle.
-    pub(super) fn draw_nose(&self, d: &mut Drawing) {
-        d.path(solid::body(&[(190.0, 0.52 * self.radius), (LEFT, 0.52 * self.radius)]), Look::fill(Paint::DarkBar));
+    pub(super) fn draw_nose(&self, drawing: &mut Drawing) {
+        drawing
+            .path(solid::body(&[(190.0, 0.52 * self.radius), (LEFT, 0.52 * self.radius)]), Look::fill(Paint::DarkBar));
     }
 
     /// Body, with nodes for the marks and jaws that turn.
-    pub(super) fn draw_body(&self, d: &mut Drawing) {
-        d.path(solid::body(&[(LEFT, self.radius), (self.face, self.radius)]), Look::fill(Paint::DarkBar));
+    pub(super) fn draw_body(&self, drawing: &mut Drawing) {
+        drawing.path(solid::body(&[(LEFT, self.radius), (self.face, self.radius)]), Look::fill(Paint::DarkBar));
         let mut grooves = String::new();
         for part in [0.2, 0.86] {
             solid::arc(&mut grooves, LEFT + part * (self.face - LEFT), self.radius, 0.0, PI);
         }
-        d.path(grooves, Look::HAIR.faint(0.5));
-        d.within(group::JAWS_FAR, |d| {
-            d.path(String::new(), Look::fill(Paint::Black).thin(Paint::DarkLight, 0.8)).id = Some(node::KEYS);
+        drawing.path(grooves, Look::HAIR.faint(0.5));
+        drawing.within(group::JAWS_FAR, |drawing| {
+            drawing.path(String::new(), Look::fill(Paint::Black).thin(Paint::DarkLight, 0.8)).id = Some(node::KEYS);
         });
-        d.path(solid::circle(self.face, self.radius), Look::DARK_FACE);
-        d.path(solid::circle(self.face, 0.94 * self.radius), Look::HAIR.faint(0.4));
-        d.within(group::JAWS_FAR, |d| {
-            d.path(String::new(), Look::fill(Paint::DarkShade)).id = Some(node::SLOTS);
-            jaws(d, node::FAR);
+        drawing.path(solid::circle(self.face, self.radius), Look::DARK_FACE);
+        drawing.path(solid::circle(self.face, 0.94 * self.radius), Look::HAIR.faint(0.4));
+        drawing.within(group::JAWS_FAR, |drawing| {
+            drawing.path(String::new(), Look::fill(Paint::DarkShade)).id = Some(node::SLOTS);
+            jaws(drawing, node::FAR);
         });
     }
 
     /// The jaws before the part, and the ring that they blur to.
-    pub(super) fn draw_near_jaws(&self, d: &mut Drawing) {
-        d.within(group::JAWS_NEAR, |d| jaws(d, node::NEAR));
+    pub(super) fn draw_near_jaws(&self, drawing: &mut Drawing) {
+        drawing.within(group::JAWS_NEAR, |drawing| jaws(drawing, node::NEAR));
         let (step, base) = self.ends();
-        d.within_hidden(group::BLUR, |d| {
+        drawing.within_hidden(group::BLUR, |drawing| {
             for (x, end) in [((0.0, BASE), base), ((BASE, STEP), step)] {
                 let (from, to) = (self.face + x.0, self.face + x.1);
-                d.path(solid::body(&[(from, end), (to, end)]), Look::fill(Paint::SteelShade));
-                d.path(solid::ring(to, end, self.grip), Look::fill(Paint::Steel));
+                drawing.path(solid::body(&[(from, end), (to, end)]), Look::fill(Paint::SteelShade));
+                drawing.path(solid::ring(to, end, self.grip), Look::fill(Paint::Steel));
             }
         });
     }
@@ -123,10 +124,10 @@ impl Chuck {
             base.end(base_end);
             step.sides(step_sides);
             step.end(step_end);
-            for (part, d) in (0..).zip(parts) {
+            for (part, drawing) in (0..).zip(parts) {
                 let number = PARTS * jaw + part;
                 let (shown, empty) = if is_near { (node::NEAR, node::FAR) } else { (node::FAR, node::NEAR) };
-                paths.push((shown + number, d));
+                paths.push((shown + number, drawing));
                 paths.push((empty + number, String::new()));
             }
             let slot = FaceBlock {
@@ -157,9 +158,9 @@ impl Chuck {
 }
 
 /// Nodes for the paths of the jaws.
-fn jaws(d: &mut Drawing, first: u16) {
+fn jaws(drawing: &mut Drawing, first: u16) {
     for number in 0..PARTS * JAWS {
         let paint = if number % 2 == 0 { Paint::SteelShade } else { Paint::SteelFace };
-        d.path(String::new(), Look::fill(paint).thin(Paint::Edge, 0.8)).id = Some(first + number);
+        drawing.path(String::new(), Look::fill(paint).thin(Paint::Edge, 0.8)).id = Some(first + number);
     }
 }

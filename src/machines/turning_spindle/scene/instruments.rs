@@ -38,7 +38,7 @@ struct Scale {
 impl Scale {
     /// The scale with two to four long steps that shows every speed of the machine.
     fn of(lathe: &TurningSpindle) -> Scale {
-        let top = lathe.p.stages().fold(lathe.p.chuck_limit.min(lathe.d.stage.top), f64::max).max(1.0);
+        let top = lathe.params.stages().fold(lathe.params.chuck_limit.min(lathe.derived.stage.top), f64::max).max(1.0);
         let mut step = 0.1;
         // 1, 2, 5, 10, 20, 50 …
         for at in 0..24 {
@@ -59,31 +59,32 @@ impl Scale {
 }
 
 /// The panel with both instruments at rest.
-pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle) {
+pub(super) fn draw(drawing: &mut Drawing, lathe: &TurningSpindle) {
     let [x, y, w, h] = PANEL;
     // The bracket that carries the panel.
-    d.rect([x + 70.0, y + h - 4.0, 22.0, 20.0, 0.0], Look::fill(Paint::DarkShade));
-    d.rect([x + 140.0, y + h - 4.0, 22.0, 20.0, 0.0], Look::fill(Paint::DarkShade));
-    d.rect([x, y, w, h, 9.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
-    d.path(filled("M# #V#q0 -8 8 -8H#", &[x + 1.5, y + h - 9.0, y + 9.5, x + w - 10.0]), Look::RIM.faint(0.5));
+    drawing.rect([x + 70.0, y + h - 4.0, 22.0, 20.0, 0.0], Look::fill(Paint::DarkShade));
+    drawing.rect([x + 140.0, y + h - 4.0, 22.0, 20.0, 0.0], Look::fill(Paint::DarkShade));
+    drawing.rect([x, y, w, h, 9.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
+    drawing.path(filled("M# #V#q0 -8 8 -8H#", &[x + 1.5, y + h - 9.0, y + 9.5, x + w - 10.0]), Look::RIM.faint(0.5));
     for (x, y) in [(x + 8.0, y + 8.0), (x + w - 8.0, y + 8.0), (x + 8.0, y + h - 8.0), (x + w - 8.0, y + h - 8.0)] {
-        d.circle((x, y, 2.8), Look::fill(Paint::DarkShade));
+        drawing.circle((x, y, 2.8), Look::fill(Paint::DarkShade));
     }
-    dial(d, lathe);
-    meter(d, &lathe.p);
+    dial(drawing, lathe);
+    meter(drawing, &lathe.params);
     for (x, id) in [(DIAL.0, node::SPEED), (METER.0, node::VOLTS)] {
-        d.text((x, y + h - 17.0), Anchor::Middle, "", Font::Engraved(FIGURES), Paint::Rim).id = Some(id);
+        drawing.text((x, y + h - 17.0), Anchor::Middle, "", Font::Engraved(FIGURES), Paint::Rim).id = Some(id);
     }
 }
 
-fn dial(d: &mut Drawing, lathe: &TurningSpindle) {
+fn dial(drawing: &mut Drawing, lathe: &TurningSpindle) {
     let (x, y, r) = DIAL;
-    let (p, scale) = (&lathe.p, Scale::of(lathe));
-    d.circle((x, y, r + 4.0), Look::fill(Paint::Black));
-    d.circle((x, y, r), Look::fill(Paint::Rim));
+    let (p, scale) = (&lathe.params, Scale::of(lathe));
+    drawing.circle((x, y, r + 4.0), Look::fill(Paint::Black));
+    drawing.circle((x, y, r), Look::fill(Paint::Rim));
     // Speeds above the limit of the program or of the chuck.
-    d.showing("upper-limit", |d| {
-        d.path(band(&scale, p.upper_limit.min(p.chuck_limit), scale.end, r - 2.5), Look::line(Paint::Needle, 4.0));
+    drawing.showing("upper-limit", |drawing| {
+        drawing
+            .path(band(&scale, p.upper_limit.min(p.chuck_limit), scale.end, r - 2.5), Look::line(Paint::Needle, 4.0));
     });
     let mut marks = String::new();
     let (steps, fine) = ((scale.end / scale.step).round() as u32, 5);
@@ -92,20 +93,20 @@ fn dial(d: &mut Drawing, lathe: &TurningSpindle) {
         let is_long = mark % fine == 0;
         marks += &spoke((x, y), degrees, r - if is_long { 9.0 } else { 5.5 }, r - 1.0);
     }
-    d.path(marks, Look::line(Paint::Black, 1.3));
+    drawing.path(marks, Look::line(Paint::Black, 1.3));
     for mark in 0..=steps {
         let value = scale.step * f64::from(mark);
         let (x, y) = polar((x, y), scale.degrees(value), r - 17.0);
         let text = show(value / scale.unit, 1);
-        d.text((x, y + 0.36 * LETTERS), Anchor::Middle, &text, Font::Engraved(LETTERS), Paint::Black);
+        drawing.text((x, y + 0.36 * LETTERS), Anchor::Middle, &text, Font::Engraved(LETTERS), Paint::Black);
     }
     let unit = if scale.unit > 1.0 { "×1000/min" } else { "r/min" };
-    d.text((x, y + r - 8.0), Anchor::Middle, unit, Font::Engraved(7.5), Paint::Black);
-    limits(d, lathe, &scale);
-    d.within(group::SPEED, |d| {
-        d.path(filled("M-8 -1.6L# 0L-8 1.6Z", &[r - 7.0]), Look::fill(Paint::Needle));
+    drawing.text((x, y + r - 8.0), Anchor::Middle, unit, Font::Engraved(7.5), Paint::Black);
+    limits(drawing, lathe, &scale);
+    drawing.within(group::SPEED, |drawing| {
+        drawing.path(filled("M-8 -1.6L# 0L-8 1.6Z", &[r - 7.0]), Look::fill(Paint::Needle));
     });
-    d.circle((x, y, 4.5), Look::fill(Paint::Black));
+    drawing.circle((x, y, 4.5), Look::fill(Paint::Black));
 }
 
 /// A band along the scale.
@@ -120,8 +121,8 @@ fn band(scale: &Scale, from: f64, to: f64, radius: f64) -> String {
 }
 
 /// Pointers of the limits at the rim: upper and lower limit of the program, limit of the chuck.
-fn limits(d: &mut Drawing, lathe: &TurningSpindle, scale: &Scale) {
-    let p = &lathe.p;
+fn limits(drawing: &mut Drawing, lathe: &TurningSpindle, scale: &Scale) {
+    let p = &lathe.params;
     let centre = (DIAL.0, DIAL.1);
     let pointers = [
         ("chuck-limit", p.chuck_limit, Paint::Black, 3.2),
@@ -137,16 +138,16 @@ fn limits(d: &mut Drawing, lathe: &TurningSpindle, scale: &Scale) {
         let aside = |hand: f64| polar(centre, degrees + hand * half * 2.0, DIAL.2 + 4.0);
         let (left, right) = (aside(-1.0), aside(1.0));
         let path = filled("M# #L# #L# #Z", &[tip.0, tip.1, left.0, left.1, right.0, right.1]);
-        d.showing(field, |d| {
-            d.path(path, Look::fill(paint).thin(Paint::Rim, 0.8));
+        drawing.showing(field, |drawing| {
+            drawing.path(path, Look::fill(paint).thin(Paint::Rim, 0.8));
         });
     }
 }
 
-fn meter(d: &mut Drawing, p: &Params) {
+fn meter(drawing: &mut Drawing, p: &Params) {
     let (x, y, half) = METER;
-    d.rect([x - half - 4.0, y - half - 4.0, 2.0 * half + 8.0, 2.0 * half + 8.0, 5.0], Look::fill(Paint::Black));
-    d.rect([x - half, y - half, 2.0 * half, 2.0 * half, 3.0], Look::fill(Paint::Rim));
+    drawing.rect([x - half - 4.0, y - half - 4.0, 2.0 * half + 8.0, 2.0 * half + 8.0, 5.0], Look::fill(Paint::Black));
+    drawing.rect([x - half, y - half, 2.0 * half, 2.0 * half, 3.0], Look::fill(Paint::Rim));
     let (from, to) = (polar(PIVOT, -90.0 - METER_SWEEP, METER_RADIUS), polar(PIVOT, -90.0 + METER_SWEEP, METER_RADIUS));
     let mut marks = filled("M# #A# # 0 0 1 # #", &[from.0, from.1, METER_RADIUS, METER_RADIUS, to.0, to.1]);
     for mark in 0..=10 {
@@ -154,15 +155,15 @@ fn meter(d: &mut Drawing, p: &Params) {
         let long = if mark % 5 == 0 { 9.0 } else { 5.0 };
         marks += &spoke(PIVOT, degrees, METER_RADIUS - long, METER_RADIUS);
     }
-    d.path(marks, Look::line(Paint::Black, 1.2));
+    drawing.path(marks, Look::line(Paint::Black, 1.2));
     for part in [-1.0, 0.0, 1.0] {
         let volts = if p.output == Output::Bipolar { 10.0 * part } else { 5.0 * (part + 1.0) };
         let (x, y) = polar(PIVOT, -90.0 + METER_SWEEP * part, METER_RADIUS - 17.0);
         let text = show(volts, 0);
-        d.text((x, y + 0.36 * LETTERS), Anchor::Middle, &text, Font::Engraved(LETTERS), Paint::Black);
+        drawing.text((x, y + 0.36 * LETTERS), Anchor::Middle, &text, Font::Engraved(LETTERS), Paint::Black);
     }
-    d.within(group::NEEDLE, |d| {
-        d.path(filled("M0 -1.4L# 0L0 1.4Z", &[METER_RADIUS - 2.0]), Look::fill(Paint::Needle));
+    drawing.within(group::NEEDLE, |drawing| {
+        drawing.path(filled("M0 -1.4L# 0L0 1.4Z", &[METER_RADIUS - 2.0]), Look::fill(Paint::Needle));
     });
     let mut cover = String::new();
     fill(
@@ -170,14 +171,14 @@ fn meter(d: &mut Drawing, p: &Params) {
         "M# #h#v#q0 3 -3 3h#q-3 0 -3 -3Z",
         &[x - half, y + 24.0, 2.0 * half, half - 27.0, 6.0 - 2.0 * half],
     );
-    d.path(cover, Look::fill(Paint::DarkShade));
-    d.circle((PIVOT.0, PIVOT.1, 4.0), Look::fill(Paint::Black));
-    d.text((x - half + 12.0, y + half - 8.0), Anchor::Middle, "V", Font::Engraved(LETTERS), Paint::Rim);
+    drawing.path(cover, Look::fill(Paint::DarkShade));
+    drawing.circle((PIVOT.0, PIVOT.1, 4.0), Look::fill(Paint::Black));
+    drawing.text((x - half + 12.0, y + half - 8.0), Anchor::Middle, "V", Font::Engraved(LETTERS), Paint::Rim);
 }
 
 /// Degrees of the needles of speed and voltage.
 pub(in super::super) fn needles(lathe: &TurningSpindle, speed: f64, volts: f64) -> (f64, f64) {
-    let part = if lathe.p.output == Output::Bipolar { volts / 10.0 } else { volts / 5.0 - 1.0 };
+    let part = if lathe.params.output == Output::Bipolar { volts / 10.0 } else { volts / 5.0 - 1.0 };
     (Scale::of(lathe).degrees(speed), -90.0 + METER_SWEEP * math::clamp(part, -1.06, 1.06))
 }
 

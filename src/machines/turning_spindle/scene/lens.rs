@@ -25,50 +25,50 @@ fn magnification(p: &Params, layout: &Layout) -> f64 {
 }
 
 /// The lens with nodes for its contents.
-pub(super) fn draw(d: &mut Drawing, p: &Params, layout: &Layout) {
+pub(super) fn draw(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let (x, y, r) = layout.lens;
     let depth = p.depth * layout.scale * magnification(p, layout);
-    d.path(String::new(), Look::POINTER.edge(Paint::Accent, 1.0)).id = Some(node::LEADER);
-    d.within(group::TURRET, |d| {
-        d.circle((0.0, 0.0, 10.0), Look::POINTER);
+    drawing.path(String::new(), Look::POINTER.edge(Paint::Accent, 1.0)).id = Some(node::LEADER);
+    drawing.within(group::TURRET, |drawing| {
+        drawing.circle((0.0, 0.0, 10.0), Look::POINTER);
     });
-    d.place(
+    drawing.place(
         group::LENS,
         SceneGroup { at: (x, y), clip: Some(Shape::Circle { x: 0.0, y: 0.0, r }), ..SceneGroup::default() },
     );
-    d.place(group::LENS_CHIP, SceneGroup { parent: group::LENS, ..SceneGroup::default() });
-    d.within(group::LENS, |d| {
-        d.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
-        d.path(String::new(), Look::fill(Paint::SteelShade).thin(Paint::Edge, 1.2)).id = Some(node::LENS_PART);
-        d.path("M0 0L34 -84H150V-10L78 -6Z", Look::fill(Paint::Accent).faint(0.9));
+    drawing.place(group::LENS_CHIP, SceneGroup { parent: group::LENS, ..SceneGroup::default() });
+    drawing.within(group::LENS, |drawing| {
+        drawing.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
+        drawing.path(String::new(), Look::fill(Paint::SteelShade).thin(Paint::Edge, 1.2)).id = Some(node::LENS_PART);
+        drawing.path("M0 0L34 -84H150V-10L78 -6Z", Look::fill(Paint::Accent).faint(0.9));
     });
-    d.within_hidden(group::LENS_CHIP, |d| {
+    drawing.within_hidden(group::LENS_CHIP, |drawing| {
         let curl = "M3 -9c-14 -20 -2 -42 -14 -52s-26 4 -18 14";
-        d.path(curl, Look::line(Paint::DarkLight, 9.0).round());
-        d.path(curl, Look::line(Paint::Rim, 1.2).round().faint(0.7));
+        drawing.path(curl, Look::line(Paint::DarkLight, 9.0).round());
+        drawing.path(curl, Look::line(Paint::Rim, 1.2).round().faint(0.7));
     });
-    d.within(group::LENS, |d| {
-        d.showing("depth", |d| {
+    drawing.within(group::LENS, |drawing| {
+        drawing.showing("depth", |drawing| {
             let line = if p.path == Path::Facing {
                 filled("M0 10v12M# 10v12M0 16h#", &[depth, depth])
             } else {
                 filled("M-56 0h12M-56 #h12M-50 0v#", &[-depth, -depth])
             };
-            d.path(line, Look::hair(Paint::Ink, 1.0));
+            drawing.path(line, Look::hair(Paint::Ink, 1.0));
         });
     });
-    d.circle((x, y, r), Look::line(Paint::Page, 5.0));
+    drawing.circle((x, y, r), Look::line(Paint::Page, 5.0));
     let times = format!("{} ×", show(magnification(p, layout), 0));
     // The depth of cut below its dimension line, the scale in the middle below.
     let value = units::text(p.depth, 3, "mm");
     let room = r - 18.0 - 0.3 * LETTER * UNIT * columns(&value) as f64;
     let below = ((0.5 * depth).min(room).max(0.0), 40.0);
     let (at, anchor) = if p.path == Path::Facing { (below, Anchor::Middle) } else { ((20.0 - r, 24.0), Anchor::Start) };
-    d.lens((x, y, r), |d| {
-        d.showing("depth", |d| {
-            d.text((x + at.0, y + at.1), anchor, &value, Font::Value, Paint::Ink);
+    drawing.lens((x, y, r), |drawing| {
+        drawing.showing("depth", |drawing| {
+            drawing.text((x + at.0, y + at.1), anchor, &value, Font::Value, Paint::Ink);
         });
-        d.text((x, y + r - 14.0), Anchor::Middle, &times, Font::Label, Paint::Ink);
+        drawing.text((x, y + r - 14.0), Anchor::Middle, &times, Font::Label, Paint::Ink);
     });
 }
 

@@ -37,54 +37,59 @@ pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, wo
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let layout = Layout::new(p);
-    let mut d = Drawing::new(UNIT);
-    frame::draw_bed_back(&mut d);
-    turret::draw_carriage(&mut d);
-    turret::draw_cross_slide(&mut d);
-    frame::draw_tailstock(&mut d, &layout);
-    layout.chuck.draw_nose(&mut d);
-    frame::draw_headstock(&mut d, p);
-    layout.chuck.draw_body(&mut d);
-    work::draw(&mut d, lathe, &layout);
-    frame::draw_centre(&mut d, &layout, layout.side(0.0, p.finished_diameter).1);
-    layout.chuck.draw_near_jaws(&mut d);
-    d.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
-    turret::draw_axis(&mut d);
-    turret::draw_way(&mut d, p, &layout);
-    d.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
-    d.draw_leaders_here();
-    turret::draw(&mut d);
-    turret::draw_chips(&mut d);
-    frame::draw_bed_front(&mut d);
+    let mut drawing = Drawing::new(UNIT);
+    frame::draw_bed_back(&mut drawing);
+    turret::draw_carriage(&mut drawing);
+    turret::draw_cross_slide(&mut drawing);
+    frame::draw_tailstock(&mut drawing, &layout);
+    layout.chuck.draw_nose(&mut drawing);
+    frame::draw_headstock(&mut drawing, p);
+    layout.chuck.draw_body(&mut drawing);
+    work::draw(&mut drawing, lathe, &layout);
+    frame::draw_centre(&mut drawing, &layout, layout.side(0.0, p.finished_diameter).1);
+    layout.chuck.draw_near_jaws(&mut drawing);
+    drawing.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
+    turret::draw_axis(&mut drawing);
+    turret::draw_way(&mut drawing, p, &layout);
+    drawing.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
+    drawing.draw_leaders_here();
+    turret::draw(&mut drawing);
+    turret::draw_chips(&mut drawing);
+    frame::draw_bed_front(&mut drawing);
     for (group, at) in [group::SPEED, group::NEEDLE].into_iter().zip(instruments::PIVOTS) {
-        d.place(group, SceneGroup { at, ..SceneGroup::default() });
+        drawing.place(group, SceneGroup { at, ..SceneGroup::default() });
     }
-    instruments::draw(&mut d, lathe);
-    lens::draw(&mut d, p, &layout);
-    labels(&mut d, lathe, &layout);
-    d.stations =
+    instruments::draw(&mut drawing, lathe);
+    lens::draw(&mut drawing, p, &layout);
+    labels(&mut drawing, lathe, &layout);
+    drawing.stations =
         vec![("turning.station.spindle", 130.0), ("turning.station.work", 430.0), ("turning.station.turret", 860.0)];
-    d.scene(VIEW, "turning.scene.alt")
+    drawing.scene(VIEW, "turning.scene.alt")
 }
 
 /// Base line of the names in the row above the machine.
 const ROW: f64 = 46.0;
 
 /// Names, dimensions and live values; every one has its own place, whatever the sizes.
-fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
-    let p = &lathe.p;
+fn labels(drawing: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
+    let p = &lathe.params;
     let mm = |value: f64| units::text(value, 3, "mm");
-    let callout =
-        |d: &mut Drawing, field: &'static str, at, anchor, id: &'static str, values: &[(Option<u16>, &str)], part| {
-            d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
-        };
-    d.text((instruments::PANEL[0], 22.0), Anchor::Start, "", Font::Label, Paint::Dim).id = Some(node::BOUND);
+    let callout = |drawing: &mut Drawing,
+                   field: &'static str,
+                   at,
+                   anchor,
+                   id: &'static str,
+                   values: &[(Option<u16>, &str)],
+                   part| {
+        drawing.showing(field, |drawing| drawing.callout(&Callout { at, anchor, name: &say(id), values, part }));
+    };
+    drawing.text((instruments::PANEL[0], 22.0), Anchor::Start, "", Font::Label, Paint::Dim).id = Some(node::BOUND);
     let (left, radius) = layout.side(-layout.part_length, p.stock_diameter);
     let middle = 0.45 * (left.max(layout.chuck.front()) + layout.face) + 0.1 * layout.face;
     callout(
-        d,
+        drawing,
         "stock-diameter",
         (STOCK, ROW),
         Anchor::Start,
@@ -98,7 +103,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let low = p.finished_diameter.min(p.stock_diameter);
     let end = layout.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
     callout(
-        d,
+        drawing,
         "finished-diameter",
         (FINISHED, ROW),
         Anchor::Start,
@@ -108,7 +113,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     );
     // The diameter there is that of the slides: a third line would lie on the turret.
     callout(
-        d,
+        drawing,
         "cutting-speed",
         (TOOL, ROW),
         Anchor::Start,
@@ -117,30 +122,30 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         None,
     );
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
-    callout(d, allowance, (LEFT, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
+    callout(drawing, allowance, (LEFT, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
     let place = |at: f64| show(at, if at < 1000.0 { 3 } else { 1 });
     let across = p.start_x * if lathe.diameters() { 1.0 } else { 0.5 };
     let start = format!("{} X{} Z{}", say("turning.scene.start"), place(across), place(p.start_z));
     let clearance = format!("{} {}", say("turning.clearance"), mm(p.clearance));
-    d.showing("start-x", |d| {
-        d.text((START, TOP_ROW), Anchor::Start, &start, Font::Label, Paint::Dim);
+    drawing.showing("start-x", |drawing| {
+        drawing.text((START, TOP_ROW), Anchor::Start, &start, Font::Label, Paint::Dim);
     });
-    d.showing("clearance", |d| {
-        d.text((CLEARANCE, TOP_ROW), Anchor::End, &clearance, Font::Label, Paint::Dim);
+    drawing.showing("clearance", |drawing| {
+        drawing.text((CLEARANCE, TOP_ROW), Anchor::End, &clearance, Font::Label, Paint::Dim);
     });
     let (name, values) = (say("turning.scene.slides"), [(Some(node::X), ""), (Some(node::Z), "")]);
-    d.callout_with(
+    drawing.callout_with(
         &Callout { at: SLIDES, anchor: Anchor::Start, name: &name, values: &values, part: None },
         SLIDE_LETTERS,
     );
     if layout.holds_work {
-        d.text((980.0, 478.0), Anchor::Middle, &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
+        drawing.text((980.0, 478.0), Anchor::Middle, &say("turning.scene.tailstock"), Font::Engraved(13.0), Paint::Dim);
     }
-    d.text((4.0, 250.0), Anchor::Start, "", Font::Label, Paint::Rim).id = Some(node::STAGE);
-    d.text((4.0, 274.0), Anchor::Start, "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
+    drawing.text((4.0, 250.0), Anchor::Start, "", Font::Label, Paint::Rim).id = Some(node::STAGE);
+    drawing.text((4.0, 274.0), Anchor::Start, "", Font::Value, Paint::Rim).id = Some(node::STAGE_SPEED);
     if lathe.positions() {
         callout(
-            d,
+            drawing,
             "keyway-angle",
             (SLIDES.0, SLIDES.1 + 74.0),
             Anchor::Start,
@@ -149,7 +154,7 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
             None,
         );
     }
-    length(d, p, layout);
+    length(drawing, p, layout);
 }
 
 /// Left ends of the labels in the row above the machine.
@@ -176,14 +181,14 @@ pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
 }
 
 /// The length of the cut along the part, or the allowance of a face.
-fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
+fn length(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let (field, id, from, to) = match p.path {
         Path::Facing => ("allowance", "turning.scene.allowance", 0.0, p.allowance),
         _ => ("length", "turning.scene.length", -p.length, 0.0),
     };
     let (y, top) = (476.0, AXIS + 0.5 * p.stock_diameter * layout.scale);
     let (left, right) = (layout.face + from * layout.scale, layout.face + to * layout.scale);
-    d.showing(field, |d| {
+    drawing.showing(field, |drawing| {
         // Arrows between the lines, or from outside where there is no room.
         let arrows = if right - left > 26.0 {
             filled("M# #H#M# #l-8 4l8 4M# #l8 4l-8 4", &[left, y, right, left + 8.0, y - 4.0, right - 8.0, y - 4.0])
@@ -194,7 +199,7 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
             )
         };
         let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
-        d.path([arrows, ends].concat(), Look::LEAD);
+        drawing.path([arrows, ends].concat(), Look::LEAD);
         let text = format!("{} {}", say(id), units::text(to - from, 3, "mm"));
         let width = LETTER_BOX.width * LETTER * UNIT * columns(&text) as f64;
         // Between its lines, else at the left if there is room beside the chuck: the carriage stands at the right.
@@ -205,6 +210,6 @@ fn length(d: &mut Drawing, p: &Params, layout: &Layout) {
         } else {
             ((right + 30.0, y + 5.0), Anchor::Start)
         };
-        d.text(at, anchor, &text, Font::Label, Paint::Ink);
+        drawing.text(at, anchor, &text, Font::Label, Paint::Ink);
     });
 }

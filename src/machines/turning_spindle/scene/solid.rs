@@ -24,11 +24,11 @@ pub(super) fn circle(x: f64, radius: f64) -> String {
 
 /// A flat ring about the axis between two radii.
 pub(super) fn ring(x: f64, radius: f64, bore: f64) -> String {
-    let mut d = circle(x, radius);
+    let mut path = circle(x, radius);
     // Drawn the other way round, so that the bore stays open.
     let (flat, top) = (SLANT * bore, AXIS - bore);
-    fill(&mut d, "M# #a# # 0 1 0 0 #a# # 0 1 0 0 #Z", &[x, top, flat, bore, 2.0 * bore, flat, bore, -2.0 * bore]);
-    d
+    fill(&mut path, "M# #a# # 0 1 0 0 #a# # 0 1 0 0 #Z", &[x, top, flat, bore, 2.0 * bore, flat, bore, -2.0 * bore]);
+    path
 }
 
 /// The part of a circle about the axis between two angles, as an open path.
@@ -43,16 +43,16 @@ pub(in super::super) fn arc(out: &mut String, x: f64, radius: f64, from: f64, to
 /// the near half is left to the face that covers it.
 pub(super) fn body(profile: &[(f64, f64)]) -> String {
     let (Some(first), Some(last)) = (profile.first(), profile.last()) else { return String::new() };
-    let mut d = String::new();
+    let mut path = String::new();
     for (at, (x, radius)) in profile.iter().enumerate() {
-        fill(&mut d, if at == 0 { "M# #" } else { "L# #" }, &[*x, AXIS - radius]);
+        fill(&mut path, if at == 0 { "M# #" } else { "L# #" }, &[*x, AXIS - radius]);
     }
-    fill(&mut d, "A# # 0 0 0 # #", &[SLANT * last.1, last.1, last.0, AXIS + last.1]);
+    fill(&mut path, "A# # 0 0 0 # #", &[SLANT * last.1, last.1, last.0, AXIS + last.1]);
     for (x, radius) in profile.iter().rev().skip(1) {
-        fill(&mut d, "L# #", &[*x, AXIS + radius]);
+        fill(&mut path, "L# #", &[*x, AXIS + radius]);
     }
-    fill(&mut d, "A# # 0 0 1 # #Z", &[SLANT * first.1, first.1, first.0, AXIS - first.1]);
-    d
+    fill(&mut path, "A# # 0 0 1 # #Z", &[SLANT * first.1, first.1, first.0, AXIS - first.1]);
+    path
 }
 
 /// A block on a face: from `x.0` to `x.1` along the axis, from `out.0` to `out.1` away from the axis, `half` to both sides of `angle`.

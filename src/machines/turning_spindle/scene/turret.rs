@@ -20,82 +20,82 @@ const TRAY: f64 = BED + 47.0;
 const PILE: u32 = 12;
 
 /// The way of the tool from its start to the clearance.
-pub(super) fn draw_way(d: &mut Drawing, p: &Params, layout: &Layout) {
+pub(super) fn draw_way(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let (start, near) =
         (layout.tip(0.5 * p.start_x, p.start_z), layout.tip(0.5 * p.stock_diameter + p.clearance, p.clearance));
-    d.showing("clearance", |d| {
-        d.path(filled("M# #L# #", &[start.0, start.1, near.0, near.1]), Look::LEAD.dashed(7.0, 4.0).faint(0.7));
+    drawing.showing("clearance", |drawing| {
+        drawing.path(filled("M# #L# #", &[start.0, start.1, near.0, near.1]), Look::LEAD.dashed(7.0, 4.0).faint(0.7));
     });
-    d.showing("start-x", |d| {
-        d.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
+    drawing.showing("start-x", |drawing| {
+        drawing.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
     });
 }
 
 /// The carriage on the ways of the bed with its column, which goes along the bed with the turret; its origin is above the tip of the tool.
-pub(super) fn draw_carriage(d: &mut Drawing) {
+pub(super) fn draw_carriage(drawing: &mut Drawing) {
     let (foot, saddle) = (BED - 9.0, BED - 33.0);
-    d.within(group::CARRIAGE, |d| {
-        d.path(
+    drawing.within(group::CARRIAGE, |drawing| {
+        drawing.path(
             filled("M106 #V#h66V#Z", &[saddle - 6.0, TOP, saddle - 6.0]),
             Look::fill(Paint::CabinetFront).thin(Paint::Edge, 0.8),
         );
-        d.path(filled("M172 #V#l12 7V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), Look::fill(Paint::SteelShade));
+        drawing.path(filled("M172 #V#l12 7V#Z", &[saddle - 6.0, TOP, saddle - 6.0]), Look::fill(Paint::SteelShade));
         // Ways of the cross slide.
-        d.path(
+        drawing.path(
             filled("M116 #V#h10V#ZM152 #V#h10V#Z", &[saddle - 6.0, TOP, saddle - 6.0].repeat(2)),
             Look::fill(Paint::Steel),
         );
-        d.path(filled("M72 #l14 -8h116l14 8Z", &[saddle]), Look::fill(Paint::DarkLight));
-        d.rect([72.0, saddle, 144.0, foot - saddle, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
+        drawing.path(filled("M72 #l14 -8h116l14 8Z", &[saddle]), Look::fill(Paint::DarkLight));
+        drawing.rect([72.0, saddle, 144.0, foot - saddle, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
     });
 }
 
 /// The cross slide on the column, which carries the turret; its origin is the tip of the tool.
-pub(super) fn draw_cross_slide(d: &mut Drawing) {
-    d.within(group::CROSS_SLIDE, |d| {
-        d.path("M186 -160l10 7V24l-10 6Z", Look::fill(Paint::SteelShade));
-        d.rect([92.0, -160.0, 94.0, 190.0, 4.0], Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0));
-        d.path("M98 -12h82M104 8h7v7h-7ZM167 8h7v7h-7Z", Look::HAIR.faint(0.6));
+pub(super) fn draw_cross_slide(drawing: &mut Drawing) {
+    drawing.within(group::CROSS_SLIDE, |drawing| {
+        drawing.path("M186 -160l10 7V24l-10 6Z", Look::fill(Paint::SteelShade));
+        drawing.rect([92.0, -160.0, 94.0, 190.0, 4.0], Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0));
+        drawing.path("M98 -12h82M104 8h7v7h-7ZM167 8h7v7h-7Z", Look::HAIR.faint(0.6));
     });
 }
 
 /// The turret; its origin is the tip of the tool.
-pub(super) fn draw(d: &mut Drawing) {
-    d.within(group::TURRET, |d| {
+pub(super) fn draw(drawing: &mut Drawing) {
+    drawing.within(group::TURRET, |drawing| {
         // Slide and housing behind the disc.
-        d.path("M110 -150h58q6 0 6 6v92q0 6 -6 6h-58Z", Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
-        d.path("M112 -148.500h56", Look::RIM.faint(0.5));
-        d.path("M160 -140h6v6h-6ZM160 -62h6v6h-6Z", Look::HOLE);
+        drawing.path("M110 -150h58q6 0 6 6v92q0 6 -6 6h-58Z", Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
+        drawing.path("M112 -148.500h56", Look::RIM.faint(0.5));
+        drawing.path("M160 -140h6v6h-6ZM160 -62h6v6h-6Z", Look::HOLE);
         // Disc: its axis is level, seen from the right.
-        d.path("M52 -158H104A16 60 0 0 0 104 -38H52A16 60 0 0 1 52 -158Z", Look::fill(Paint::SteelBar));
-        d.path("M62 -158A16 60 0 0 0 62 -38M96 -158A16 60 0 0 0 96 -38", Look::HAIR.faint(0.4));
-        d.ellipse((104.0, -98.0), (16.8, 60.0), Look::FACE);
-        d.ellipse((104.0, -98.0), (6.4, 23.0), Look::DARK_FACE);
-        d.path(
+        drawing.path("M52 -158H104A16 60 0 0 0 104 -38H52A16 60 0 0 1 52 -158Z", Look::fill(Paint::SteelBar));
+        drawing.path("M62 -158A16 60 0 0 0 62 -38M96 -158A16 60 0 0 0 96 -38", Look::HAIR.faint(0.4));
+        drawing.ellipse((104.0, -98.0), (16.8, 60.0), Look::FACE);
+        drawing.ellipse((104.0, -98.0), (6.4, 23.0), Look::DARK_FACE);
+        drawing.path(
             "M101 -146h6v9h-6ZM101 -59h6v9h-6ZM112 -128l4 5l-3 8l-4 -5ZM96 -128l-4 5l3 8l4 -5ZM112 -68l4 -5l-3 -8l-4 5ZM96 -68l-4 -5l3 -8l4 5Z",
             Look::HOLE,
         );
         // Block and shank.
-        d.path("M40 -74h56v36H40Z", Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
-        d.path("M41 -39V-73H95", Look::RIM.faint(0.5));
-        d.path("M48 -48h6v6h-6ZM80 -48h6v6h-6Z", Look::HOLE);
-        d.path("M14 -56h26v15H36v27l-10 9l-12 -2Z", Look::FACE);
-        d.path("M16 -54v42", Look::RIM);
+        drawing.path("M40 -74h56v36H40Z", Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
+        drawing.path("M41 -39V-73H95", Look::RIM.faint(0.5));
+        drawing.path("M48 -48h6v6h-6ZM80 -48h6v6h-6Z", Look::HOLE);
+        drawing.path("M14 -56h26v15H36v27l-10 9l-12 -2Z", Look::FACE);
+        drawing.path("M16 -54v42", Look::RIM);
         // Insert.
-        d.path("M0 0L10 -19H26L22 -4Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
-        d.circle((15.0, -11.0, 2.4), Look::fill(Paint::Black));
+        drawing.path("M0 0L10 -19H26L22 -4Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
+        drawing.circle((15.0, -11.0, 2.4), Look::fill(Paint::Black));
     });
 }
 
 /// Curls in the air and in the tray, which the front of the bed covers.
-pub(super) fn draw_chips(d: &mut Drawing) {
-    d.path(String::new(), Look::line(Paint::DarkLight, 3.0).round()).id = Some(node::PILE);
+pub(super) fn draw_chips(drawing: &mut Drawing) {
+    drawing.path(String::new(), Look::line(Paint::DarkLight, 3.0).round()).id = Some(node::PILE);
     for chip in 0..CHIPS {
-        d.place(group::CHIPS + chip, SceneGroup::default());
-        d.within_hidden(group::CHIPS + chip, |d| {
+        drawing.place(group::CHIPS + chip, SceneGroup::default());
+        drawing.within_hidden(group::CHIPS + chip, |drawing| {
             let curl = "M-5 -2c6 -3 13 2 11 7s-11 5 -11 -1s8 -6 11 -1";
-            d.path(curl, Look::line(Paint::Dark, 2.8).round());
-            d.path(curl, Look::line(Paint::Rim, 1.0).round().faint(0.6));
+            drawing.path(curl, Look::line(Paint::Dark, 2.8).round());
+            drawing.path(curl, Look::line(Paint::Rim, 1.0).round().faint(0.6));
         });
     }
 }
@@ -134,6 +134,6 @@ pub(in super::super) fn pose_chips(
 }
 
 /// The axis line of the spindle, which the chips fall in front of.
-pub(super) fn draw_axis(d: &mut Drawing) {
-    d.path(filled("M206 #H1060", &[AXIS]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
+pub(super) fn draw_axis(drawing: &mut Drawing) {
+    drawing.path(filled("M206 #H1060", &[AXIS]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
 }

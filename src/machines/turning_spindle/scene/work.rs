@@ -26,7 +26,7 @@ pub(in super::super) struct PartSection {
 
 /// Stretches from the chuck to the right, each thinner than the one before.
 pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progress: Progress) -> Vec<PartSection> {
-    let p = &lathe.p;
+    let p = &lathe.params;
     let Progress { done, at } = progress;
     let left = |pass: u32| p.left(f64::from(pass));
     let section =
@@ -37,10 +37,10 @@ pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progre
     if p.path == Path::Facing {
         let (face, rest) = (left(done), p.finished_diameter);
         match at.filter(|&d| d < stock) {
-            Some(d) => {
+            Some(drawing) => {
                 let cut = left(done + 1);
                 all.push(section(round(-layout.part_length, cut, stock), false, true));
-                all.push(section(round(cut, face, d.max(rest)), false, done > 0));
+                all.push(section(round(cut, face, drawing.max(rest)), false, done > 0));
             }
             None => all.push(section(round(-layout.part_length, face, stock), false, done > 0)),
         }
@@ -68,8 +68,8 @@ pub(in super::super) fn sections(lathe: &TurningSpindle, layout: &Layout, progre
 }
 
 /// Nodes of the part, and the finished contour over it.
-pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
-    let p = &lathe.p;
+pub(super) fn draw(drawing: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
+    let p = &lathe.params;
     let stops = [
         (0.0, Paint::DarkLight, 1.0),
         (0.1, Paint::SteelShade, 1.0),
@@ -78,9 +78,9 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
         (0.62, Paint::SteelShade, 1.0),
         (1.0, Paint::Dark, 1.0),
     ];
-    let raw = d.gradient(Gradient { ramp: Ramp::Across([0.0, 0.0, 0.0, 1.0]), stops: stops.to_vec() });
-    d.showing("stock-diameter", |d| {
-        d.path(String::new(), Look::fill(raw).thin(Paint::Edge, 1.0)).id = Some(node::PART);
+    let raw = drawing.gradient(Gradient { ramp: Ramp::Across([0.0, 0.0, 0.0, 1.0]), stops: stops.to_vec() });
+    drawing.showing("stock-diameter", |drawing| {
+        drawing.path(String::new(), Look::fill(raw).thin(Paint::Edge, 1.0)).id = Some(node::PART);
     });
     for at in 0..STRETCHES {
         let first = node::STRETCHES + KINDS * at;
@@ -91,20 +91,21 @@ pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
             Look::FACE,
         ];
         for (number, look) in (first..).zip(looks) {
-            d.path(String::new(), look).id = Some(number);
+            drawing.path(String::new(), look).id = Some(number);
         }
     }
-    d.path(String::new(), Look::hair(Paint::DarkLight, 1.2).faint(0.7)).id = Some(node::MARKS);
+    drawing.path(String::new(), Look::hair(Paint::DarkLight, 1.2).faint(0.7)).id = Some(node::MARKS);
     if let Some(diameter) = lathe.keyway() {
-        d.showing("keyway-depth", |d| {
-            d.path(String::new(), Look::fill(Paint::Dark).thin(Paint::Edge, 0.8)).id = Some(node::GROOVE);
+        drawing.showing("keyway-depth", |drawing| {
+            drawing.path(String::new(), Look::fill(Paint::Dark).thin(Paint::Edge, 0.8)).id = Some(node::GROOVE);
             let ends = [-p.keyway_start - p.keyway_length, -p.keyway_start];
-            d.path(keyway(layout, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
+            drawing
+                .path(keyway(layout, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
         });
     }
     let field = if p.path == Path::Taper { "large-diameter" } else { "finished-diameter" };
-    d.showing(field, |d| {
-        d.path(finished(p, layout), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
+    drawing.showing(field, |drawing| {
+        drawing.path(finished(p, layout), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
     });
 }
 
@@ -131,10 +132,10 @@ fn finished(p: &Params, layout: &Layout) -> String {
     let (face, scale) = (layout.face, layout.scale);
     match p.path {
         Path::Facing => {
-            let mut d = String::new();
-            solid::arc(&mut d, face, stock * scale, -PI, 0.0);
-            solid::arc(&mut d, face, stock * scale, 0.0, PI);
-            d
+            let mut path = String::new();
+            solid::arc(&mut path, face, stock * scale, -PI, 0.0);
+            solid::arc(&mut path, face, stock * scale, 0.0, PI);
+            path
         }
         _ => {
             let far = if p.path == Path::Taper { 0.5 * p.large_diameter } else { end };
@@ -159,7 +160,8 @@ pub(in super::super) fn pose(
         let mut kinds: [String; KINDS as usize] = Default::default();
         if let Some(section) = sections.get(usize::from(at)) {
             let [raw, turned, rough, faced] = &mut kinds;
-            let profile: Vec<(f64, f64)> = section.profile.iter().map(|(z, d)| layout.side(*z, *d)).collect();
+            let profile: Vec<(f64, f64)> =
+                section.profile.iter().map(|(z, drawing)| layout.side(*z, *drawing)).collect();
             *(if section.is_turned { turned } else { raw }) = solid::body(&profile);
             if let Some((x, radius)) = profile.last() {
                 *(if section.is_faced { faced } else { rough }) = solid::circle(*x, *radius);
@@ -168,7 +170,7 @@ pub(in super::super) fn pose(
         paths.extend((first..).zip(kinds));
     }
     let end = sections.last().and_then(|section| section.profile.last());
-    let (x, radius) = end.map_or((layout.face, 0.0), |(z, d)| layout.side(*z, *d));
+    let (x, radius) = end.map_or((layout.face, 0.0), |(z, drawing)| layout.side(*z, *drawing));
     paths.push((node::MARKS, marks(x, radius, turns)));
 }
 
@@ -183,12 +185,12 @@ fn silhouette(layout: &Layout, sections: &[PartSection]) -> String {
 
 /// Turning marks on a face, which turn with the spindle, and the line of its zero angle.
 fn marks(x: f64, radius: f64, turns: f64) -> String {
-    let mut d = String::new();
+    let mut path = String::new();
     let angle = 2.0 * PI * (turns - turns.floor());
     for (ring, begin, length) in [(0.9, 0.4, 1.9), (0.72, 2.6, 2.4), (0.54, 4.4, 2.0), (0.36, 1.2, 2.6)] {
-        solid::arc(&mut d, x, ring * radius, angle + begin, angle + begin + length);
+        solid::arc(&mut path, x, ring * radius, angle + begin, angle + begin + length);
     }
     let (from, to) = (corner(x, 0.66 * radius, angle, 0.0), corner(x, 0.97 * radius, angle, 0.0));
-    fill(&mut d, "M# #L# #", &[from.0, from.1, to.0, to.1]);
-    d
+    fill(&mut path, "M# #L# #", &[from.0, from.1, to.0, to.1]);
+    path
 }

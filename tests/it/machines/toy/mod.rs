@@ -50,7 +50,7 @@ impl Prepared for CutToLength {
             deck: program::deck(self),
             setup: Some(program::SETUP),
             main: program::RUN,
-            newline: self.p.newline.into(),
+            newline: self.params.newline.into(),
         }
     }
 

@@ -8,7 +8,7 @@ use super::resolved::{CutToLength, FEED_AXIS};
 
 /// The plant with the clamp and the time constant of the form.
 pub(super) fn plant(feeder: &CutToLength) -> Plant {
-    let p = &feeder.p;
+    let p = &feeder.params;
     let axis = AxisPlant {
         letter: Some(FEED_AXIS),
         rotary: false,
@@ -34,7 +34,7 @@ pub(super) fn plant(feeder: &CutToLength) -> Plant {
 
 /// Parameters of the control with their values.
 pub(super) fn parameters(feeder: &CutToLength) -> Vec<(ParamRole, AxisValues<'static>)> {
-    let p = &feeder.p;
+    let p = &feeder.params;
     let slide = |value: f64| vec![("Z", ParamValue::Number(value))];
     vec![
         (ParamRole::AxisRapid, slide(p.clamp)),

@@ -38,18 +38,18 @@ pub(super) fn deck(feeder: &CutToLength) -> Deck {
 fn run(b: &mut Builder, feeder: &CutToLength) {
     let control = feeder.control;
     b.program(RUN, "CUT TO LENGTH - RUN");
-    writing::write_header::<CutToLength>(b, &feeder.p, control);
+    writing::write_header::<CutToLength>(b, &feeder.params, control);
     writing::guards(b, &ENTRIES);
     b.n(20).words(writing::codes(control, [Code::Absolute, Code::FeedPerMinute]));
     b.n(21).assign(103, v(102)).note("PIECES LEFT");
     b.n(22).assign(104, 0).note("POSITION");
     b.n(30).while_do(v(103).gt(0), 1);
     b.n(31).assign(104, v(104) + v(100));
-    match feeder.p.feed {
+    match feeder.params.feed {
         Feed::Cutting => b.n(32).words([g(1), z(v(104)), f(v(101))]),
         Feed::Rapid => b.n(32).words([g(0), z(v(104))]),
     };
-    b.n(33).words(writing::dwell(control, feeder.p.cut_time)).note("KNIFE");
+    b.n(33).words(writing::dwell(control, feeder.params.cut_time)).note("KNIFE");
     b.n(34).assign(103, v(103) - 1);
     b.n(35).end_do(1);
     b.n(40).words([m(30)]);
@@ -60,7 +60,7 @@ fn run(b: &mut Builder, feeder: &CutToLength) {
 }
 
 fn setup(b: &mut Builder, feeder: &CutToLength) {
-    let p = &feeder.p;
+    let p = &feeder.params;
     b.program(SETUP, "CUT TO LENGTH - SET VALUES ONCE");
     writing::write_header::<CutToLength>(b, p, feeder.control);
     b.n(1).assign(100, real(p.length, 3)).note("LENGTH");

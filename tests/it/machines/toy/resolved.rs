@@ -17,17 +17,17 @@ pub(crate) static PREPARED: AtomicUsize = AtomicUsize::new(0);
 /// The feeder on a control.
 #[derive(Debug)]
 pub(crate) struct CutToLength {
-    pub(super) p: Params,
-    pub(super) d: Derived,
+    pub(super) params: Params,
+    pub(super) derived: Derived,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
 }
 
 impl CutToLength {
     /// Computes the formulas.
-    pub(super) fn resolve(p: Params, on: ControlContext) -> CutToLength {
+    pub(super) fn resolve(params: Params, on: ControlContext) -> CutToLength {
         PREPARED.fetch_add(1, Ordering::Relaxed);
-        CutToLength { d: Derived::new(&p), p, control: on.control, dialect: on.dialect() }
+        CutToLength { derived: Derived::new(&params), params, control: on.control, dialect: on.dialect() }
     }
 
     /// Index of the axis that feeds, in the control's order.

@@ -30,7 +30,7 @@ pub(super) fn parts() -> Vec<DrawnPart> {
 
 /// The drawing at a moment: the strip since its last cut.
 pub(super) fn pose(feeder: &CutToLength, now: &Snapshot) -> Pose {
-    let dx = position(feeder, now) % feeder.p.length * SCALE;
+    let dx = position(feeder, now) % feeder.params.length * SCALE;
     let placements = vec![Placement { dx, ..Placement::of(STRIP) }];
     Pose { placements, ..Pose::default() }
 }
