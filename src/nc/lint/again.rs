@@ -1,14 +1,13 @@
-//! Words and codes of a block that another one of the same block takes the place of, or that stand where a call does not want them.
+//! Words and codes of a block that another one of the same block takes the place of.
 
 use super::super::ast::{Block, Word};
 use super::context::Lint;
-use super::roles::{CALL, Roles};
-use crate::controls::{Address, AddressSet, Alarm, Code, CodeDef, Group};
+use crate::controls::{Address, AddressSet, Code, CodeDef, Group};
 use crate::msg;
-use crate::text::{Fix, Place};
+use crate::text::Fix;
 
 /// Maximum words reported.
-const MOST: usize = 20;
+pub(super) const MOST: usize = 20;
 
 /// Words of a block that may take the place of each other.
 #[derive(Clone, Copy)]
@@ -122,35 +121,6 @@ impl Lint<'_> {
             if let Some(finding) = self.warn(place, msg!("lint.cycle-ended", code, cycle)) {
                 finding.fixes.push(Fix { title, edits: vec![(place, String::new())] });
             }
-        }
-    }
-
-    /// Reports a word in front of the code that calls a macro, on controls without an alarm for it.
-    #[cold]
-    pub(super) fn argument_before_call(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
-        let code = |word: &Word| matches!(word.letter, Address::G | Address::M);
-        let Some(call) = words.iter().position(|word| code(word) && roles.word(word) & CALL != 0) else { return };
-        let before = words.iter().take(call).find(|word| !code(word) && word.letter != Address::Skip);
-        let (Some(word), Some(call)) = (before, words.get(call)) else { return };
-        if self.again < MOST && !self.control.raises(Alarm::CallNotFirst) {
-            self.again += 1;
-            let call = self.written(at, call.span(block)).1;
-            let (place, word): (Place, &str) = self.written(at, word.span(block));
-            self.warn(place, msg!("lint.argument-before-call", word, call));
-        }
-    }
-
-    /// Reports a word behind the code that calls a macro whose letter no argument has, on controls without an alarm for it.
-    #[cold]
-    pub(super) fn word_without_argument(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
-        let Some(call) = words.iter().position(|word| roles.word(word) & CALL != 0) else { return };
-        let without = |word: &&Word| matches!(word.letter, Address::G | Address::N | Address::O);
-        let (Some(word), Some(call)) = (words.iter().skip(call + 1).find(without), words.get(call)) else { return };
-        if self.again < MOST && !self.control.raises(Alarm::ArgumentAddress) {
-            self.again += 1;
-            let call = self.written(at, call.span(block)).1;
-            let (place, word): (Place, &str) = self.written(at, word.span(block));
-            self.warn(place, msg!("lint.no-argument", word, call));
         }
     }
 }

@@ -4,6 +4,7 @@
 //! that do not parse are not checked. In case of doubt there is no warning.
 
 mod again;
+mod call_words;
 mod context;
 mod endless;
 mod facts;

@@ -122,8 +122,7 @@ impl Survey<'_> {
             lint.dwell_without_time(self.roles, (at, block), words);
         }
         if bits & CALL != 0 {
-            lint.argument_before_call(self.roles, (at, block), words);
-            lint.word_without_argument(self.roles, (at, block), words);
+            lint.call_words(self.roles, (at, block), words);
         } else {
             if again {
                 lint.word_again(at, block, words, self.rivals);
