@@ -33,6 +33,7 @@ await withPage(app, {}, async ({ page }) => {
   // An hour is longer than the axes stay within the range of the control, unless their coordinates roll over.
   // And longer than the default reel lasts.
   await field(page, 'endless').selectOption('roll-over');
+  await field(page, 'y-unit').selectOption('degrees');
   await field(page, 'reel-diameter').fill('1000');
   await field(page, 'pitch-count').fill('10000000');
   await page.fill('#go-to', '3600');

@@ -214,6 +214,14 @@ pub(crate) fn set(element: &Element, name: &str, value: &str) {
     let _ = element.set_attribute(name, value);
 }
 
+/// Sets the text of an element without other content. Its text node stays: another one would cost the styles around it at every frame.
+pub(crate) fn set_text(element: &Element, text: &str) {
+    match element.first_child().filter(|node| node.node_type() == Node::TEXT_NODE) {
+        Some(node) => node.set_node_value(Some(text)),
+        None => element.set_text_content(Some(text)),
+    }
+}
+
 /// Whether the `details` element of a toggle event is open.
 pub(crate) fn is_open(event: &Event) -> bool {
     event.target().is_some_and(|details| details.unchecked_into::<Element>().has_attribute("open"))
@@ -366,6 +374,15 @@ mod tests {
         go_to_field("deep");
         assert_eq!(bench.all("details[open]").len(), 2);
         assert_eq!(document().active_element().unwrap().id(), "deep");
+    }
+
+    #[wasm_bindgen_test]
+    async fn text_is_set_beside_a_marker_of_the_view_and_again() {
+        let bench = mount(|| view! { <p>{None::<()>}</p> }).await;
+        for text in ["first", "second"] {
+            set_text(&bench.find("p"), text);
+            assert_eq!(bench.text("p"), text);
+        }
     }
 
     #[wasm_bindgen_test]

@@ -16,9 +16,9 @@ use crate::view::Advice;
 
 /// Content of the screen.
 #[derive(Clone, PartialEq)]
-struct ScreenText {
+pub(super) struct ScreenText {
     /// Weight.
-    tone: Tone,
+    pub tone: Tone,
     /// Number of the alarm; empty for a message.
     alarm: String,
     /// The control's words for the number, where the program has a text of its own.
@@ -36,7 +36,7 @@ struct ScreenText {
 }
 
 /// Content of the screen at the play head; `None` if there is nothing to report.
-fn screen_text(page: Page) -> Option<ScreenText> {
+pub(super) fn screen_text(page: Page) -> Option<ScreenText> {
     let player = page.player;
     let at_once = page.outlook.stopped.with(Option::is_some);
     let planned = player.planned.get();
@@ -135,9 +135,11 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
 
 /// The screen; empty while there is no alarm and no message.
 #[component]
-pub(super) fn AlarmScreen() -> impl IntoView {
+pub(super) fn AlarmScreen(
+    /// Its content at the play head.
+    text: Memo<Option<ScreenText>>,
+) -> impl IntoView {
     let page = Page::here();
-    let text = Memo::new(move |_| screen_text(page));
     // A bar over the lower edge of the drawing until opened: labels stay in sight.
     let open = RwSignal::new(false);
     move || {
@@ -230,9 +232,14 @@ mod tests {
     use crate::ui::state::operator::act;
     use crate::ui::testing::{ViewBench, mount, mount_project, until};
 
+    fn screen_view() -> impl IntoView {
+        let page = Page::here();
+        view! { <AlarmScreen text=Memo::new(move |_| screen_text(page)) /> }
+    }
+
     async fn screen(control: &str) -> ViewBench {
         let project = Project::named("ribbon-line", Some(control), Some("paper")).unwrap();
-        let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
+        let bench = mount_project(project, screen_view).await;
         bench.run().await;
         bench
     }
@@ -259,7 +266,7 @@ mod tests {
         let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
         // The print roller would have to turn five times as fast: above its clamp.
         project.values.insert("heads".to_owned(), Value::Number(7.0));
-        let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
+        let bench = mount_project(project, screen_view).await;
         bench.run().await;
         let shown = bench.text("h2");
         assert!(shown.starts_with("P277 ") && shown.ends_with("FEED ABOVE CLAMP 20000"), "{shown}");
@@ -317,7 +324,7 @@ mod tests {
     async fn hold_by_a_contact_is_shown_and_refuses_cycle_start() {
         let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
         project.values.insert("loop-capacity".to_owned(), Value::Number(20.0));
-        let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
+        let bench = mount_project(project, screen_view).await;
         bench.run().await;
         let player = bench.page.player;
         until(move || player.planned.get_untracked().is_over).await;
@@ -330,7 +337,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn emergency_stop_is_shown_with_its_remedy() {
-        let bench = mount(|| view! { <AlarmScreen /> }).await;
+        let bench = mount(screen_view).await;
         bench.run().await;
         bench.seek(1.0).await;
         act(bench.page, Action::EmergencyStop);

@@ -140,7 +140,7 @@ impl Drawn {
         }
         for (at, words) in &pose.texts {
             if let Some(part) = self.parts.get_mut(at).filter(|part| part.text.as_ref() != Some(words)) {
-                part.element.set_text_content(Some(words));
+                dom::set_text(&part.element, words);
                 part.text.get_or_insert_default().clone_from(words);
                 let letters = columns(words);
                 longer |= letters > part.longest;

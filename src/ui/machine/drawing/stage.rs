@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
-use super::alarm_screen::AlarmScreen;
+use super::alarm_screen::{AlarmScreen, screen_text};
 use super::fitted::FittedDrawing;
 use super::notices::NoticeBand;
 use super::pictures::SavePicture;
@@ -50,6 +50,8 @@ pub(crate) fn Stage() -> impl IntoView {
         player.ask();
     };
     let state = Memo::new(move |_| shown_state(page));
+    let screen = Memo::new(move |_| screen_text(page));
+    let wrong = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
     let full = move || {
         if let Some(section) = section.get_untracked() {
             // With the film, which is beside the drawing.
@@ -57,7 +59,12 @@ pub(crate) fn Stage() -> impl IntoView {
         }
     };
     view! {
-        <section class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section>
+        <section
+            class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section
+            class:screened=move || screen.with(Option::is_some)
+            class:alarmed=move || screen.with(|text| text.as_ref().is_some_and(|text| text.tone == Tone::Fail))
+            class:wrong=move || wrong.get() != 0
+        >
             <div class="stage" class:pans=move || pans.get() tabindex=stop role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
             <Show when=move || pans.get()><Stations drawn=fitted.drawn /></Show>
             <Later>
@@ -65,9 +72,9 @@ pub(crate) fn Stage() -> impl IntoView {
                 {fitted.refit()}
                 <div class="state">
                     <span class=move || format!("mode {}", state.get().tone)>{move || state.get().into_view()}</span>
-                    <WrongValues />
+                    <WrongValues count=wrong />
                 </div>
-                <AlarmScreen />
+                <AlarmScreen text=screen />
                 <div class="band">
                     <p class="why" role="status">{move || why(page)}</p>
                     <NoticeBand />
@@ -138,9 +145,11 @@ fn shown_state(page: Page) -> ShownState {
 
 /// Count of wrong fields, for a form that is out of sight; a press leads to them.
 #[component]
-fn WrongValues() -> impl IntoView {
+fn WrongValues(
+    /// Wrong fields.
+    count: Memo<usize>,
+) -> impl IntoView {
     let page = Page::here();
-    let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
     let words = move || {
         if page.is_stale() {
             t("page.stale-short").to_owned()

@@ -100,7 +100,7 @@ impl Charts {
     fn write_values(&self, at: Vec<Chart>) {
         for ((_, value, unit), (place, whole)) in self.values(at).into_iter().zip(&self.values) {
             let digits = if *whole { 0 } else { digits(value, unit) };
-            place.set_text_content(Some(&figure(value, digits)));
+            dom::set_text(place, &figure(value, digits));
         }
     }
 }

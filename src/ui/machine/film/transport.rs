@@ -4,6 +4,7 @@ use leptos::html;
 use leptos::prelude::*;
 
 use crate::text::catalog::number_text;
+use crate::ui::dom;
 use crate::ui::parts::input::{Choice, number};
 use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
@@ -56,12 +57,12 @@ fn Clock() -> impl IntoView {
         let now = Some(moment.speed).filter(|_| player.speed.get_untracked() == 0.0);
         if let Some(rate) = rate.get_untracked().filter(|_| now != last_rate) {
             let words = now.map(|now| sentence(&crate::msg!("page.rate-now", rate = speed_text(now))));
-            rate.set_text_content(Some(&words.unwrap_or_default()));
+            dom::set_text(&rate, &words.unwrap_or_default());
             last_rate = now;
         }
         let text = clock(moment.now.t);
         if let Some(place) = place.get_untracked().filter(|_| text != last) {
-            place.set_text_content(Some(&text));
+            dom::set_text(&place, &text);
             last = text;
         }
     });
