@@ -7,6 +7,7 @@ pub mod ladder;
 mod lathe;
 mod list;
 pub mod machine;
+mod open_points;
 mod polygon_lathe;
 pub mod program;
 pub mod report;

@@ -2,12 +2,10 @@
 
 use super::form::{FieldInfo, FieldKindInfo, Origins, Provenance, Value, Values};
 use super::machine::{AnyMachine, ControlContext, PreparedMachine};
-use crate::controls::options::SwitchOption;
-use crate::controls::{Control, Switch, Switches};
-use crate::msg;
-use crate::text::catalog::{number_text, sentence, words};
-use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
-use crate::view::report::{Input, ListedPart, OpenPoints, Report, RunReport, SizingReport, TitleBlock};
+use super::open_points::open_points;
+use crate::text::catalog::{number_text, words};
+use crate::text::{Diagnostic, listed, units};
+use crate::view::report::{Input, ListedPart, Report, RunReport, SizingReport, TitleBlock};
 use crate::view::{DrawnPart, Readout, Repairs};
 
 /// Gathers the parts of the report that machine and control supply. `name` is the project's and may be empty; `further` are findings beyond
@@ -44,7 +42,7 @@ pub fn report(
         sizing: SizingReport::default(),
         variants: None,
         sheets: prepared.sheets(),
-        open: open(control, switches),
+        open: open_points(control, switches),
     }
 }
 
@@ -113,103 +111,4 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         origin: field.role.is_fact().then_some(origin),
         essential: field.essential,
     }
-}
-
-/// Rows of each table that no manual confirms; of the switches also those that differ from their default.
-fn open(control: &Control, switches: &Switches) -> Vec<OpenPoints> {
-    let doubtful = |cite: &Citation| cite.grade == Grade::Open;
-    let code = |row: &&crate::controls::CodeDef| control.code_name(row.id);
-    let tables: [(&'static str, Vec<String>); 9] = [
-        (
-            "form.open.switches",
-            control
-                .switches
-                .iter()
-                .map(|row| (row, switches.setting(row)))
-                .filter(|(row, set)| doubtful(&row.cite) || *set != row.default())
-                .map(|(row, set)| open_switch(row, set))
-                .collect(),
-        ),
-        (
-            "form.open.timing",
-            [
-                (control.syntax.cite, "form.open.syntax"),
-                (control.macros.cite, "form.open.macros"),
-                (control.limits.cite, "form.open.ranges"),
-                (control.timing.cite, "form.open.block-times"),
-                (control.feed_knob.cite, "form.open.feed-knob"),
-                (control.spindle.cite, "form.open.spindle"),
-            ]
-            .into_iter()
-            .chain([(control.analog_output.cite, "form.open.analog-output")])
-            .chain(control.scaling.map(|row| (row.cite, "form.open.scaling")))
-            .chain(control.zero_return.map(|cite| (cite, "form.open.zero-return")))
-            .filter(|(cite, _)| doubtful(cite))
-            .map(|(cite, what)| format!("{} ({})", words(what), cite.source))
-            .collect(),
-        ),
-        (
-            "form.open.axes",
-            control.axes.iter().filter(|row| doubtful(&row.cite)).map(|row| row.letter.to_string()).collect(),
-        ),
-        (
-            "form.open.drives",
-            control.drives.iter().filter(|row| doubtful(&row.cite)).map(|row| row.series.to_owned()).collect(),
-        ),
-        (
-            "form.open.params",
-            control
-                .params
-                .iter()
-                .filter(|row| doubtful(&row.cite))
-                .map(|row| format!("{} {}", row.number, row.name))
-                .collect(),
-        ),
-        (
-            "form.open.signals",
-            control.interface.iter().filter(|row| doubtful(&row.cite)).map(|row| row.device.to_owned()).collect(),
-        ),
-        ("form.open.codes", control.codes.iter().filter(|row| doubtful(&row.cite)).map(|row| code(&row)).collect()),
-        (
-            "form.open.vars",
-            ranges(control, control.vars.iter().filter(|row| doubtful(&row.cite)).map(|row| (row.first, row.last))),
-        ),
-        ("form.open.alarms", numbers(control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number))),
-    ];
-    tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| OpenPoints { kind, facts }).collect()
-}
-
-/// A switch with its setting and its options.
-fn open_switch(row: &Switch, set: &str) -> String {
-    let label = row.text();
-    if row.is_text() {
-        return headed(label, format!("\"{set}\""));
-    }
-    let options = row.options();
-    let name = |option: &SwitchOption| words(option.label);
-    let chosen = options.iter().find(|option| option.id == set).map_or(set, name);
-    headed(label, format!("{chosen} ({})", options.iter().map(name).collect::<Vec<_>>().join(" | ")))
-}
-
-/// Ranges of variables as words; adjacent ranges are merged.
-fn ranges(control: &Control, rows: impl Iterator<Item = (u32, u32)>) -> Vec<String> {
-    let mut all: Vec<(u32, u32)> = Vec::new();
-    for (first, last) in rows {
-        match all.last_mut() {
-            Some(before) if before.1 + 1 == first => before.1 = last,
-            _ => all.push((first, last)),
-        }
-    }
-    let range = |(first, last): (u32, u32)| match control.variable(first) {
-        name if first == last => name,
-        first => sentence(&msg!("form.open.range", first, last = control.variable(last))),
-    };
-    all.into_iter().map(range).collect()
-}
-
-/// Each number once: several kinds of alarm may share one.
-fn numbers(rows: impl Iterator<Item = &'static str>) -> Vec<String> {
-    let mut all: Vec<String> = rows.map(str::to_owned).collect();
-    all.dedup();
-    all
 }

@@ -9,8 +9,9 @@ use macroline::project::size::size;
 use macroline::project::{Project, list, origins};
 use macroline::text::catalog::sentence;
 use macroline::text::units::{self, Lengths};
+use macroline::view::report::{self, OpenPoints};
 use macroline::view::svg::picture;
-use macroline::view::{Chart, ChartLimit, Pose, Series, Theme, report};
+use macroline::view::{Chart, ChartLimit, Pose, Series, Theme};
 use macroline::{controls, nc};
 use proptest::prelude::*;
 
@@ -286,7 +287,7 @@ fn report_in_inches_has_millimetres_only_of_the_control() {
             let options = ExportOptions { sizing: Some(&sizing), ..ExportOptions::default() };
             let mut shown = project.report(&project.prepared(), &written, &options);
             shown.sheets.retain(|sheet| sheet.id != "parameters");
-            shown.open.clear();
+            shown.open = OpenPoints { settings: Vec::new(), facts: Vec::new() };
             let rows = |html: String| html.replace("</tr>", "\n").replace("</li>", "\n");
             let scene = picture(&project.prepared().scene(), &Pose::default(), Theme::Light);
             let texts = [rows(report::html(&shown)), report::markdown(&shown), sizing.text(), origins::text(&project)];

@@ -1,6 +1,6 @@
 //! Cells of the tables of a report, independent of the output format.
 
-use super::document::{Figure, Input, ListedPart, Report};
+use super::document::{Figure, Input, ListedPart, OpenSetting, Report};
 use crate::text::Grade;
 use crate::text::catalog::{number_text, sentence, words};
 use crate::view::{Column, Limit, Readout, Row, Sheet, Verdict};
@@ -32,6 +32,15 @@ pub(super) const INPUT_COLUMNS: [&str; 5] =
 /// Heads of the parts list.
 pub(super) const PART_COLUMNS: [&str; 5] =
     ["form.report.item", "form.report.quantity", "form.report.part", "form.report.data", "form.report.origin"];
+
+/// Heads of the settings of the control, before that of their sources.
+pub(super) const SETTING_COLUMNS: [&str; 4] =
+    ["form.open.setting", "form.open.chosen", "form.open.others", "form.report.source"];
+
+/// A setting of the control, without its source.
+pub(super) fn cells_of_setting(setting: &OpenSetting) -> [String; 3] {
+    [setting.label.clone(), setting.chosen.clone(), setting.others.clone()]
+}
 
 /// A row of the parts list.
 pub(super) fn cells_of_part(item: u32, part: &ListedPart) -> [String; 5] {

@@ -70,7 +70,9 @@ fn verdicts(report: &Report) -> Message {
     let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
     let failing: Vec<&str> =
         judged.iter().filter(|readout| readout.verdict == Verdict::Fail).map(|readout| words(readout.label)).collect();
+    let warned = judged.iter().filter(|readout| readout.verdict == Verdict::Warn).count() as u32;
     match failing.len() {
+        0 if warned > 0 => msg!("form.report.all-hold-warned", count = judged.len() as u32, warned),
         0 => msg!("form.report.all-hold", count = judged.len() as u32),
         n => {
             let names = listed(failing.iter().take(NAMED));

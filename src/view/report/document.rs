@@ -1,6 +1,6 @@
 //! Content of a report, as data.
 
-use crate::text::{Diagnostic, Message, Provenance};
+use crate::text::{Citation, Diagnostic, Message, Provenance};
 use crate::view::{Chart, Comparison, Readout, Repairs, Sheet};
 
 /// An input of the report.
@@ -24,9 +24,31 @@ pub struct Input {
     pub essential: bool,
 }
 
-/// A kind of facts about the control that are not confirmed by a manual at hand.
+/// Settings and facts of the control that no manual at hand confirms.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenPoints {
+    /// Settings, also confirmed ones that differ from their default.
+    pub settings: Vec<OpenSetting>,
+    /// Facts by kind.
+    pub facts: Vec<OpenFacts>,
+}
+
+/// A setting of the control.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenSetting {
+    /// Label, with the control's own parameter.
+    pub label: String,
+    /// Option or text as set.
+    pub chosen: String,
+    /// The other options; empty for a text.
+    pub others: String,
+    /// Source of the default.
+    pub cite: Citation,
+}
+
+/// Facts of one kind about the control that no manual at hand confirms.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenFacts {
     /// Catalog id of the kind.
     pub kind: &'static str,
     /// Short texts of the facts.
@@ -147,5 +169,5 @@ pub struct Report {
     /// Tables.
     pub sheets: Vec<Sheet>,
     /// Open points.
-    pub open: Vec<OpenPoints>,
+    pub open: OpenPoints,
 }

@@ -3,10 +3,10 @@
 use core::fmt::Write;
 
 use super::cells::{
-    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
-    has_sources, verdict,
+    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, SETTING_COLUMNS, cells_of_input, cells_of_part, cells_of_result,
+    cells_of_row, cells_of_setting, has_sources, verdict,
 };
-use super::document::Report;
+use super::document::{OpenSetting, Report};
 use crate::text::catalog::{sentence, words};
 use crate::text::escape;
 use crate::text::{clauses, headed};
@@ -40,7 +40,8 @@ pub fn markdown(report: &Report) -> String {
         self::sheet(&mut out, sheet);
     }
     section(&mut out, say("form.report.open"));
-    for open in &report.open {
+    settings(&mut out, &report.open.settings);
+    for open in &report.open.facts {
         let _ = writeln!(out, "- {}", headed(say(open.kind), escape::markdown(&clauses(&open.facts))));
     }
     out
@@ -98,6 +99,19 @@ fn inputs(out: &mut String, report: &Report) {
     for input in &report.inputs {
         line(out, &cells_of_input(report, input));
     }
+}
+
+/// Settings of the control and the empty line behind their table.
+fn settings(out: &mut String, settings: &[OpenSetting]) {
+    if settings.is_empty() {
+        return;
+    }
+    head(out, &SETTING_COLUMNS);
+    for setting in settings {
+        let [label, chosen, others] = cells_of_setting(setting);
+        line(out, &[label, chosen, others, setting.cite.source.words().to_owned()]);
+    }
+    out.push('\n');
 }
 
 fn sheet(out: &mut String, sheet: &Sheet) {

@@ -13,7 +13,8 @@ mod markdown;
 mod html;
 
 pub use document::{
-    Figure, Input, ListedPart, OpenPoints, PrintedProgram, Report, RunReport, SizingReport, TitleBlock,
+    Figure, Input, ListedPart, OpenFacts, OpenPoints, OpenSetting, PrintedProgram, Report, RunReport, SizingReport,
+    TitleBlock,
 };
 pub use html::{html, summary};
 pub use markdown::markdown;

@@ -3,7 +3,9 @@
 use super::writer::{ReportHtml, cell};
 use crate::text::catalog::sentence;
 use crate::text::{Grade, Severity, clauses, headed};
-use crate::view::report::cells::{RESULT_COLUMNS, cells_of_input, cells_of_result, source_of_row};
+use crate::view::report::cells::{
+    RESULT_COLUMNS, SETTING_COLUMNS, cells_of_input, cells_of_result, cells_of_setting, source_of_row,
+};
 use crate::view::svg::escape;
 use crate::view::{Chart, Column, ComparedRow, Sheet, Verdict, ladder, plot};
 
@@ -26,11 +28,27 @@ impl ReportHtml<'_> {
             self.sheet(sheet);
         }
         self.programs();
-        self.title("form.report.open");
-        let open = report.open.iter().map(|open| headed(self.words(open.kind), clauses(&open.facts)));
-        let open: Vec<_> = open.collect();
-        self.list(open);
+        self.open_points();
         self.sources();
+    }
+
+    /// Settings and facts of the control that no manual confirms.
+    fn open_points(&mut self) {
+        let open = &self.report.open;
+        self.title("form.report.open");
+        if !open.settings.is_empty() {
+            self.raw("<table class=\"settings\">");
+            self.head(&SETTING_COLUMNS, None);
+            for setting in &open.settings {
+                self.raw("<tr>");
+                cells_of_setting(setting).iter().for_each(|text| cell(&mut self.out, text));
+                self.reference(setting.cite.source.words(), setting.cite.grade);
+                self.raw("</tr>");
+            }
+            self.raw("</table>");
+        }
+        let facts: Vec<_> = open.facts.iter().map(|open| headed(self.words(open.kind), clauses(&open.facts))).collect();
+        self.list(facts);
     }
 
     /// All results, with formulas and the numbers of their sources.

@@ -363,8 +363,8 @@ fn report_has_inputs_with_origin_verdicts_and_open_points() {
         "| Program | Customer |  | Customer 4711 |  |",
         "## Parameters of the control",
         "## Not confirmed",
-        "starts here: R72 (R72 | R172 |",
-        "(#1078): millimetres (increments | millimetres)",
+        "starts here | R72 | R172; R24;",
+        "(#1078) | millimetres | increments |",
         "P283",
     ] {
         assert!(text.contains(part), "no {part:?} in\n{text}");

@@ -374,8 +374,12 @@ fn open_points_list_every_open_row_of_the_control() {
         let on = macroline::machines::ControlContext { control, switches: &switches };
         let origins = (&project.values, &project.provenance);
         let report = macroline::machines::report::report(*machine, &project.prepared(), "", origins, on, &[]);
+        for switch in control.switches.iter().filter(|row| is_open(row.cite)) {
+            let is_listed = report.open.settings.iter().any(|setting| setting.label == switch.text());
+            assert!(is_listed, "{}: {}", control.id, switch.text());
+        }
         for (kind, text) in rows(control) {
-            let points = report.open.iter().find(|points| points.kind == kind);
+            let points = report.open.facts.iter().find(|points| points.kind == kind);
             let is_listed = points.is_some_and(|points| points.facts.iter().any(|fact| fact.starts_with(&text)));
             assert!(is_listed, "{}: {kind} {text}", control.id);
         }
