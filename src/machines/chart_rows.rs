@@ -11,7 +11,7 @@ pub struct ChartLine<M: 'static> {
     pub label: fn(&M) -> &'static str,
     /// Number of its colour.
     pub tone: u8,
-    /// Address of the axis or the spindle that it is about.
+    /// Address of its axis or spindle; none for another quantity.
     pub address: fn(&M) -> Option<Address>,
     /// Its value at a moment of the run.
     pub value: fn(&M, &Snapshot) -> f64,

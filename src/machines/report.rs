@@ -54,7 +54,7 @@ fn customer(machine: &dyn AnyMachine, values: &Values) -> String {
     }
 }
 
-/// The parts list: data from the inputs that have a meaning, and whether they are given or only assumed.
+/// The parts list: data from the inputs that apply on the control, each marked as given or assumed.
 fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
     let part = |part: DrawnPart| {
         let of = |(sign, id): &(&'static str, &'static str)| {
@@ -84,7 +84,7 @@ fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
     prepared.parts().into_iter().map(part).collect()
 }
 
-/// The inputs that have a meaning on the control, in the order of the form.
+/// The inputs that apply on the control, in the order of the form.
 pub fn inputs(machine: &dyn AnyMachine, prepared: &PreparedMachine, values: &Values, origins: &Origins) -> Vec<Input> {
     let fields = machine.fields();
     let shown = fields.iter().filter(|field| !prepared.hidden().contains(&field.id));

@@ -104,7 +104,8 @@ impl SpindleReaction {
 pub struct Reaction {
     /// The interruption.
     pub at: Interruption,
-    /// Catalog id of its cause, where the PLC itself interrupts or a part of the program has a row of its own; else that of `at`.
+    /// Catalog id of its cause, if the PLC itself interrupts or the row is about one part of the program; `None`: the
+    /// name of `at`.
     pub cause: Option<&'static str>,
     /// Reaction of the spindle.
     pub spindle: SpindleReaction,
@@ -118,7 +119,8 @@ pub struct Reaction {
     pub cite: Citation,
 }
 
-/// Reaction of the slides of a lathe to an emergency stop; with the brake where a slide with a weight sinks without current (`way`, mm).
+/// Reaction of the slides of a lathe to an emergency stop. `way`: distance (mm) that a slide with a weight sinks until
+/// its brake has closed; `None` without such a slide.
 pub fn slides_at_emergency_stop(way: Option<f64>) -> Message {
     match way {
         Some(_) => msg!("lathe.stops.axes-emergency-brake", time = (CLOSING_TIME, 1)),
@@ -126,7 +128,7 @@ pub fn slides_at_emergency_stop(way: Option<f64>) -> Message {
     }
 }
 
-/// Reaction of the slides of a lathe to a power failure; with the brake where a slide with a weight sinks until it has closed (`way`, mm).
+/// Reaction of the slides of a lathe to a power failure; `way` as in [`slides_at_emergency_stop`].
 pub fn slides_without_supply(way: Option<f64>) -> Message {
     match way {
         Some(way) => msg!("lathe.stops.axes-unpowered-brake", way = (way, 2), time = (CLOSING_TIME, 1)),

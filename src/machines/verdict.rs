@@ -3,7 +3,7 @@
 use crate::text::{Citation, Grade, Phrase};
 use crate::view::{Advice, Limit, Readout, Verdict};
 
-/// Another unit of a result, and whether a machine `M` has it.
+/// Whether a machine `M` has the other unit of a result, and that unit.
 pub type OtherUnit<M> = (fn(&M) -> bool, &'static str);
 
 /// A result of a machine `M` before it is judged.
@@ -67,7 +67,7 @@ pub struct Rule<M> {
     on: &'static str,
     /// Source of the limit.
     cite: Citation,
-    /// The judgement; `None` where the rule does not apply.
+    /// Judges the result; `None` where the rule does not apply.
     judge: fn(&M) -> Option<Judgement>,
 }
 
@@ -130,7 +130,8 @@ pub fn judge<M>(row: &ReadoutRow<M>, machine: &M, rules: &[Rule<M>]) -> Readout 
     readout
 }
 
-/// The advice, with the button of a remedy at the first sentence that has it: a short sentence may come before the whole account.
+/// Keeps the button of a remedy at the first advice that has it, and removes it from later ones: a short sentence may
+/// come before the full one.
 fn each_button_once(mut advice: Vec<Advice>) -> Vec<Advice> {
     for at in 1..advice.len() {
         let (before, rest) = advice.split_at_mut(at);

@@ -1,4 +1,4 @@
-//! The servo motor of an axis as the sizing has it: its load, and its motion in a run.
+//! The servo motor of an axis for the sizing: its load, and its motion in a run.
 
 use super::fields::MotorFields;
 use super::gear::{FormGear, pulled_taut};
@@ -17,7 +17,7 @@ pub struct DrivenAxis {
     pub name: &'static str,
     /// Source of its motion in a run.
     pub mover: Mover,
-    /// Radians of the motor per unit of the run: per millimetre or degree.
+    /// Angle of the motor (rad) per unit of the run: per millimetre or degree.
     pub turn: f64,
     /// Load at the motor's shaft, without the rotor.
     pub load: Load,
@@ -32,9 +32,10 @@ pub struct DrivenAxis {
     /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none if the load's torque already includes
     /// the work.
     pub cut: Option<f64>,
-    /// Torque (Nm) that the whole cut may ask without a pause, with friction and weight; none where no cut adds to the load.
+    /// Continuous torque (Nm) of the heaviest cut with friction and weight, without a pause; none where no cut adds to
+    /// the load.
     pub lasting: Option<f64>,
-    /// Starts per minute by the formulas of the form, while the work lasts; 0 where those of the run alone count.
+    /// Starts per minute by the formulas, while the work lasts; 0 where only the starts of the run count.
     pub starts_per_minute: f64,
     /// The gear unit between motor and load, if it is a purchased part.
     pub gear: Option<FormGear>,
@@ -47,14 +48,15 @@ pub struct DrivenAxis {
 }
 
 impl DrivenAxis {
-    /// Greatest way (in units of the run) that its weight moves it from rest until the brake at its motor has closed; none without a
-    /// weight.
+    /// Greatest distance (in units of the run) that the axis sinks under its weight from rest until the brake at its
+    /// motor has closed; none without a weight.
     pub fn sinks(&self) -> Option<f64> {
         let inertia = self.load.inertia + self.fitted.motor.rotor;
         (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.turn)
     }
 
-    /// The motion of the motor's shaft in a part of a run, under the torque of its work within these spans (s); without spans always.
+    /// The motion of the motor's shaft in a part of a run. The torque of its work acts within the spans `works` (s);
+    /// without spans always.
     pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
         let motion = Motion::new(speed_segments(stretches, self.turn), self.load, self.hold)
             .with_weight(self.weight)
@@ -69,7 +71,7 @@ impl DrivenAxis {
     }
 }
 
-/// Stretches of a run as segments of the speed of a shaft, with its radians per unit of the run.
+/// Stretches of a run as segments of the speed of a shaft; `per_unit`: angle of the shaft (rad) per unit of the run.
 pub fn speed_segments(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = SpeedSegment> {
     stretches.iter().map(move |stretch| SpeedSegment {
         t: stretch.t,

@@ -1,4 +1,4 @@
-//! Items of the bill of materials, and the devices that ladder and form of a machine ask for.
+//! Items of the bill of materials, and the devices that the ladder and the form of a machine require.
 
 use crate::machines::ladder::{Bit, Device, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::msg;
@@ -121,7 +121,7 @@ pub fn forced_cooling_advice(field: &'static str, message: Message) -> Advice {
     Advice::from(message).setting(msg!("advice.forced-cooling"), [(field, "true".to_owned())])
 }
 
-/// The item that has the contact.
+/// The item that carries the contact.
 pub fn item_of_contact(contact: MachineContact) -> BillItem {
     match contact {
         MachineContact::Emergency => BillItem::EmergencyStop,
@@ -146,7 +146,7 @@ pub fn item_of_contact(contact: MachineContact) -> BillItem {
     }
 }
 
-/// The item that a wire leads to; none for texts.
+/// The item at the other end of an output's wire; none for message texts, which have no wire.
 pub fn item_of_output(output: MachineOutput) -> Option<BillItem> {
     match output {
         MachineOutput::Forward | MachineOutput::Reverse | MachineOutput::Run => Some(BillItem::Inverter),

@@ -21,7 +21,7 @@ pub struct GaugeRow<M: 'static> {
     pub value: fn(&M, &Snapshot) -> f64,
 }
 
-/// The worst value of a watched quantity in a part of a run.
+/// The worst value of a gauge in a part of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gauge {
     /// Id, for instance `loop`.
@@ -48,7 +48,7 @@ impl<M> GaugeRow<M> {
     }
 }
 
-/// Reads the gauges from `from` to `to` seconds at `points` moments, 2 at least; `at` is the machine at a moment.
+/// Reads the gauges from `from` to `to` seconds at `points` moments, at least 2; `at` gives the machine at a time (s).
 pub fn read<M>(
     rows: &[GaugeRow<M>],
     machine: &M,

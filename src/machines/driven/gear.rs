@@ -12,11 +12,12 @@ pub struct FormGear {
     pub output: Load,
     /// Torque at its output at standstill, Nm.
     pub hold: f64,
-    /// Greatest torque (Nm) at its output at steady speed that the load of a run does not have, as that of a driven axis; 0 without one.
+    /// Greatest torque (Nm) at its output at steady speed that no planned run shows, as `DrivenAxis::taut`; 0 without
+    /// one.
     pub taut: f64,
     /// Backlash (minutes of arc) that the machine's formulas use; none if it has no effect.
     pub backlash: Option<f64>,
-    /// Fields of the form for another gear unit.
+    /// Fields of the form that take the figures of another gear unit.
     pub fields: GearFields,
 }
 
@@ -44,7 +45,8 @@ pub struct GearFields {
     pub backlash: Option<&'static str>,
 }
 
-/// Strikes with the torque of a taut web. It pulls at steady speed, and not for long enough to count in the effective torque.
+/// The strikes with the torque of a taut web added to their peak. The web pulls at steady speed, and too briefly to
+/// count in the effective torque.
 pub(super) fn pulled_taut(strikes: Strikes, taut: f64) -> Strikes {
     Strikes { peak: strikes.peak.max(taut), ..strikes }
 }

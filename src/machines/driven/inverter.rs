@@ -27,7 +27,7 @@ pub struct InverterDrive {
     pub name: &'static str,
     /// Continuous torque at the motor's shaft, Nm.
     pub torque: f64,
-    /// Speed of the motor with it, r/min.
+    /// Speed of the motor under that torque, r/min.
     pub speed: f64,
     /// Highest speed at which the machine runs the motor, r/min.
     pub top_speed: f64,
@@ -47,7 +47,8 @@ pub struct InverterDrive {
     pub gear: Option<FormGear>,
     /// Its frequency and speed at the full analog signal; none if its speed is not commanded in an open loop.
     pub full: Option<FullSignal>,
-    /// Lowest speed (r/min) at which the fan on its shaft has to cool it; none with forced cooling, or where nothing is known.
+    /// Lowest speed (r/min) at which the fan on its shaft has to cool it; none with forced cooling, or if that speed is
+    /// not known.
     pub cooled_at: Option<f64>,
     /// Fields of the form that take another motor.
     pub fields: Option<&'static InductionFields>,
@@ -59,7 +60,8 @@ impl InverterDrive {
         Motion::new(speed_segments(stretches, self.turn), self.load_at_motor, 0.0)
     }
 
-    /// Segments of the speed of the motor's shaft in run-up, work and stop; without a cycle of ramps, in the work alone.
+    /// Segments of the speed of the motor's shaft in run-up, work and stop; only of the work if there is no cycle of
+    /// ramps.
     pub fn speed_segments(&self) -> Vec<SpeedSegment> {
         let speed = self.speed.abs() * RPM;
         let steady = |t: f64, seconds: f64| SpeedSegment { t, seconds, from: speed, to: speed };
@@ -79,7 +81,7 @@ impl InverterDrive {
 pub struct InverterCycle {
     /// Load of the ramps, at the motor's shaft and without the rotor.
     pub load: Load,
-    /// Inertia (kg m²) of the rotor of a motor whose own is not known; none where `load` has the rotor already.
+    /// Inertia (kg m²) assumed for the rotor of a motor whose data sheet has none; none if `load` includes the rotor.
     pub rotor: Option<f64>,
     /// Its ramps, and the time of the work between them.
     pub of: Move,

@@ -1,16 +1,17 @@
-//! Braking with more torque than an inverter takes back: its demand on a brake resistor.
+//! Braking with more torque than an inverter can absorb: the demand on a brake resistor.
 
-/// Braking torque (% of the rated one) that an inverter takes back without a brake resistor. Source: turning spindle facts, 5.
+/// Braking torque (% of the rated one) that an inverter absorbs without a brake resistor. Source: turning spindle
+/// facts, 5.
 pub const WITHOUT_RESISTOR: f64 = 20.0;
 
-/// Braking of a motor on an inverter with more torque than the inverter takes back without a brake resistor.
+/// Braking of a motor with more torque than its inverter absorbs without a brake resistor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResistorDemand {
     /// Catalog id of the name of its drive.
     pub name: &'static str,
     /// Braking torque of the form, % of the rated one.
     pub percent: f64,
-    /// Energies (J) that come back in a part, one for each time that the drive brakes.
+    /// Energies (J) returned while one part is made, one for each time that the drive brakes.
     pub energies: Vec<f64>,
     /// Time (s) from one start to the next.
     pub cycle: f64,

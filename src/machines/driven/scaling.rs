@@ -22,7 +22,8 @@ pub struct AxisDrive<'a> {
     pub axis: &'a str,
     /// Travel per turn of screw, roller or table, in mm or °.
     pub lead: f64,
-    /// Turns of the motor and of screw, roller or table in the same time: the teeth of the gear the other way round.
+    /// Turns of the motor, and turns of screw, roller or table in the same time: the teeth on the driven side, and on
+    /// the motor's side.
     pub gear: (f64, f64),
     /// Counts of the encoder per turn of the motor.
     pub encoder: f64,
@@ -47,7 +48,8 @@ impl AxisDrive<'_> {
         self.lead * self.gear.1 / self.gear.0
     }
 
-    /// Scaling as the control has it; `None` where the control has no such parameters, or no whole numbers that do.
+    /// Scaling in the parameters of the control; `None` if the control has no such parameters, or if no whole numbers
+    /// in their ranges suffice.
     pub fn scaling(&self, control: &Control) -> Option<Scaling> {
         let row = control.scaling?;
         let (increment, terms) = (control.limits.increment, row.greatest_term);
@@ -85,7 +87,7 @@ impl AxisDrive<'_> {
         let travel = fraction.value() * feedback * unit;
         let mut values = vec![(ParamRole::CommandMultiplier, multiplier)];
         match Fraction::nearest(travel / unit, GREATEST_COUNTS).filter(|counts| counts.under <= terms) {
-            // Rounded: the zero point moves by at most half a unit with each turn that it is away.
+            // Rounded: the zero point moves by at most half a unit per turn of the motor from it.
             None => values.push((ParamRole::ReferenceCounts, (travel / unit).round())),
             Some(counts) => {
                 values.push((ParamRole::ReferenceCounts, counts.over as f64));
@@ -142,7 +144,7 @@ pub fn parts_per_million(control: &Control, drive: &AxisDrive) -> f64 {
     drive.error(control).map_or(0.0, |error| 1e6 * error)
 }
 
-/// The verdict about it.
+/// Judges that error against the greatest drift.
 pub fn judge(control: &Control, drive: &AxisDrive) -> Option<Judgement> {
     let limit = AtMost(MOST);
     match drive.error(control) {

@@ -1,4 +1,4 @@
-//! The site of the drives: the share of its ratings that a maker leaves a motor there, and the open points of a site beyond the data sheets.
+//! The site of the drives: derating of a motor by height and temperature, and the open points of a site beyond the data sheets.
 
 use crate::drives::derating::{DATA_SHEET, Site};
 use crate::machines::form::Field;
@@ -17,7 +17,7 @@ pub(in crate::machines) const fn share<P>(id: &'static str, group: &'static str,
 pub struct SevereSite {
     /// Its height and temperature; none where the form has the share alone.
     at: Option<Site>,
-    /// Share of the continuous torque that it leaves a motor.
+    /// Share (0 to 1) of its continuous torque that a motor has there.
     share: f64,
     /// Id of the field with it.
     field: &'static str,
@@ -30,7 +30,8 @@ impl SevereSite {
         site.is_beyond_data_sheet().then_some(SevereSite { at: Some(site), share: site.share(), field })
     }
 
-    /// A site by the share (%) that it leaves a motor, with the id of its field; none for the whole.
+    /// A site by the share (%) of its continuous torque that a motor has there, with the id of its field; none for 100
+    /// %.
     pub(in crate::machines) fn leaving(percent: f64, field: &'static str) -> Option<SevereSite> {
         (percent < 100.0).then_some(SevereSite { at: None, share: percent / 100.0, field })
     }

@@ -46,8 +46,8 @@ impl SpindleRun {
         share(&self.motion).max(share(&self.idle))
     }
 
-    /// The brake resistor that a braking torque (% of the rated one) of the form assumes: all energy that comes back in a run without
-    /// stock, over the run and its pause (s).
+    /// The brake resistor needed for a braking torque (`percent` of the rated one) of the form: all energy returned in
+    /// a run without stock, over the run and its pause (s).
     pub fn resistor(&self, percent: f64, pause: f64) -> Option<ResistorDemand> {
         let energies = self.idle.returns(self.rotor);
         let seconds: f64 = self.idle.segments().iter().map(|segment| segment.seconds).sum();

@@ -7,7 +7,7 @@ use crate::machines::sheets::{AxisValues, ParamValue};
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Lines of an encoder that the makers of controls take as usual.
+/// Lines per turn of the encoder that makers of controls assume.
 const LINES: f64 = 1024.0;
 
 /// An encoder beside the spindle.
@@ -51,7 +51,8 @@ impl EncoderParams {
         self.turns / self.spindle_turns
     }
 
-    /// The two bits for 1, 2, 4 or 8 turns of the spindle per turn of the encoder; none of another ratio.
+    /// The two bits, the high one first, for 1, 2, 4 or 8 turns of the spindle per turn of the encoder; none for
+    /// another ratio.
     fn bits(&self) -> Option<[bool; 2]> {
         let magnified = |times: f64| self.turns * times == self.spindle_turns;
         [1.0, 2.0, 4.0, 8.0].into_iter().zip(0u8..).find(|(times, _)| magnified(*times)).map(|(_, code)| {
@@ -60,7 +61,7 @@ impl EncoderParams {
         })
     }
 
-    /// Whether parameters of the control have this ratio: as two numbers, as a power of two, or 1 : 1 alone.
+    /// Whether the control can be set to this ratio: by two numbers, by a power of two, or 1 : 1 only.
     fn is_known(&self, control: &Control) -> bool {
         let has = |role| control.param(role).is_some();
         if has(ParamRole::SpindleEncoderTurns) {

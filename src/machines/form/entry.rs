@@ -5,14 +5,14 @@ use crate::nc::dec::POW10;
 use crate::text::catalog::number_text;
 use crate::view::FieldEntry;
 
-/// An entry of a number field with the decimals that the field keeps.
+/// An entry of a number field, rounded to the field's decimals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NumberEntry {
     /// Id of the field.
     pub field: &'static str,
     /// Value in the unit of the field.
     pub value: f64,
-    /// Text to be typed.
+    /// The entry as text for the field.
     pub text: String,
 }
 

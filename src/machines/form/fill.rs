@@ -1,4 +1,4 @@
-//! Parameters from values: the defaults of the form, then every valid value.
+//! Fills parameters: first with the defaults of the form, then with every valid value.
 
 use super::{Field, FieldKind, Origins, Provenance, Value, Values};
 use crate::text::{Diagnostic, Severity};

@@ -39,14 +39,15 @@ pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[FieldEntry
 /// Origins by field id; a missing one is assumed.
 pub type Origins = BTreeMap<String, Provenance>;
 
-/// Part of a field's value in the design.
+/// Role of a field's value in the design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldRole {
     /// A choice of the engineer.
     Choice,
     /// A fact of the machine: measured, from a data sheet or assumed.
     Fact,
-    /// A fact that is set, counted or agreed, such as a gain or a time constant of an axis: its origin counts, but it is exact.
+    /// A fact that is set, counted or agreed, such as a gain or a time constant of an axis. It has a provenance, but no
+    /// uncertainty: the sensitivity does not vary it.
     ExactFact,
 }
 
@@ -69,7 +70,7 @@ pub struct Field<P: 'static> {
     pub help: &'static str,
     /// Symbol or variable, for instance `#107`, or empty.
     pub symbol: &'static str,
-    /// A field that defines the product: shown first, and always in a program's header.
+    /// Whether the field defines the product: shown first, and always in a program's header.
     pub essential: bool,
     /// Choice of the engineer or fact of the machine.
     pub role: FieldRole,

@@ -8,14 +8,14 @@ use crate::text::quantity::{self, Typed};
 use crate::text::{Diagnostic, catalog::number_text, number, units};
 
 impl FieldInfo {
-    /// Reads typed text: spaces around it, a decimal comma, a minus sign (U+2212) and another unit of the same quantity behind the number
-    /// (`4.5 in`) are accepted where they are clear.
+    /// Reads text; a number without a unit is in the field's own unit. Spaces around it, a decimal comma, a minus sign
+    /// (U+2212) and another unit of the same quantity behind the number (`4.5 in`) are accepted where they are clear.
     /// An invalid text is an error diagnostic about this field that names the allowed range.
     pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
         read(self, typed, |number, _, _| number)
     }
 
-    /// Reads text that a person typed, in the unit that is shown.
+    /// Reads text typed by the user; a number without a unit is in the displayed unit.
     pub fn typed(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
         read(self, typed, units::entered)
     }
@@ -26,7 +26,7 @@ impl FieldInfo {
     }
 }
 
-/// `in_unit` makes a number of the field's unit of the typed one, its decimals and that unit.
+/// Reads typed text. `in_unit(number, decimals, unit)` converts a number typed without a unit to the field's `unit`.
 fn read(field: &FieldInfo, typed: &str, in_unit: fn(f64, u8, &str) -> f64) -> Result<Value, Box<Diagnostic>> {
     let text = typed.trim();
     match &field.kind {

@@ -52,7 +52,7 @@ macro_rules! options {
             $vis const OPTIONS: &'static [(&'static str, &'static str)] =
                 &[($first_id, $first_label), $(($rest_id, $rest_label)),*];
 
-            /// The option of an index; the first where there is none.
+            /// The option at an index; the first for an index beyond the last.
             $vis fn at(index: usize) -> $name {
                 [$name::$first, $($name::$rest),*].get(index).copied().unwrap_or_default()
             }
@@ -79,7 +79,7 @@ impl From<LineEnds> for Newline {
     }
 }
 
-/// A number, for now without unit and limits, whole, in steps of 1.
+/// A whole number in steps of 1, without unit and limits until they are set.
 pub const fn number<P>(id: &'static str, (get, set): Member<P, f64>) -> Field<P> {
     let (min, max) = (f64::NEG_INFINITY, f64::INFINITY);
     Field::new(id, FieldKind::Number { unit: "", min, max, default: 0.0, decimals: 0, step: 1.0, get, set })
@@ -188,7 +188,7 @@ impl<P> Field<P> {
         self
     }
 
-    /// Shown only where the condition holds; its value stays.
+    /// Shows the field only where the condition holds; its value stays while it is hidden.
     pub const fn when(mut self, shown: fn(&P, &Control) -> bool) -> Field<P> {
         self.shown = shown;
         self

@@ -1,14 +1,14 @@
-//! Fields in the units that are shown.
+//! Values of fields in the displayed units: conversion, text and range.
 
 use super::{FieldInfo, FieldKindInfo, Value};
 use crate::text::catalog::{number_text, words};
 use crate::text::{number, units};
 
-/// Decimals of a number that is shown as typed.
+/// Least number of decimals of a number's text, so that typed digits stay.
 const TYPED: u8 = 6;
 
 impl FieldInfo {
-    /// Unit of a number in the project, and its decimals.
+    /// Unit and decimals of a number in the project.
     fn metric(&self) -> (&'static str, u8) {
         match self.kind {
             FieldKindInfo::Number { unit, decimals, .. } => (unit, decimals),
@@ -16,17 +16,17 @@ impl FieldInfo {
         }
     }
 
-    /// Unit that is shown; empty for a field without unit.
+    /// Displayed unit; empty for a field without unit.
     pub fn unit(&self) -> &'static str {
         units::unit(self.metric().0)
     }
 
-    /// A number of the field in the unit that is shown.
+    /// Converts a number from the field's unit to the displayed unit.
     pub fn shown(&self, number: f64) -> f64 {
         units::value(number, self.metric().0)
     }
 
-    /// The number of the field, on its last decimal, that is nearest to one in the unit that is shown.
+    /// Converts a number from the displayed unit to the field's unit, rounded to the field's decimals.
     pub fn taken(&self, shown: f64) -> Option<f64> {
         let (unit, decimals) = self.metric();
         number::read(&number_text(units::metric(shown, unit), decimals))
@@ -59,7 +59,7 @@ impl FieldInfo {
         }
     }
 
-    /// A number with its unit in files and programs, if another unit is shown.
+    /// A number with the unit that files and programs have, if the displayed unit is another one.
     pub fn metric_text(&self, value: &Value) -> Option<String> {
         let (unit, decimals) = self.metric();
         match value {

@@ -10,7 +10,7 @@ use crate::controls::interface::{PlcLanguage, SignalRole};
 use crate::controls::{Control, Dialect, SpindleRules, VarKind};
 use crate::text::{Citation, Grade};
 
-/// Devices that the machine's builder chooses.
+/// Source of devices that the machine's builder chooses.
 const BUILDER: Citation = Citation::new("devices of the ladder: the builder's", Grade::Open);
 /// The relay that is always on.
 const ALWAYS: Bit = Bit::Relay("always");
@@ -35,7 +35,7 @@ impl Driver {
         if driven.contains(carried) { Driver::Ladder } else { Driver::Other }
     }
 
-    /// Sides between which a signal goes, from its source on, where the ladder shares it with this one.
+    /// Writer and reader of a signal that the PLC shares with the side `other`.
     fn sides(self, other: PlcSide) -> (PlcSide, PlcSide) {
         match self {
             Driver::Ladder => (PlcSide::Plc, other),
@@ -146,8 +146,8 @@ impl<'a> Book<'a> {
         }
     }
 
-    /// The bit of an M function on a control that has a bit for each: eight functions to a byte, by their numbers, counted from one that
-    /// has a row.
+    /// The bit of an M function on a control that has one bit per function: eight functions to a byte, by their
+    /// numbers, counted from a function that has a row.
     fn function_bit(&self, code: u32) -> Option<(String, Citation)> {
         let rows = self.control.interface.iter();
         let (known, row) = rows.rev().find_map(|row| match row.role {
@@ -278,7 +278,7 @@ impl<'a> Book<'a> {
         }
     }
 
-    /// A signal of the control, or the register of a macro variable that no row names.
+    /// Device of a signal of the control: its row, or the register of a macro variable that has no row.
     fn signal(&self, role: SignalRole, by: Driver) -> Device {
         let variable = match role {
             SignalRole::MacroInputLow(number)

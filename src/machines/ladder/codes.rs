@@ -12,9 +12,9 @@ use crate::machines::stops::{Interruption, SpindleReaction};
 pub const STARTED: Bit = Bit::Relay("started");
 /// A program has started and is not running: hold, M00, alarm.
 pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
-/// The spindle turns clockwise, or the other way round, by a code or a key; without it, it has no run command.
+/// The spindle turns clockwise, or counter-clockwise, by a code or a key; with both off it has no run command.
 pub const TURNS: [Bit; 2] = [Bit::Relay("clockwise"), Bit::Relay("counter-clockwise")];
-/// The stop key has stopped the spindle in a begun program: cycle start is refused.
+/// The stop key has stopped the spindle of a begun program: cycle start is refused.
 pub const STOPPED: Bit = Bit::Relay("stopped");
 /// A T function waits for the turret, on a control whose T function is a pulse.
 const TOOL_ASKED: Bit = Bit::Relay("tool-asked");
@@ -24,7 +24,7 @@ const TOOL_WAITS: Bit = Bit::Relay("tool-waits");
 const FAULT: Bit = Bit::Relay("inverter-fault");
 /// M, S or T has to wait.
 pub const BUSY: Bit = Bit::Relay("busy");
-/// The spindle is slow enough for the gears, from then on to the end of the change.
+/// The spindle has slowed down to the shift speed; stays on until the end of the gear change.
 pub const SLOWED: Bit = Bit::Relay("slowed");
 /// The commanded gear stage is in position.
 pub const MESHED: Bit = Bit::Relay("meshed");
@@ -49,7 +49,8 @@ const KEYS: [MachineContact; 2] = [MachineContact::ForwardKey, MachineContact::R
 /// On for one scan after the end of the program.
 const ENDED: Bit = Bit::Relay("ended");
 
-/// Time (s) that turret and clamp have for their answer before the operator is told: several times what either takes. Source: engineering choice.
+/// Time (s) that turret and clamp have to answer before the operator gets a message: several times their own time.
+/// Source: engineering choice.
 const PATIENCE: f64 = 10.0;
 
 /// Requirements of a machine for its spindle.
@@ -268,7 +269,7 @@ impl Book<'_> {
             by_key.extend(requirements.reports_standstill.then_some(on(Bit::Input(MachineContact::AtStandstill))));
             by_key.extend(requirements.has_gears.then_some(on(MESHED)));
             by_key.extend(contacts);
-            // A reset behind the stop key starts nothing.
+            // A reset after the stop key starts nothing.
             let alone = [keeps.as_slice(), &[stop, off(STOPPED)], contacts.as_slice()].concat();
             keeps.push(on(STARTED));
             self.coil(turns, vec![by_code, by_key, alone, keeps], note);
@@ -306,9 +307,10 @@ impl Book<'_> {
         self.coil(Bit::Output(MachineOutput::Reverse), vec![reverse], "plc.rung.run-reverse");
     }
 
-    /// Branches of the run command while gears mesh, without M3 and M4 too: at standstill tooth stands on tooth. Only a spindle that has slowed
-    /// down gets it, in a begun program, and none with a run command of the other direction. After an emergency stop or a fault it stays off
-    /// until reset. A stop key acts in an interrupted program, as elsewhere.
+    /// Branches of the run command while gears mesh, also without M3 and M4: at standstill tooth may meet tooth. Only a
+    /// spindle that has slowed down gets the command, in a begun program, and only without a run command of the other
+    /// direction. After an emergency stop or a fault it stays off until reset. A stop key acts in an interrupted
+    /// program, as elsewhere.
     fn shift_runs(direction: Direction) -> Branches {
         let shift = Bit::Signal(SignalRole::ShiftSpeed);
         let mut guard = vec![on(shift), on(SLOWED), on(FREE), on(STARTED), off(STOPPED), off(FAULT), off(SHIFT_OFF)];
@@ -372,7 +374,8 @@ impl Book<'_> {
         TOOL_WAITS
     }
 
-    /// A text for the operator once the program has waited [`PATIENCE`] for a contact: nothing else shows why it stands.
+    /// A message to the operator once the program has waited [`PATIENCE`] for a contact: nothing else shows why it
+    /// waits.
     pub fn late(&mut self, waits: Bit, timer: &'static str, contact: MachineContact) {
         self.timer(timer, PATIENCE, vec![vec![on(waits)]], "plc.rung.late");
         let message = Bit::Output(MachineOutput::Message(contact));

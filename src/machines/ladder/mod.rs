@@ -61,7 +61,7 @@ pub enum MachineContact {
     InGear(u8),
     /// The spindle turns at the shift speed or slower.
     AtShiftSpeed,
-    /// The standstill monitor measures that the spindle stands still, whatever the inverter puts out.
+    /// The standstill monitor measures that the spindle is at rest, independently of the inverter.
     AtStandstill,
     /// The clamp holds the spindle.
     SpindleClamped,
@@ -214,7 +214,7 @@ pub enum Operator {
     Add,
     /// Product.
     Multiply,
-    /// Quotient without remainder; 0 by 0.
+    /// Quotient without remainder; 0 if the divisor is 0.
     Divide,
 }
 
@@ -256,9 +256,10 @@ pub enum RungAction {
         /// Width of the numbers.
         width: PlcWidth,
     },
-    /// While the condition holds, the entry of a table at the place of a number, from 0, is copied; nothing where the table ends before.
+    /// While the condition holds, the entry of a table at the index `from` (from 0) is copied; nothing is copied if the
+    /// index is beyond the table.
     Convert {
-        /// Place in the table.
+        /// Index in the table.
         from: PlcNumber,
         /// To.
         to: PlcNumber,
@@ -275,7 +276,7 @@ pub enum RungAction {
 /// Number of M functions that one decoding instruction distinguishes.
 pub const DECODED: u32 = 8;
 
-/// Entries of a table: one for each ten percent of a number of one byte, rounded.
+/// Number of entries of a table: one for each ten percent that a number of one byte can have, rounded: 0 to 260 %.
 pub const PLACES: usize = 27;
 
 /// A rung.

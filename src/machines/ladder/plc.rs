@@ -12,7 +12,7 @@ use crate::drives::Rotation;
 use crate::drives::speed::{self, Steps};
 use crate::motion::{Plc, PlcAlarm, PlcOrders, PlcSignals, ProgramState, Strobes};
 
-/// Time (s) from a code to the end of its block, at the least: strobe, a few scans, and the width of FIN.
+/// Least time (s) from a code to the end of its block: strobe, a few scans, and the width of FIN.
 pub const ANSWER: f64 = 0.05;
 /// Interval (s) at which contacts that follow the measured speed are read while a rung waits for them.
 const LOOK_INTERVAL: f64 = 0.01;
@@ -159,7 +159,7 @@ impl LadderPlc {
         LadderPlc { block: Some(block), ..self }
     }
 
-    /// Switches a contact that follows the movers; returns whether it was otherwise.
+    /// Switches a contact that follows the movers; returns whether its state has changed.
     pub fn switch(&mut self, contact: MachineContact, closed: bool) -> bool {
         let bit = Bit::Input(contact);
         let changes = self.image.is_on(bit) != closed;
@@ -203,7 +203,7 @@ impl LadderPlc {
             }
             Bit::Signal(SignalRole::Alarm) => signals.program == ProgramState::Alarm,
             Bit::Signal(SignalRole::Reset) => signals.reset,
-            // The control resets itself at an emergency stop: nobody presses the key.
+            // The control resets itself at an emergency stop, without the reset key.
             Bit::Input(MachineContact::ResetKey) => signals.reset && !signals.emergency,
             Bit::Signal(SignalRole::MStrobe) => signals.m_strobe.is_some(),
             Bit::Signal(SignalRole::SStrobe) => signals.s_strobe.is_some(),
@@ -230,7 +230,7 @@ impl LadderPlc {
             Bit::Input(MachineContact::ReverseKey) => signals.spindle_key == Some(Rotation::CounterClockwise),
             Bit::Input(MachineContact::StopKey) => signals.spindle_key != Some(Rotation::Stopped),
             Bit::Input(MachineContact::HoldKey) => !signals.hold_key,
-            // The operator has clamped the work before he starts the program.
+            // Assumed: the operator clamps the work before the start of the program.
             Bit::Input(MachineContact::WorkHeld) => true,
             _ => return None,
         })
@@ -241,7 +241,7 @@ impl LadderPlc {
         let is_on = |stage: &u8| self.image.is_on(Bit::Output(MachineOutput::Gear(*stage)));
         let stage = self.valves.iter().copied().find(is_on).unwrap_or(1);
         let runs = RUNS.into_iter().any(|run| self.image.is_on(Bit::Output(run)));
-        // At standstill tooth stands on tooth: gears mesh while the spindle turns.
+        // At standstill tooth may meet tooth: gears mesh while the spindle turns.
         let waits = !runs && t < self.gear.1 + self.wiring.meshing;
         if stage != self.gear.0 || waits {
             self.gear = (stage, t);

@@ -49,7 +49,7 @@ impl Ladder {
         }
     }
 
-    /// Signals and registers that the rungs name and the PLC does not keep to itself.
+    /// Signals and registers that the rungs name and that the PLC shares with control, program or machine.
     pub fn interface(&self) -> Sheet {
         let outer = |device: &Device| device.sides != (PlcSide::Plc, PlcSide::Plc);
         let bits = self.bits.iter().filter(|(bit, _)| !matches!(bit, Bit::Relay(_))).map(|(_, device)| device);

@@ -112,7 +112,7 @@ impl Ladder {
         }
     }
 
-    /// Bytes that a number has: overrides are single ones, but in the registers of 16 bits of the E60.
+    /// Size of a number in bytes: one for an override, except in the 16-bit registers of the E60.
     fn bytes(&self, to: PlcNumber, width: PlcWidth) -> u32 {
         let role = if let PlcNumber::Signal(role) = to { Some(role) } else { None };
         match role {

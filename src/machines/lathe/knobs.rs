@@ -1,4 +1,4 @@
-//! The operator's override knobs of feed and spindle: the cut of a lathe at their ends, in the same way for every lathe.
+//! The operator's override knobs of feed and spindle: positions at which every lathe judges its cut, and the remedies there.
 
 use crate::drives::speed::{KnobEnds, Steps};
 use crate::machines::driven::devices::forced_cooling_advice;
@@ -7,7 +7,7 @@ use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
 
-/// Position (%) of the feed override at which the feeds of the form hold.
+/// Position (%) of the feed override at which the feeds are those of the form.
 const FULL_PERCENT: f64 = 100.0;
 
 /// Positions of the override knobs, %.
@@ -22,8 +22,9 @@ pub(in crate::machines) fn highest_feed(knob: Steps) -> Option<f64> {
     knob.ends(FULL_PERCENT).higher
 }
 
-/// The positions at which a cut is judged beside those of the form: each knob at its ends, and both together. Less feed asks less of every
-/// drive, so that the feed override counts at its highest position alone. `present`: position of the spindle override in the form, %.
+/// The positions, other than those of the form, at which a cut is judged: each knob at its ends, and both together.
+/// Less feed needs less of every drive, so the feed override is judged only at its highest position. `present`:
+/// position of the spindle override in the form, %.
 pub(in crate::machines) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
     let feeds = [highest_feed(feed), Some(FULL_PERCENT)].into_iter().flatten();
     let all = feeds.flat_map(|feed| {
@@ -33,7 +34,8 @@ pub(in crate::machines) fn positions(feed: Steps, spindle: KnobEnds, present: f6
     all.filter(|at| *at != KnobPositions { feed: FULL_PERCENT, spindle: present }).collect()
 }
 
-/// The state with the greatest demand over its limit, with both numbers; none where every state holds.
+/// The state with the greatest ratio of demand to limit above 1, with `(demand, limit)`; none if every demand is within
+/// its limit.
 pub(in crate::machines) fn worst<T>(
     states: impl IntoIterator<Item = T>,
     demand: impl Fn(&T) -> (f64, f64),
@@ -50,7 +52,7 @@ pub(in crate::machines) fn worst<T>(
 /// Least feed (mm per revolution) that an advice names: below it an edge rubs.
 const LEAST_FEED: f64 = 0.01;
 
-/// An advice with a button for lower feeds; without it where an edge would rub.
+/// Adds a button with these lower feeds to an advice, unless one of them is below [`LEAST_FEED`].
 pub(in crate::machines) fn setting_feeds(advice: Advice, sets: Vec<NumberEntry>) -> Advice {
     let values: Vec<&str> = sets.iter().map(|set| set.text.as_str()).collect();
     let least = sets.iter().map(|set| set.value).fold(f64::INFINITY, f64::min);

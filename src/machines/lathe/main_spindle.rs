@@ -43,7 +43,7 @@ impl SpindleDrive {
         self.top / speed_at_10v
     }
 
-    /// The motor at the spindle, by its data sheet.
+    /// Curve of the motor by its data sheet, reduced to the spindle.
     pub(in crate::machines) fn motor(&self, stage: SpindleGear) -> MotorCurve {
         MotorCurve::new(self.power, stage.efficiency / 100.0, (self.base, self.top), stage.speed_at_10v)
     }
@@ -58,7 +58,7 @@ impl SpindleDrive {
         inertia::through_gear(self.rotor, speed_at_10v / self.top)
     }
 
-    /// The spindle with its motor. `inertia`: moment of inertia (kg m²) of all that turns with it, without the rotor.
+    /// The spindle with its motor. `inertia`: moment of inertia (kg m²) of all rotating parts, without the rotor.
     pub(in crate::machines) fn main_spindle(&self, stage: SpindleGear, inertia: f64) -> MainSpindle {
         let speed_at_10v = stage.speed_at_10v;
         MainSpindle {
@@ -79,7 +79,8 @@ impl SpindleDrive {
         ShortTime { driving: self.peak / 100.0, braking: self.braking / 100.0 }
     }
 
-    /// An inertia (kg m²) at the spindle as the motor has it at its shaft, against the friction of the spindle.
+    /// Load at the motor's shaft: an inertia (kg m²) at the spindle reduced to the shaft, and the friction of the
+    /// spindle.
     pub(in crate::machines) fn load_at_motor(&self, stage: SpindleGear, inertia: f64) -> Load {
         let (gear, efficiency) = (self.gear(stage.speed_at_10v), stage.efficiency / 100.0);
         Load {
@@ -179,8 +180,9 @@ pub(in crate::machines) const fn friction<P>(
     row.unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact()
 }
 
-/// The ramp of the form, its field `id`, against the shortest one to a highest speed of the program in r/min: a warning where it is long enough
-/// for that speed and not for the one at the highest position of the override knob, given with its percentage.
+/// Judges the ramp of the form (field `id`) against the shortest one that the motor can follow to `highest`, the
+/// highest speed of the program in r/min. A warning if the ramp suffices for that speed, but not for `at_knob`: highest
+/// position (%) of the override knob, and the speed (r/min) there.
 pub(in crate::machines) fn judge_ramp<P>(
     spindle: &MainSpindle,
     highest: f64,

@@ -3,21 +3,22 @@
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Least start in X (diameter, mm) at which the turret turns beside work of this diameter (mm); its other tools reach `room` (mm) beyond the
-/// tip of the tool.
+/// Least start point in X (diameter, mm) at which the turret clears work of this diameter (mm) while it turns: its
+/// other tools reach `room` (mm) beyond the tip of the tool.
 pub(in crate::machines) fn beside(diameter: f64, room: f64) -> f64 {
     diameter + 2.0 * room
 }
 
-/// The error of a turret that turns where the tailstock is: in front of work that it holds there is no room.
+/// Error of a turret that turns in front of work held by a tailstock, where the tailstock is.
 pub(in crate::machines) fn hits_tailstock(start_x: f64, diameter: f64, room: f64) -> Option<Diagnostic> {
     let least = beside(diameter, room);
     let message = msg!("lathe.turret-hits-tailstock", x = (start_x, 3), least = (least, 3));
     (start_x < least).then(|| Diagnostic::error(message).about("start-x").mended_by(least.ceil()))
 }
 
-/// The error of a turret that turns into the work: at `start` (X as a diameter and Z, mm) its other tools reach `room` (mm) beyond the tip
-/// of the tool, and the stock has this diameter and ends at this Z (mm). `None` where it has room beside the work or in front of it.
+/// Error of a turret that turns into the work: at `start` (X as a diameter, and Z, mm) its other tools reach `room`
+/// (mm) beyond the tip of the tool; the stock has this diameter (mm) and ends at this Z (mm). `None` if the turret has
+/// room beside the work or in front of it.
 pub(in crate::machines) fn hits_work(start: (f64, f64), (diameter, end): (f64, f64), room: f64) -> Option<Diagnostic> {
     let (x, z) = start;
     let hits = x < beside(diameter, room) && z < end + room;

@@ -1,7 +1,7 @@
-//! The seams of a machine: [`Machine`] is written once per machine, [`Prepared`] is a machine with its values on a control.
+//! The interfaces of a machine: [`Machine`] is implemented once per machine, [`Prepared`] is a machine with its values on a control.
 //!
-//! A machine is prepared once per change of a value; design, program, plant, PLC, sheets, drawing and charts are asked of the prepared
-//! machine, and every answer is total.
+//! A machine is prepared once per change of a value. The prepared machine gives design, program, plant, PLC, sheets,
+//! drawing and charts; all of its functions are total.
 
 use super::defaults::Defaults;
 use super::design::{ControlContext, Design};
@@ -36,11 +36,12 @@ pub struct MachineInfo {
     pub listing: Option<&'static str>,
     /// Blocks that the listing leaves out.
     pub left_out: &'static [LeftOut],
-    /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
+    /// Playback speed (machine seconds per second) at which the motion is visible: one of the speeds of the page.
     pub speed: f64,
-    /// Ids of the number fields that grow where more is asked of the machine; the first is its speed.
+    /// Ids of the number fields whose increase raises the demand on the machine, for the limits of growth; the first is
+    /// its speed.
     pub growth: &'static [&'static str],
-    /// Id of the result that is its speed; `None` if there is none.
+    /// Id of the result with its speed; `None` if there is none.
     pub speed_result: Option<&'static str>,
     /// Id of the field with the customer's name; `None` if there is none.
     pub customer: Option<&'static str>,
@@ -53,7 +54,8 @@ pub struct MachineInfo {
 }
 
 impl MachineInfo {
-    /// A machine without listing, growth, motors, explorer and examples; id, name and controls are to be filled in.
+    /// Defaults for `MachineInfo { id, name, controls, ..MachineInfo::BASE }`: no listing, growth, motors, explorer or
+    /// examples.
     pub const BASE: MachineInfo = MachineInfo {
         id: "",
         name: "",
@@ -159,10 +161,10 @@ impl Deref for PreparedMachine {
 }
 
 impl PreparedMachine {
-    /// Time (s) and catalog id of the first contact with the work, up to a time of the run.
+    /// Time (s) and catalog id of the first contact with the work, up to `until` (s).
     pub fn first_contact(&self, run: &dyn Samples, until: f64) -> Option<(f64, &'static str)> {
         let contact = |t: f64| self.machine.contact(run, &run.at(t));
-        // A spindle that stands no longer cuts: the contact was within the first span of work.
+        // A spindle at standstill does not cut any more: the contact was within the first span of work.
         let in_work = || self.machine.working(run, until)?.first().map(|(begin, end)| 0.5 * (begin + end));
         let with_name = |t: f64| Some((t, contact(t)?));
         let (latest, name) = with_name(until).or_else(|| with_name(in_work()?))?;
@@ -186,8 +188,9 @@ impl PreparedMachine {
         found.filter(|found| found.severity == Severity::Error).count()
     }
 
-    /// Removes the remedy of each advice that does not improve the verdict of its result, or that would raise another error, and adds to
-    /// each other one the results that it makes fail.
+    /// Tries the remedy of each advice. A remedy that does not improve the verdict of its result, or that raises
+    /// another error, is removed; the message stays. After each other remedy follows an advice for each result that it
+    /// makes fail.
     fn check_remedies(&self, design: &mut Design) {
         let errors = self.errors(design);
         let failing = |readouts: &[Readout]| {

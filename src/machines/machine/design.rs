@@ -1,4 +1,4 @@
-//! What a machine answers: results, program, files, variables and panel; and the control that it is asked on.
+//! Answers of a machine (results, program, files, variables, panel), and the control that they apply to.
 
 use crate::controls::{Control, Dialect, Switches};
 use crate::nc::{Deck, File, Newline};
@@ -35,9 +35,10 @@ pub struct Design {
 pub struct MachineProgram {
     /// Programs, one per file.
     pub deck: Deck,
-    /// Program number that sets the project's values, run once before the first start; none where the run program has them.
+    /// Number of the program that sets the project's values, run once before the first start; none where the main
+    /// program sets them.
     pub setup: Option<u32>,
-    /// Program number that runs the machine.
+    /// Number of the program that runs the machine.
     pub main: u32,
     /// Line end of the files.
     pub newline: Newline,
@@ -48,7 +49,7 @@ pub struct MachineProgram {
 pub struct MachineFile {
     /// Its name and text.
     pub file: File,
-    /// Catalog id of the words that say which file it is.
+    /// Catalog id of its description.
     pub meaning: &'static str,
 }
 

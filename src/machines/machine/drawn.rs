@@ -16,13 +16,14 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Visibility (0 to 1) of a part that turns `step` degrees per frame: 1 up to `limit`, falling linearly to 0 at `1.5 · limit`.
+    /// Visibility (0 to 1) of a part that turns `step` degrees per frame: 1 up to `limit` (degrees per frame), falling
+    /// linearly to 0 at `1.5 · limit`.
     pub fn seen(step: f64, limit: f64) -> f64 {
         math::clamp((1.5 * limit - step) / (0.5 * limit), 0.0, 1.0)
     }
 }
 
-/// What is drawn of a machine, and said beside the drawing. All functions are total.
+/// Drawing of a machine, with the charts and texts beside it. All functions are total.
 pub trait DrawnMachine {
     /// The parts list, with the places of the parts in the drawing.
     fn parts(&self) -> Vec<DrawnPart>;

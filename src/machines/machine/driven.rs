@@ -1,4 +1,4 @@
-//! The drives of a prepared machine as the sizing asks for them: motors and their demand in a run, devices, and the pattern of the shift.
+//! The drives of a prepared machine for the sizing: motors with their demand in a run, devices, and the pauses of the shift.
 
 use super::samples::Samples;
 use crate::machines::driven::devices::AskedDevice;
@@ -12,7 +12,7 @@ use crate::text::Message;
 /// Lowest position (%) of the override knob of the spindle at which a machine is judged: at 0 % nothing moves. Engineering choice.
 pub const LOWEST_KNOB: f64 = 10.0;
 
-/// The drives of a machine. Without an answer of its own a machine has none. All functions are total.
+/// The drives of a machine. Each default is that of a machine without the drive. All functions are total.
 pub trait DrivenMachine {
     /// The servo motors for the sizing.
     fn driven_axes(&self) -> Vec<DrivenAxis> {
@@ -26,13 +26,13 @@ pub trait DrivenMachine {
     fn spindle_run(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<SpindleRun> {
         None
     }
-    /// The brake resistor of the spindle's inverter in these stretches of a run, if the form's braking torque needs one that no sized drive
-    /// has.
+    /// Demand on the brake resistor of the spindle's inverter in these stretches of a run, if the form's braking torque
+    /// needs a resistor. Resistors of servo amplifiers are sized with their motors.
     fn resistor_demand(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<ResistorDemand> {
         None
     }
-    /// The machine as it cuts with the feed override at its highest position (%), and that position; none where the knob does not act on the
-    /// cut, or ends at 100 %.
+    /// Highest position (%) of the feed override, and the machine as it cuts there; none where the knob does not act on
+    /// the cut, or ends at 100 %.
     fn with_highest_feed(&self) -> Option<(f64, &dyn DrivenMachine)> {
         None
     }
@@ -40,7 +40,7 @@ pub trait DrivenMachine {
     fn spindle_encoder(&self) -> Option<SpindleEncoder> {
         None
     }
-    /// Abilities that the inverter of the spindle needs beside its ratings, for the open points of its order.
+    /// Abilities that the inverter of the spindle needs besides its ratings, as open points of its order.
     fn inverter_abilities(&self) -> Vec<Message> {
         Vec::new()
     }
@@ -48,7 +48,7 @@ pub trait DrivenMachine {
     fn devices(&self) -> Vec<AskedDevice> {
         Vec::new()
     }
-    /// The site of the drives, where it is beyond the data sheets of amplifiers and inverters.
+    /// The site of the drives, if it is higher or warmer than the data sheets of amplifiers and inverters allow.
     fn severe_site(&self) -> Option<SevereSite> {
         None
     }

@@ -9,9 +9,9 @@ pub struct Example {
     pub name: &'static str,
     /// Catalog id of the explanation, one or two sentences.
     pub about: &'static str,
-    /// Entries that differ from the defaults of the form, as they would be typed: id of each field and its text.
+    /// Entries that differ from the defaults of the form, as typed: id of each field and its text.
     pub entries: &'static [(&'static str, &'static str)],
-    /// Verdicts that fail, each with its reason.
+    /// Verdicts that fail on a control of the machine, each with its reason.
     pub faults: &'static [KnownFault],
 }
 
@@ -22,7 +22,7 @@ pub struct KnownFault {
     pub result: &'static str,
     /// Catalog id of the reason.
     pub reason: &'static str,
-    /// The verdict fails on every control, not only on slower ones.
+    /// Whether the verdict fails on every control; otherwise only on slower ones.
     pub everywhere: bool,
 }
 

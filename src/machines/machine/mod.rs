@@ -1,4 +1,4 @@
-//! A machine: what is written once for each, what it answers with its values on a control, and the list of machines without their types.
+//! A machine: its constants and form, the prepared machine with its values on a control, and the type-erased entry for the list of machines.
 
 mod any;
 mod defaults;

@@ -9,11 +9,12 @@ use crate::motion::{Plant, Plc};
 use crate::text::Message;
 use crate::view::{Explorer, Sheet};
 
-/// A machine with its values on a control: its results, its program and what runs it. All functions are total.
+/// A machine with its values on a control: results, program, and the plant and PLC that run it. All functions are
+/// total.
 pub trait Prepared: DrawnMachine + DrivenMachine + Send + Sync {
     /// Results with verdicts, and the machine's own findings.
     fn results(&self) -> Design;
-    /// Opening sentence of the report: the machine's work with these results; none if the machine does not work.
+    /// Opening sentence of the report: the machine's work with these results; none if it cannot work with these values.
     fn summary(&self) -> Option<Message> {
         None
     }
@@ -23,7 +24,7 @@ pub trait Prepared: DrawnMachine + DrivenMachine + Send + Sync {
     fn plant(&self) -> Plant;
     /// The builder's PLC.
     fn plc(&self) -> Box<dyn Plc>;
-    /// Names of the axes that the PLC turns, in the order of the plant.
+    /// Names of the axes that the PLC moves, in the order of [`Plant::pmc`].
     fn turned_axes(&self) -> &'static [&'static str] {
         &[]
     }
@@ -47,7 +48,7 @@ pub trait Prepared: DrawnMachine + DrivenMachine + Send + Sync {
     fn explored(&self) -> Vec<&'static str> {
         Vec::new()
     }
-    /// Sliders with their drawing for the shape with this number among [`explored`](Prepared::explored).
+    /// Sliders with their drawing for the shape at this index of [`explored`](Prepared::explored).
     fn explorer(&self, _shape: usize) -> Option<Explorer> {
         None
     }

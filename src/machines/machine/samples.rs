@@ -7,7 +7,7 @@ use crate::motion::{Planner, RunningProgram, Snapshot, Visit};
 pub struct Executions {
     /// Number of executions begun.
     pub begun: u32,
-    /// The block executes at this time.
+    /// Whether the block executes at this time.
     pub executes: bool,
 }
 

@@ -1,4 +1,4 @@
-//! A machine's settings as comment lines of its program, so that a dropped program restores the form.
+//! A machine's settings as comment lines of its program: a program dropped on the page restores the form from them.
 //!
 //! The first line names machine and format (`MACROLINE RIBBON-LINE 1`), the next the control where it is not the machine's first
 //! (`CONTROL=…`), each further one a field (`PITCH=8`): the essential ones always, the others where they differ from the default.

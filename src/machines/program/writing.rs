@@ -1,4 +1,4 @@
-//! Parts that the programs of all machines share: header, checks of the operator's variables, alarms.
+//! Builder functions that the programs of all machines share: header, opening words, checks of the operator's variables, alarms.
 
 use super::header;
 use crate::controls::options::SwitchKind;
@@ -14,7 +14,7 @@ pub fn write_header<M: Machine>(b: &mut Builder, params: &M::Params, control: &C
     }
 }
 
-/// The control's own codes for these functions, without those that it lacks.
+/// Words of the control's codes for these functions; a function that the control lacks is left out.
 pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     let own = |code: Code| {
         let row = control.codes.iter().find(|row| row.code == code)?;
@@ -27,8 +27,9 @@ pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<N
     wanted.into_iter().filter_map(own).collect()
 }
 
-/// The modal states that a program needs, whatever was in force before it: metric words, plane Z-X, no radius compensation, speed in
-/// r/min, the first work offset. A program that begins so means the same places when it is started again after a reset.
+/// The modal states that a program needs, whatever was in force before it: metric words, plane Z-X, no radius
+/// compensation, speed in r/min, the first work offset. With them the same coordinates are the same places when the
+/// program is started again after a reset.
 pub fn opening(control: &Control) -> Vec<NewWord> {
     use Code::{Cancel, Metric, PlaneZx, SurfaceSpeedOff, WorkCoordinates};
     let cancels = control.codes.iter().any(|row| row.code == Cancel && row.id == CodeId::g(40));
@@ -53,15 +54,16 @@ pub fn tool(control: &Control, number: u32) -> Vec<NewWord> {
     vec![word(Address::T, if lathe { 101 * number } else { number })]
 }
 
-/// Jumps to an alarm while the tool is not clear of the work: below a value of X, or at a negative Z (past the face). `place` has the
-/// variables of both positions.
+/// Jumps to block `target`, an alarm, if the tool is not clear of the work: X below `clear`, or Z negative (past the
+/// face). The tuple has the variables of the positions in X and Z.
 pub fn stays_clear(b: &mut Builder, (across, along): (u32, u32), clear: impl Fn() -> Formula, target: u32) {
     b.if_goto(v(across).lt(clear()), target);
     b.if_goto(v(along).lt(0), target);
 }
 
-/// Jumps to an alarm unless the turret has room to turn beside the work, from a value of X on, or in front of it, from a value of Z on; with
-/// room beside the work it goes on at `next`.
+/// Jumps to block `target`, an alarm, unless the turret has room to turn in front of the work: Z at least `before`.
+/// With room beside the work, X at least `beside`, it goes on at block `next`. The first tuple has the variables of the
+/// positions in X and Z.
 pub fn turret_has_room(
     b: &mut Builder,
     (across, along): (u32, u32),
@@ -86,8 +88,8 @@ pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
     dwell_of(control, real(seconds, 3))
 }
 
-/// A dwell with a note, in seconds under every unit of the feed. Where the control may count a dwell under feed per revolution in
-/// revolutions, it stands under feed per minute; `feed` is the unit in force before and behind it.
+/// A dwell with a note, in seconds under every unit of the feed. Where the control may count a dwell under feed per
+/// revolution in revolutions, it is written under feed per minute; `feed` is the unit in force before and after it.
 pub fn wait(b: &mut Builder, control: &Control, feed: Code, seconds: Formula, note: &str) {
     let switches = feed == Code::FeedPerRevolution && may_count_turns(control);
     if switches {
@@ -111,7 +113,8 @@ fn may_count_turns(control: &Control) -> bool {
     control.switches.iter().any(|switch| matches!(switch.kind, SwitchKind::DwellUnit(_)))
 }
 
-/// A dwell of a computed number of seconds: with X where the control reads that, else with its first address for seconds.
+/// A dwell of a computed number of seconds: with address X if the control has it for a dwell, else with its first
+/// address for seconds.
 fn dwell_of(control: &Control, seconds: Formula) -> [NewWord; 2] {
     let addresses = control.syntax.dwell_addresses;
     let address = if addresses.contains(Address::X) { Address::X } else { addresses.first().unwrap_or(Address::X) };
@@ -125,7 +128,7 @@ pub struct OperatorVariable {
     pub number: u32,
     /// Only whole numbers are valid.
     pub is_whole: bool,
-    /// Variable to which the program copies the entry before it checks the copy, and by which it works.
+    /// Variable to which the program copies the entry before it checks it; from then on the program uses the copy.
     pub copy: Option<u32>,
 }
 
@@ -140,7 +143,7 @@ impl OperatorVariable {
         OperatorVariable { number, is_whole: true, copy: None }
     }
 
-    /// The same variable, of which the program checks and uses a copy.
+    /// The variable with a copy: the program checks and uses `copy`.
     pub const fn copied_to(self, copy: u32) -> OperatorVariable {
         OperatorVariable { copy: Some(copy), ..self }
     }
@@ -156,7 +159,8 @@ pub const fn alarm_block(alarm: u32) -> u32 {
     900 + alarm
 }
 
-/// Numbers of the alarms of entries with the variable of each: first those not above zero, then those not whole.
+/// Numbers and variables of the alarms of invalid entries: first of entries not above zero, then of entries that are
+/// not whole.
 fn entry_alarms(entries: &[OperatorVariable]) -> [Vec<(u32, OperatorVariable)>; 2] {
     let whole = entries.iter().filter(|entry| entry.is_whole);
     let above_zero = (1..).zip(entries.iter().copied()).collect();
@@ -215,8 +219,8 @@ fn stop_with_text(b: &mut Builder, control: &Control, number: u32, text: &str, t
     }
 }
 
-/// Stops the program with a text until its cause is gone: after the M0 cycle start goes back to the checks from block `checks` on. They see
-/// values that the operator sets at M0, for nothing is read ahead of it.
+/// Stops the program with a text until its cause is gone: after the M0, cycle start goes back to the checks from block
+/// `checks` on. The checks see values that the operator sets at M0, because nothing is read ahead of M0.
 fn alarm_until_cleared(b: &mut Builder, control: &Control, number: u32, text: &str, checks: u32) {
     stop_with_text(b, control, number, text, |b| {
         let waits = codes(control, [Code::StopReading]);

@@ -1,4 +1,4 @@
-//! The form of the slides: mass, friction, screw and motor of each, for every machine that has some.
+//! The form of the slides of a lathe: mass, friction, screw and motor of each.
 
 use crate::machines::driven::{FormMotor, MotorFields, motor_fields};
 use crate::machines::form::Field;
@@ -65,7 +65,8 @@ pub(in crate::machines) const MOTORS: [FormMotor; 2] = [
     },
 ];
 
-/// A fact with its catalog id, which is that of its help too.
+/// Defines a function for a row of a fact: help, unit, range, decimals and step are the same for each slide; id, label
+/// and default are arguments.
 macro_rules! fact {
     ($(#[$doc:meta])* $name:ident: $help:literal, $unit:literal, $range:expr, $decimals:literal, $step:literal) => {
         $(#[$doc])*

@@ -1,4 +1,4 @@
-//! The slides of a lathe, X across its work and Z along it, as every lathe has them: parameters, rows of the form, drives, axes of the plant.
+//! The slides of a lathe, X across its work and Z along it: parameters, rows of the form, drives, axes of the plant.
 
 use super::form::{self, SlideParams};
 use crate::controls::Address;
@@ -30,7 +30,7 @@ pub(in crate::machines) trait SlideForm: 'static {
     fn lathe_slides_mut(&mut self) -> &mut LatheSlides;
 }
 
-/// Defaults of the slide of X that depend on what it carries.
+/// Defaults of the slide of X that depend on the machine: with the tool or cutter that it carries.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::machines) struct XDefaults {
     /// Mass, kg.
@@ -102,12 +102,12 @@ pub(in crate::machines) const fn rows<P: SlideForm>(x: XDefaults) -> [Field<P>; 
 }
 
 impl LatheSlides {
-    /// Seconds of the ramp of a slide, to rapid traverse and to its greatest feed.
+    /// Duration (s) of a slide's ramp; the same to rapid traverse and to its greatest feed.
     pub(super) fn ramp(&self) -> f64 {
         block::ramp(self.time_constant / 1e3, self.position_gain)
     }
 
-    /// Greatest acceleration (mm/s²) of a slide, as the torque of its motor is sized for.
+    /// Greatest acceleration (mm/s²) of a slide, for which the torque of its motor is sized.
     pub(in crate::machines) fn greatest_acceleration(&self, slide: &SlideParams) -> f64 {
         block::greatest_acceleration(slide.rapid, slide.clamp, self.ramp())
     }

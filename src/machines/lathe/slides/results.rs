@@ -180,7 +180,8 @@ fn rapid<M: HasSlides>(slide: &ServoSlide) -> Option<Judgement> {
     fail(AtMost(most), [advice.setting(msg!("advice.set-time-constant", time = (milliseconds, 1)), [set])])
 }
 
-/// The cut against the motor of a slide (0 for X, 1 for Z): a warning where it holds but for the highest position of the feed override.
+/// Judges the torque of the cut against the motor of a slide (`at`: 0 for X, 1 for Z): a warning if only the highest
+/// position of the feed override exceeds it.
 fn cut<M: HasSlides>(machine: &M, at: usize) -> Option<Judgement> {
     let slide = machine.slides()[at];
     let fed = machine.slides_at_highest_feed().map(|(percent, slides)| (percent, slides[at]));

@@ -17,11 +17,11 @@ pub(in crate::machines) trait HasSlides: Machine {
     /// The slide of X, then the slide of Z.
     fn slides(&self) -> [ServoSlide; 2];
 
-    /// The slides with the feed override at its highest position, and that position, %; none where no knob acts above 100 %.
+    /// Highest position (%) of the feed override, and the slides there; none where no knob acts above 100 %.
     fn slides_at_highest_feed(&self) -> Option<(f64, [ServoSlide; 2])>;
 
-    /// An advice with a button for the feeds whose cuts ask at most a share of the greatest force at the highest position of the feed
-    /// override; without it where no feed is known to do that.
+    /// Adds a button to an advice: feeds whose cutting force, with the feed override at its highest position, is at
+    /// most `share` of the greatest force. No button if no such feed is known.
     fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice;
 }
 
@@ -32,7 +32,7 @@ pub(in crate::machines) struct ServoSlide {
     pub at: usize,
     pub slide: Slide,
     pub fitted: FittedMotor,
-    /// Greatest ratio of inertias by the form, before that of many starts.
+    /// Greatest ratio of inertias by the form, before the reduction for many starts.
     pub form_inertia_limit: f64,
     /// Share of its continuous torque that the site leaves the motor, 0 to 1.
     pub site_share: f64,
@@ -81,7 +81,7 @@ struct SlidePlace {
 }
 
 impl LatheSlides {
-    /// X and Z with their motors, on duty.
+    /// X and Z with their motors under a duty.
     pub(in crate::machines) fn servos(&self, duty: SlideDuty) -> [ServoSlide; 2] {
         let [at_x, at_z] = duty.axes;
         let x = SlidePlace { at: at_x, rise: self.bed_angle, cuts_downhill: duty.x_cuts_downhill };
@@ -160,8 +160,8 @@ impl ServoSlide {
         self.steady() + acceleration
     }
 
-    /// Torque in the cut at its feed, Nm: force of the cut, friction and weight. The other force of the cut, on a slide that stands, counts
-    /// like that against the feed.
+    /// Torque in the cut at its feed, Nm: force of the cut, friction and weight. The cutting force across the feed, on
+    /// the slide at standstill, counts like that against the feed.
     pub(super) fn cut_torque(&self) -> f64 {
         if self.cuts_downhill {
             self.slide.downhill(self.feed_force).abs()
@@ -170,7 +170,8 @@ impl ServoSlide {
         }
     }
 
-    /// Greatest share of the force of the cut with which its torque stays within the limit; none where friction and weight exceed it.
+    /// Greatest share of the cutting force at which the torque stays within the limit; none if friction and weight
+    /// alone exceed it.
     pub(super) fn force_share(&self) -> Option<f64> {
         let with = |share: f64| ServoSlide { feed_force: share * self.feed_force, ..*self };
         math::greatest_share(0.0, |share| with(share).cut_torque() <= self.cut_torque_limit())
