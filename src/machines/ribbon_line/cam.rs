@@ -1,6 +1,6 @@
 //! The electronic cam of the print roller: it runs at the ribbon's speed in the contact, and corrects arc against pitch between two contacts.
 //!
-//! A result only: the program that is written has one constant ratio, and its verdicts stay.
+//! The cam only gives results: the written program has one constant ratio, and its verdicts do not depend on the cam.
 
 use super::derive::Derived;
 use super::mechanics::ServoAxis;
@@ -10,7 +10,7 @@ use crate::drives::block;
 use crate::drives::cam::{Coefficients, Correction, Law};
 use crate::math::{self, PI, RPM};
 
-/// Halvings of a speed: to the last digit of a double.
+/// Halvings in the search for a speed: to the last digit of a double.
 const HALVINGS: u32 = 60;
 
 /// The cam at one position of the knob. Metres, seconds, Nm.
@@ -39,7 +39,8 @@ impl CamLaw {
     }
 }
 
-/// The cam by a law, now and with the knob at its highest position; none where a contact as long as the pitch leaves it no time.
+/// The cam by a law: with the knob as it is, and at its highest position. None if the contact is as long as the pitch,
+/// which leaves no time for a correction.
 pub(super) fn by(line: &RibbonLine, law: Law) -> Option<(Cam, Cam)> {
     let p = &line.params;
     let cam = |d: &Derived, axis: &ServoAxis| Cam::new(p, law.coefficients(), d, *axis);
@@ -57,7 +58,7 @@ pub(super) fn has_no_time(line: &RibbonLine) -> bool {
     line.params.cam_law != CamLaw::Off && chosen(line).is_none()
 }
 
-/// A figure of the chosen cam now.
+/// A figure of the chosen cam with the knob as it is; 0 without a cam.
 pub(super) fn now(line: &RibbonLine, figure: fn(&Cam) -> f64) -> f64 {
     chosen(line).map_or(0.0, |(now, _)| figure(&now))
 }
@@ -68,7 +69,7 @@ impl Cam {
             correction: Correction {
                 pitch: p.pitch / 1e3,
                 contact: p.contact_length / 1e3,
-                // The heads have their angles, whatever π the program uses.
+                // The arc between two heads is real: the exact π, not that of the program.
                 arc: PI * p.print_roller_diameter / p.heads / 1e3,
                 speed: d.feeds.line_speed / 60e3,
             },
@@ -129,8 +130,8 @@ impl Cam {
         Cam { correction: Correction { speed, ..self.correction }, ..*self }
     }
 
-    /// Highest ribbon speed, mm/min, of at most `most` m/s: the greatest at which a torque keeps its limit, which falls with the speed
-    /// while the torque grows.
+    /// Highest ribbon speed, mm/min, at which `keeps` holds, up to `most` m/s. The torque grows with the speed and its
+    /// limit falls, so that there is one such speed.
     fn speed_within(&self, most: f64, keeps: impl Fn(&Cam) -> bool) -> f64 {
         if !most.is_finite() || keeps(&self.at(most)) {
             return 60e3 * most;
@@ -138,7 +139,8 @@ impl Cam {
         60e3 * math::last_holding(0.0, most, HALVINGS, |speed| keeps(&self.at(speed)))
     }
 
-    /// Acceleration of the roller's surface, m/s², by the peak torque that the steady torque leaves up to rated speed, over inertia.
+    /// Greatest acceleration of the roller's surface up to rated speed, m/s²: the peak torque less the steady torque,
+    /// over the inertia.
     fn left(&self) -> f64 {
         let most = self.axis.fitted.limits.peak * self.axis.fitted.motor.peak;
         (most - self.axis.load.torque).max(0.0) / self.inertia()
@@ -152,8 +154,8 @@ impl Cam {
         })
     }
 
-    /// Highest ribbon speed by the torque of a start, mm/min: of `a v² + b v = T` per inertia, where the correction takes the square of the
-    /// speed and the ramp the speed.
+    /// Highest ribbon speed by the torque of a start, mm/min: the root of `a v² + b v = T / J`, because the
+    /// acceleration of the correction grows with the square of the speed v, and that of the ramp with v.
     pub(super) fn speed_by_start(&self) -> f64 {
         let left = self.left();
         let per_speed = self.at(1.0).correction;
@@ -207,12 +209,12 @@ impl Cam {
         1e3 * self.correction.seconds() / self.blocks()
     }
 
-    /// Highest ribbon speed at which a short block lasts so many ms, mm/min.
+    /// Highest ribbon speed at which a short block lasts at least `needed` ms, mm/min.
     pub(super) fn speed_by_blocks(&self, needed: f64) -> f64 {
         60.0 * (1e3 * (self.correction.pitch - self.correction.contact)) / (self.blocks() * needed / 1e3)
     }
 
-    /// Share (0 to 1) of a correction by blocks that time constant and servo lag of the axis leave.
+    /// Share (0 to 1) of a correction by short blocks that the axis follows, after its time constant and servo lag.
     pub(super) fn followed(&self) -> f64 {
         let period = self.correction.pitch / self.correction.speed;
         block::response(period, self.time_constant, self.position_gain)

@@ -41,7 +41,8 @@ pub(super) fn ramp(line: &RibbonLine) -> f64 {
     stop(line, line.params.speed_at_10v).ramp
 }
 
-/// Ribbon (mm) laid while the unwinder coasts: X takes `ramp` s to come to rest, begins `delay` s earlier, and makes up its `lag` (mm).
+/// Ribbon (mm) laid while the unwinder coasts. X begins to stop `delay` s earlier, takes `ramp` s to come to rest, and
+/// still travels its `lag` (mm).
 fn laid_while_x_stops(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64), lag: f64) -> f64 {
     if d.unwinder.actual <= 0.0 {
         return 0.0;
@@ -98,13 +99,15 @@ impl EndOfMove {
     }
 }
 
-/// Capacity (mm) that takes up a product which ends without current at any moment, with the knob at its highest position:
-/// `C ≥ |start| + |run| + |coasting after the last move|`. A brake that stops the unwinder sooner than X stops asks for more within a move.
+/// Loop capacity (mm) for a product that ends by a loss of current at any moment, with the knob at its highest
+/// position: `C ≥ |start| + |run| + |coasting after the last move|`. With a brake that stops the unwinder sooner than X
+/// stops, a loss of current within a move needs more.
 pub(super) fn loop_needed(line: &RibbonLine) -> f64 {
     loop_before_stop(line) + laid_after_last_move(line).abs().max(laid_in_move(line, &line.fast).abs())
 }
 
-/// Judges the loop's capacity against the ribbon laid when a product ends without current; a brake at the motor or a greater loop mends it.
+/// Judges the loop's capacity against the ribbon laid when a product ends without current; the remedies are a brake at
+/// the motor and a longer loop.
 pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
     let (capacity, needed) = (line.params.loop_capacity, loop_needed(line));
     let limit = AtMost(capacity);

@@ -13,7 +13,8 @@ use crate::text::{Citation, Grade, Message};
 /// Source of the contacts and of their places.
 pub(super) const CONTACTS: Citation = Citation::new("ribbon line facts, 11", Grade::Inferred);
 
-/// The contacts, closed while nothing is wrong. A line without a loop has no sensor of its longest one.
+/// The contacts that hold the program, closed in normal operation. A line without a loop has no sensor of the longest
+/// loop.
 pub(super) fn holding(line: &RibbonLine) -> Vec<MachineContact> {
     let mut all = vec![MachineContact::InverterEnabled];
     all.extend((line.params.loop_capacity > 0.0).then_some(MachineContact::LoopNotFull));
@@ -29,7 +30,8 @@ pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     fast.feeds.line_speed / 60.0 * ramp / 2.0
 }
 
-/// Ribbon (mm) laid below the sensor of the longest loop while the program holds, at the worst position of the knob.
+/// Room (mm) that the loop needs below the sensor of the longest loop: ribbon laid while the program holds, at the
+/// worst position of the knob.
 pub(super) fn room_below_sensor(line: &RibbonLine) -> f64 {
     line.worst(|d| d.slack.hold).slack.hold.max(0.0)
 }
@@ -79,9 +81,9 @@ impl RibbonContacts {
         BY_MOVERS.into_iter().zip(self.closed)
     }
 
-    /// Reads the contacts at `t` (s); returns the time (s) within which no further limit is reached. At a cycle start the operator is
-    /// assumed to have acted as in the table of stops: a new product begins with a loop that is taken up and a full reel, and a reel at its
-    /// end is replaced.
+    /// Reads the contacts at `t` (s); returns the time (s) until the next limit may be reached. At a cycle start the
+    /// operator is assumed to have acted as in the table of stops: a new product begins with a loop that is taken up
+    /// and a full reel, and a reel at its end is replaced.
     pub(super) fn read(&mut self, t: f64, program: ProgramState, machine: &Timeline) -> f64 {
         let unwound = self.per_turn * machine.turns(t);
         let laid = unwound - machine.actual(self.pull, t);

@@ -1,4 +1,4 @@
-//! The error of a dot's place, in mm: lasting parts add up, parts that vary from dot to dot add as the root of the sum of their squares.
+//! The position error of a dot, in mm: systematic parts are added, parts that vary from dot to dot as the root of the sum of their squares.
 
 use super::mechanics::ServoAxis;
 use super::resolved::RibbonLine;
@@ -20,7 +20,7 @@ pub(super) struct DotError {
 }
 
 impl DotError {
-    /// The parts with the line at the speed of its results.
+    /// The parts at the speed of the line's results.
     pub(super) fn of(line: &RibbonLine) -> DotError {
         let RibbonLine { params: p, derived: d, mechanics, .. } = line;
         let half_pulse = |micrometres: f64| micrometres / 2e3;
@@ -39,17 +39,17 @@ impl DotError {
         }
     }
 
-    /// Parts that vary from dot to dot, together.
+    /// Root of the sum of squares of the parts that vary from dot to dot.
     pub(super) fn varying(&self) -> f64 {
         math::hypot(math::hypot(self.encoders, self.run_out), self.backlash)
     }
 
-    /// Parts that last, together.
+    /// Sum of the systematic parts.
     pub(super) fn lasting(&self) -> f64 {
         self.lag + self.strain
     }
 
-    /// All parts together.
+    /// Total error.
     pub(super) fn total(&self) -> f64 {
         self.lasting() + self.varying()
     }
@@ -96,8 +96,9 @@ impl ErrorSource {
     }
 }
 
-/// Strain with which the pull rollers draw the ribbon: that of the tension before them. A turn of theirs passes on as much of it, whatever
-/// the tension behind, so that the dots stand closer by it when the ribbon is slack again. Source: sizing facts 2.6, `v₁T₁ - v₂T₂`.
+/// Strain of the ribbon in the pull rollers, by the tension T1 before them: `ε = T1 / (E · A)`. The rollers pass the
+/// strained ribbon on at any tension behind them, so the dots are closer by ε once the ribbon is slack again. Source:
+/// sizing facts 2.6, `v₁T₁ - v₂T₂`.
 pub(super) fn strain(line: &RibbonLine) -> f64 {
     let p = &line.params;
     p.web.tension_before / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)

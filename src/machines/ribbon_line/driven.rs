@@ -1,4 +1,4 @@
-//! Drives that the ribbon line is sized by: motors of pull roller, print roller and unwinder, and loop and tension of the web.
+//! The drives of the ribbon line for the sizing: motors of pull roller, print roller and unwinder; loop and tension of the web as gauges.
 
 use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::LineState;
@@ -166,7 +166,7 @@ pub(super) fn pitch(line: &RibbonLine) -> ProductSize {
     ProductSize { variable: PITCH, size: line.params.pitch }
 }
 
-/// Quantities checked during operation: ribbon in the loop at the most and at the least, and tension while the loop is empty.
+/// Gauges: greatest and least ribbon in the loop, and tension while the loop is empty.
 pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
     GaugeRow {
         id: "loop",

@@ -1,4 +1,4 @@
-//! Examples of the ribbon line. The form's own defaults are the values of the paper, as far as it gives any.
+//! Examples of the ribbon line. The defaults of the form are the values of the paper where it has them.
 
 use crate::machines::machine::{Example, KnownFault};
 
@@ -30,7 +30,8 @@ macro_rules! matched {
     };
 }
 
-/// The paper's machine has no dancer, one speed for all controls, and a roller that is far too large for its heads.
+/// Faults of the paper's machine: it has no dancer, one speed for all controls, and a print roller far too large for
+/// its number of heads.
 const PAPER: &[KnownFault] = &[
     KnownFault::on_slow_controls("vector-feed", "ribbon.example.paper.feed"),
     KnownFault::on_slow_controls("block-time", "ribbon.example.paper.blocks"),

@@ -110,7 +110,7 @@ fn run_up(book: &mut Book) {
     let [m3, m4] = [3, 4].map(|code| book.function(code));
     let (settled, speed) = (Bit::Timer("settled"), Bit::Input(MachineContact::AtSpeed));
     let mut waits = Vec::new();
-    // The timer does not start on BUSY here: BUSY would drop out with its own timer and start again.
+    // With FIN the timer starts on the code, not on BUSY: BUSY would drop out with its own timer and start it again.
     let mut begun = vec![vec![on(BUSY)]];
     if book.has(SignalRole::Finished) {
         // The codes stay until FIN.

@@ -43,11 +43,12 @@ pub(super) struct Mechanics {
     pub print: ServoAxis,
     /// Greatest tension of the ribbon before X over the range of the knob, N.
     pub tautest: f64,
-    /// Greatest share of the nip's holding force in use, and that in use by the tautest ribbon.
+    /// Greatest used share of the nip's holding force, and the share that the tautest ribbon uses.
     pub nip_use: f64,
     pub taut_nip_use: f64,
-    /// Tension (N) that the ribbon before X may have: half its tensile strength, or what the nip holds with its safety,
-    /// `T2 + GRIP · μ · N`, if that is less; and the tension at which it tears or slips. Source: ribbon line facts, 11.
+    /// Tension (N) that the ribbon before X may have: half its tensile strength, or the tension that the nip holds with
+    /// its safety, `T2 + GRIP · μ · N`, if that is less; and the tension at which the ribbon tears or slips. Source:
+    /// ribbon line facts, 11.
     pub allowed_tension: f64,
     pub slip_or_break_tension: f64,
     /// Steady torque at the press roller, Nm.
@@ -60,7 +61,7 @@ pub(super) struct Mechanics {
     pub unwinder_braking: f64,
 }
 
-/// An axis before its motion is known.
+/// Data of an axis that do not depend on its motion.
 struct Side {
     turning: f64,
     gear: (f64, f64),
@@ -92,7 +93,7 @@ impl ServoAxis {
         let phases = repeated.map(|of| load.phases(motor.rotor, of));
         let effective = phases.as_ref().map_or(load.torque, |phases| effective(phases));
         let effective = with_pause(effective, d.product.time, p.pause, hold);
-        // An overhauling load asks more torque in the stop or at standstill than in the start.
+        // An overhauling load needs more torque in the stop or at standstill than in the start.
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
         let taut = load::through_gear(side.taut, ratio, efficiency);
         let peak = others.fold((load.torque + rise).abs().max(taut.abs()), f64::max);
@@ -117,7 +118,7 @@ impl ServoAxis {
         self.fitted.motor.shares(&self.load, &self.demand)
     }
 
-    /// Seconds of the shortest ramp, up and down, with the torque that the limits leave; infinite where standstill takes more.
+    /// Shortest ramp (s), up and down, with the torque that the limits allow; infinite if standstill alone needs more.
     pub(super) fn shortest_ramp(&self) -> f64 {
         let torque = self.fitted.short_time_limit(self.demand.speed);
         let speed = self.demand.speed * RPM;
@@ -148,7 +149,7 @@ impl ServoAxis {
     }
 }
 
-/// Starts of the axes in a minute: each block with exact stop is one.
+/// Starts of the axes per minute; each block with exact stop is a start.
 fn starts(p: &Params, d: &Derived) -> f64 {
     match p.path_mode {
         PathMode::ExactStop if d.timing.exact_stop > 0.0 => 60.0 / d.timing.exact_stop,
@@ -174,7 +175,7 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
     found.cycle().is_finite().then_some(found)
 }
 
-/// Mean speed in r/min of a repeated move, including the pause after the run (s) that it is part of.
+/// Mean speed (r/min) of a repeated move over a run (s) and the pause (s) after it.
 fn mean_speed(of: &Move, run: f64, pause: f64) -> f64 {
     let running = of.speed * (of.ramp + of.run) / of.cycle() / RPM;
     running * run / (run + counted_pause(run, pause))
@@ -259,7 +260,7 @@ impl Mechanics {
         let acceleration = d.feeds.line_speed / 60e3 / pull_axis.ramp;
         let tension = web.tension_before - web.tension_behind;
         let unwinder = unwinder_torque(p, unwinding.brake);
-        // The load has its gear's losses in its inertia, so that run-up and stop take the same torque.
+        // The load includes the gear's losses in its inertia, so run-up and stop need the same torque.
         let unwinder_rise = unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp);
         let grip = (pull.pinch_friction, pull.pinch_force);
         let running = web::nip_use(grip, tension, (web_mass, acceleration));

@@ -211,7 +211,8 @@ pub(crate) struct Params {
     pub override_form: OverrideForm,
     pub knob_step: KnobStep,
     pub knob_use: KnobUse,
-    /// The override is typed: the control has no macro input that hands the knob to the program. No field: it follows from the control.
+    /// Whether the override is typed, because the control has no macro input with the knob. Not a field: it follows
+    /// from the control.
     pub typed_override: bool,
     pub manual_speed: f64,
     pub frequency_at_10v: f64,
@@ -380,8 +381,8 @@ impl Params {
         self.print_axis_on(control) == PrintAxis::Y
     }
 
-    /// The chosen way to endless axes, or the first that the control has: not every control has a code that presets coordinates, or a known
-    /// parameter that lets them roll over.
+    /// The chosen method for endless axes, or the first that the control has: not every control has a code that presets
+    /// coordinates, or a known parameter for axes that roll over.
     pub(super) fn endless_on(&self, control: &Control) -> Endless {
         let shifts = control.can(Code::SetCoordinates);
         let rolls = control.param(ParamRole::AxisRollOver).is_some();

@@ -1,4 +1,4 @@
-//! Phase of the print heads at the start of a product: a head is at the ribbon, wherever the product before was broken off.
+//! Phase of the print heads at the start of a product: a head is brought to the ribbon, also after a product that was broken off.
 //!
 //! If the control reads positions, the program turns the print roller on to its next head, with the ribbon at rest: no head meets the
 //! ribbon on the way. If it does not, a variable marks a product that was broken off, and an alarm sends the operator to the roller.
@@ -12,7 +12,7 @@ use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
 /// Number of the alarm after a product that was broken off.
 pub(super) const ALARM: u32 = 23;
 
-/// Distance (in heads) up to which the first block also makes up the phase; beyond it the roller is turned first.
+/// Phase error (in heads) up to which the first block corrects it; with a greater one the roller is turned first.
 const SMALL: f64 = 0.002;
 
 /// Variable of the print roller's position, if the control has one.
@@ -68,7 +68,8 @@ pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
     b.assign(PHASE, 0).note("THE PRODUCT IS WHOLE");
 }
 
-/// Writes the alarm after the end of the program. Only a reset ends it: after an M0, cycle start would bring a jogged roller back.
+/// Writes the alarm after the end of the program. Only a reset ends the alarm: after an M0, cycle start would move a
+/// jogged roller back.
 pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
     if program_sets_phase(line) {
         return;

@@ -1,4 +1,4 @@
-//! The builder's PLC of the ribbon line: its ladder, its contacts, and remarks where a knob moves unwinder or axes alone.
+//! The builder's PLC of the ribbon line: its ladder, its contacts, and remarks on a knob that acts on unwinder or axes alone.
 
 use super::contacts::RibbonContacts;
 use super::derive::AT_SPEED;
@@ -18,11 +18,12 @@ pub(super) struct RibbonPlc {
     contacts: RibbonContacts,
     /// A contact that has opened since the last scan.
     opened: Option<MachineContact>,
-    /// The typed override (%), where the knob turns the unwinder and the axes stay.
+    /// The typed override (%), if the knob changes the speed of the unwinder alone.
     typed: Option<f64>,
-    /// Ribbon (mm) per revolution of the unwinder, and capacity (mm) of the loop, where the feed override moves the axes alone.
+    /// Ribbon (mm) per revolution of the unwinder, and capacity (mm) of the loop, if the feed override changes the
+    /// speed of the axes alone.
     filled: Option<(f64, f64)>,
-    /// The override does so at 0 % only.
+    /// Whether the feed override moves the axes alone at 0 % only.
     stops_alone: bool,
 }
 
@@ -49,7 +50,7 @@ impl RibbonPlc {
 }
 
 impl RibbonPlc {
-    /// Remarks on a knob that moves unwinder or axes alone, while the line runs.
+    /// Remarks on a knob that changes the speed of unwinder or axes alone, while the line runs.
     fn remark(&self, signals: &PlcSignals, orders: &mut PlcOrders) {
         let (percent, feed) = (orders.spindle.percent, signals.knobs.feed);
         if let Some(typed) = self.typed.filter(|typed| *typed != percent) {

@@ -20,7 +20,7 @@ use crate::view::{Paint, Placement, Pose};
 /// Degrees per frame beyond which a roller is drawn as a blurred ring.
 const SEEN: f64 = 20.0;
 
-/// Slack, mm, below which the ribbon is tight: less than half a millimetre is no pull.
+/// Slack (mm, negative) below which the ribbon counts as tight.
 pub(super) const TIGHT: f64 = -0.5;
 
 /// Lag of the pull roller, mm, within which a dot counts as printed.
@@ -53,7 +53,7 @@ impl LineState {
     pub(super) fn new(line: &RibbonLine, now: &Snapshot) -> LineState {
         let p = &line.params;
         let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
-        // The axis itself, which lags its command.
+        // The actual position of the axis, which lags its command.
         let pulled = x.actual;
         let turns = now.spindle.turns / p.reduction_ratio;
         let unwound = unwound(p, now.spindle.turns);
@@ -95,7 +95,7 @@ fn turned(group: u16, turn: f64, opacity: f64) -> Placement {
     Placement { turn: turn % 360.0, opacity, ..Placement::of(group) }
 }
 
-/// A group that is seen more or less.
+/// A group with an opacity, 0 to 1.
 fn shown(group: u16, opacity: f64) -> Placement {
     Placement { opacity, ..Placement::of(group) }
 }
@@ -114,7 +114,8 @@ pub(super) fn pose(line: &RibbonLine, now: &Snapshot, frame: Frame) -> Pose {
     pose
 }
 
-/// 1 where single marks can be followed by the eye, 0 where they blur, and a little in between.
+/// Visibility of single marks at a turn of `step` degrees per frame: 1 where the eye can follow them, 0 where they
+/// blur.
 fn seen(step: f64) -> f64 {
     Frame::seen(step.abs(), SEEN)
 }

@@ -5,7 +5,7 @@ use crate::drives::inertia::CM2;
 use crate::drives::reel::{Reel, acceleration};
 use crate::math::RPM;
 
-/// The reel of the form. A core that is not smaller than the full reel leaves no ribbon on it.
+/// The reel of the form; without ribbon if its core is not smaller than the full reel.
 pub(super) fn wound(p: &Params) -> Reel {
     let unwinding = &p.unwinding;
     Reel {

@@ -1,4 +1,4 @@
-//! What the supply reel gives and demands: time and products of a full one, pull at a start, brake at a stop.
+//! The supply reel in operation: time and products of a full reel, pull at a start, brake at a stop.
 
 use super::contacts::left_at_reel_end;
 use super::mechanics::{unwinder_load, unwinder_torque};
@@ -13,7 +13,7 @@ pub(super) fn coasting_acceleration(p: &Params, brake: f64) -> f64 {
     torque / unwinder_load(p, 0.0).inertia / p.reduction_ratio * p.press_roller_diameter / 2e3
 }
 
-/// Seconds in which the line takes the ribbon of a reel; 0 of a reel without ribbon, whatever the speed.
+/// Time (s) in which the line uses up the ribbon of a reel; 0 for a reel without ribbon, at any speed.
 pub(super) fn time(line: &RibbonLine) -> f64 {
     let length = wound(&line.params).length();
     if length > 0.0 { 60e3 * length / line.line_speed() } else { 0.0 }
@@ -29,8 +29,8 @@ pub(super) fn products(line: &RibbonLine) -> f64 {
     products_of_ribbon(line).floor()
 }
 
-/// Time (s) of reel changes for a product: that of a change over the whole products of a reel, or over the part of a product that a reel makes;
-/// 0 of a reel without ribbon.
+/// Time (s) of reel changes per product: time of one change over the number of whole products of a reel, or over the
+/// fraction of one product if a reel has less; 0 for a reel without ribbon.
 pub(super) fn change_time(line: &RibbonLine) -> f64 {
     let products = products_of_ribbon(line);
     let change = line.params.unwinding.reel_change;

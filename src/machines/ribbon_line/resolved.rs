@@ -1,4 +1,4 @@
-//! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
+//! The ribbon line on a control: axes, words and inputs, and the form with choices that the control has.
 
 use std::sync::OnceLock;
 
@@ -20,7 +20,7 @@ use crate::text::columns;
 /// Override (%) to which the line's ladder limits the knob.
 pub(super) const KNOB_LIMIT: f64 = 200.0;
 
-/// Variable for the typed override, on controls whose PLC has no macro input.
+/// Variable for the typed override, on controls without a macro input for the override.
 const TYPED: u32 = 103;
 
 /// The ribbon line on a control.
@@ -32,9 +32,9 @@ pub(crate) struct RibbonLine {
     pub(super) params: Params,
     /// The results of the formulas.
     pub(super) derived: Derived,
-    /// Results of the formulas with the override knob at its highest position; the present ones if the line is at rest.
+    /// Results with the override knob at its highest position; equal to `derived` if the line is at rest.
     pub(super) fast: Derived,
-    /// Results of the formulas with the override knob at its lowest position, if the line runs there; otherwise the present ones.
+    /// Results with the override knob at its lowest position; equal to `derived` if the line does not run there.
     pub(super) slow: Derived,
     /// Mechanics of the drives, and the same with the knob at its highest position.
     pub(super) mechanics: Mechanics,
@@ -66,7 +66,7 @@ impl RibbonLine {
         params.typed_override = form.types_override(control);
         let knob = dialect.spindle().knob;
         if dialect.device(control, SignalRole::SpindleOverrideCode).is_some() {
-            // A code has positions of its own, and no others reach spindle or program.
+            // An override code has fixed positions; no other value reaches spindle or program.
             (params.override_percent, params.knob_step) = (knob.nearest(params.override_percent), KnobStep::Ten);
         }
         let [derived, fast, slow] = derive_over_knob(&params, knob, &control.analog_output);
@@ -126,7 +126,8 @@ impl RibbonLine {
         })
     }
 
-    /// Speed now over the speed with the knob at its highest position: a limit that holds there is so much lower here.
+    /// Speed with the knob as it is over the speed at its highest position: factor by which a limit at the highest
+    /// position is lower here.
     pub(super) fn knob_share(&self) -> f64 {
         if self.fast.unwinder.actual > 0.0 { self.derived.unwinder.actual / self.fast.unwinder.actual } else { 1.0 }
     }

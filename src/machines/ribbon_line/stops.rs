@@ -1,4 +1,4 @@
-//! Interruptions of the ribbon line, from hold to inverter fault: the unwinder stops with the axes, or it fills the loop.
+//! Interruptions of the ribbon line, from hold to inverter fault: the unwinder stops with the axes, or coasts and fills the loop.
 
 use super::coasting;
 use super::contacts::{CONTACTS, left_at_reel_end, room_below_sensor};

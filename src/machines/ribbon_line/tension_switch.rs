@@ -11,7 +11,7 @@ use crate::text::Message;
 use crate::view::Advice;
 use crate::view::Limit::AtLeast;
 
-/// Where the tension switch opens.
+/// Operating point of the tension switch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TensionSwitch {
     /// Ribbon (mm) that is missing in the loop.
@@ -21,8 +21,9 @@ pub(super) struct TensionSwitch {
 }
 
 impl TensionSwitch {
-    /// The switch opens at the allowed tension, or earlier, so that X has stopped before the ribbon tears or slips; an unwinder that stands
-    /// gives nothing meanwhile. It cannot tell less than half a millimetre. Source: ribbon line facts, 11.
+    /// The switch opens at the allowed tension, or earlier, so that X has stopped before the ribbon tears or slips; the
+    /// unwinder is taken as stopped at once. The switch does not detect less than half a millimetre. Source: ribbon
+    /// line facts, 11.
     pub(super) fn new(line: &RibbonLine) -> TensionSwitch {
         let allowed = stretch(line, line.mechanics.allowed_tension);
         let missing = allowed.min(room_for_the_stop(line)).max(-TIGHT);
@@ -41,24 +42,26 @@ pub(super) fn tension(line: &RibbonLine, missing: f64) -> f64 {
     line.params.web.tension_before + force_per_strain(line) * missing / line.params.web.span
 }
 
-/// Force (N) that would double the length of the ribbon: `E · A`.
+/// Force (N) per unit of strain of the ribbon: `E · A`.
 fn force_per_strain(line: &RibbonLine) -> f64 {
     let p = &line.params;
     web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0)
 }
 
-/// Way (mm) of X from a hold to its stop with the knob at its highest position: `v · (τ / 2 + 1 / K)`. Source: ribbon line facts, 11.
+/// Distance (mm) that X travels from a hold to its stop, with the knob at its highest position: `v · (τ / 2 + 1 / K)`.
+/// Source: ribbon line facts, 11.
 fn way_to_the_stop(line: &RibbonLine) -> f64 {
     line.fast.feeds.line_speed / 60.0 * (line.params.time_constant_x / 2000.0 + 1.0 / line.params.position_gain_x)
 }
 
-/// Stretch (mm) of the ribbon that is left for the switch when X keeps its way to the stop; negative where the ribbon tears or slips
-/// sooner.
+/// Stretch (mm) of the ribbon up to tearing or slipping, less the distance of X to its stop: the latest point for the
+/// switch to open. Negative if the ribbon tears or slips before X has stopped.
 pub(super) fn room_for_the_stop(line: &RibbonLine) -> f64 {
     stretch(line, line.mechanics.slip_or_break_tension) - way_to_the_stop(line)
 }
 
-/// No switch protects a ribbon that tears or slips while X stops: a nip that holds more helps until the ribbon breaks.
+/// Fails a ribbon that tears or slips while X stops, against which no switch protects. The remedy is a greater pinch
+/// force, up to the strength of the ribbon.
 pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
     let (room, way) = (room_for_the_stop(line), way_to_the_stop(line));
     let limit = AtLeast(-TIGHT);
@@ -74,14 +77,15 @@ pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, [with_pinch(line, message, -TIGHT)])
 }
 
-/// An advice to press so hard that the switch opens where at least so much ribbon (mm) is missing; alone where the ribbon would break.
+/// Adds a button to an advice: the pinch force with which the switch opens at `missing` mm of missing ribbon or more.
+/// No button if the ribbon would break.
 pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> Advice {
     let (p, half) = (&line.params, line.derived.tension.limit);
     let (allowed, holds) = (tension(line, missing), tension(line, missing + way_to_the_stop(line)));
     if allowed > half || holds > 2.0 * half {
         return message.into();
     }
-    // Half of what the nip holds is allowed.
+    // The nip may be used to half of its holding force.
     let grip = (2.0 * (allowed - p.web.tension_behind)).max(holds - p.web.tension_behind);
     let set = at_least(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
     Advice::from(message).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])

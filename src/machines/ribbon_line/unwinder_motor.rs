@@ -21,8 +21,8 @@ impl UnwindingParams {
     }
 }
 
-/// The shortest ramp (s to the speed at 10 V) for whose start and stop the unwinder's motor has the torque, with the knob at its highest
-/// position; infinite where its load takes all of it.
+/// Shortest ramp (s, to the speed at 10 V) that the torque of the unwinder's motor allows for start and stop, with the
+/// knob at its highest position; infinite if the load needs all of the torque.
 pub(super) fn shortest_ramp(line: &RibbonLine) -> f64 {
     let (p, mechanics) = (&line.params, &line.mechanics);
     let (steady, rise) = (mechanics.unwinder, mechanics.unwinder_ramp - mechanics.unwinder);

@@ -15,7 +15,7 @@ pub(super) const ACTUAL_SPEED: u32 = 104;
 /// Speed of the ribbon, mm/min.
 pub(super) const LINE_SPEED: u32 = 105;
 
-/// Length of a product, mm, where it is given by its length.
+/// Length of a product, mm, if the product is entered by its length.
 pub(super) const LENGTH: u32 = 106;
 
 /// Pitch of the dots, mm.
@@ -45,7 +45,7 @@ pub(super) const RIBBON_PER_TURN: u32 = 118;
 /// Greatest F.
 pub(super) const FEED_LIMIT: u32 = 119;
 
-/// Pitches of a product, where it is given by its pitches.
+/// Pitches of a product, if the product is entered by its pitches.
 pub(super) const COUNT: u32 = 120;
 
 /// Pitches of a block as the operator wants them.
@@ -66,7 +66,7 @@ pub(super) const LEFT: u32 = 125;
 /// Length of a shorter last pitch, mm.
 pub(super) const LAST: u32 = 126;
 
-/// S that the unwinder runs with; 0 at rest.
+/// S of the running unwinder, r/min; 0 at rest.
 pub(super) const RUNNING_SPEED: u32 = 127;
 
 /// Pitches of the present block: the last one may be shorter.
@@ -75,10 +75,10 @@ pub(super) const BLOCK_PITCHES: u32 = 128;
 /// Word of the pull axis in a block.
 pub(super) const PULL: u32 = 129;
 
-/// Copy of the override, by which the running line notices a turned knob.
+/// Copy of the override, to detect a turned knob in the running line.
 pub(super) const KNOB: u32 = 130;
 
-/// Copies of entries by which the running line was computed.
+/// Copies of the entries with which the running line was computed.
 pub(super) const SPEED_COPY: u32 = 131;
 pub(super) const REDUCTION_COPY: u32 = 132;
 pub(super) const PRESS_ROLLER_COPY: u32 = 133;

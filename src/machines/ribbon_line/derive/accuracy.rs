@@ -8,11 +8,11 @@ use crate::math::PI;
 /// Errors and resolutions. Lengths in mm unless noted.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::ribbon_line) struct Accuracy {
-    /// Ribbon (mm/min) that the π of the program misses.
+    /// Error of the ribbon's speed by the π of the program, mm/min.
     pub pi_drift: f64,
     /// %.
     pub thickness_error: f64,
-    /// Y behind X at full speed.
+    /// Lag of Y behind X at full speed.
     pub register_error: f64,
     /// µm.
     pub x_resolution: f64,
@@ -43,8 +43,8 @@ fn thickness_error(p: &Params) -> f64 {
     if p.effective_diameter { 0.0 } else { p.ribbon_thickness / p.press_roller_diameter * 100.0 }
 }
 
-/// Drift of Y in mm (or °) per shift of eight hours if each stroke were only rounded to 0.001, as the control does; the programs carry
-/// the remainder. Source: ribbon line facts, 3.
+/// Drift of Y in mm (or °) per shift of eight hours if the control only rounded each stroke to 0.001. The programs
+/// carry the remainder and avoid it. Source: ribbon line facts, 3.
 fn y_drift(stroke: f64, pitch_time: f64) -> f64 {
     let rounded = (stroke * 1000.0).round() / 1000.0;
     (rounded - stroke) * 8.0 * 3600.0 / pitch_time

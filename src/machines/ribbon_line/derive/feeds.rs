@@ -1,4 +1,4 @@
-//! Speed of the ribbon, feeds of both axes and what their blocks move, by equations (2) to (4) of the paper.
+//! Speed of the ribbon, feeds of both axes and travels of their blocks, by equations (2) to (4) of the paper.
 
 use super::unwinder::UnwinderSpeed;
 use crate::machines::ribbon_line::params::{FeedForm, Params, PiForm, YUnit};
@@ -62,7 +62,7 @@ impl Params {
         }
     }
 
-    /// Travel of the print roller per pitch, one head further, in mm or °.
+    /// Travel of the print roller per pitch, which is one head, in mm or °.
     pub(super) fn y_stroke(&self) -> f64 {
         match self.y_unit {
             YUnit::Millimetres => self.program_pi() * self.print_roller_diameter / self.heads,
@@ -75,7 +75,8 @@ impl Params {
         self.feed_form == FeedForm::PerRevolution
     }
 
-    /// Travel of the print roller's surface per pitch, mm, by its true circumference in degrees.
+    /// Travel of the print roller's surface per pitch, mm. An axis in degrees has the true circumference; one in mm has
+    /// that of the program's π.
     pub(super) fn printed_arc(&self) -> f64 {
         match self.y_unit {
             YUnit::Millimetres => self.y_stroke(),
@@ -83,8 +84,8 @@ impl Params {
         }
     }
 
-    /// Driven speed of the axes over their programmed one, where the unwinder misses its speed by `error`: a feed per revolution follows the
-    /// measured speed.
+    /// Driven speed of the axes over the programmed one. `error`: relative error of the unwinder's speed, which a feed
+    /// per revolution follows.
     pub(in crate::machines::ribbon_line) fn followed(&self, error: f64) -> f64 {
         if self.feeds_per_revolution() && error > -1.0 { 1.0 + error } else { 1.0 }
     }

@@ -1,13 +1,13 @@
-//! A pass of the running loop: what it moves, the blocks that the control reads for it, and how long it takes.
+//! A pass of the running loop: its pitches, the blocks that the control reads for it, and its time.
 
 use crate::drives::block::AxisBlock;
 use crate::machines::ribbon_line::params::{FeedForm, Job, Params, PathMode, Rest, Variant};
 
-/// How fast an operator turns the knob, % per second: 80 to 100 % in two seconds. Engineering choice.
+/// Rate at which an operator turns the knob, % per second: 80 to 100 % in two seconds. Engineering choice.
 const KNOB_RATE: f64 = 10.0;
 
 impl Params {
-    /// Pitches of one block; the published listing moves one, in both its forms.
+    /// Pitches of one block; 1 in the published listing and in its precomputed form.
     pub(in crate::machines::ribbon_line) fn block_pitches(&self) -> f64 {
         match self.variant {
             Variant::ReadyMade => self.pitches_per_block,

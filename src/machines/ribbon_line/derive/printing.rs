@@ -1,11 +1,11 @@
-//! The print roller on the ribbon: its surface against the ribbon's, and the machine on which both match.
+//! The print roller on the ribbon: speed of its surface, smear, and the diameter, heads or pitch with which both speeds are equal.
 
 use super::feeds::LineFeeds;
 use crate::drives::web;
 use crate::machines::ribbon_line::params::Params;
 use crate::math::PI;
 
-/// PrintSurface of the print roller against the ribbon.
+/// Surface of the print roller compared with the ribbon: its speed, the smear, and the rollers without smear.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::ribbon_line) struct PrintSurface {
     /// mm/min.
@@ -14,7 +14,7 @@ pub(in crate::machines::ribbon_line) struct PrintSurface {
     pub ratio: f64,
     /// mm.
     pub smear: f64,
-    /// Diameter (mm), number of heads or pitch (mm) with which both have one speed.
+    /// Diameter (mm), number of heads or pitch (mm) with which surface and ribbon have the same speed.
     pub matching_diameter: f64,
     pub matching_heads: f64,
     pub matching_pitch: f64,

@@ -4,7 +4,7 @@ use super::timing::LineTiming;
 use crate::machines::ribbon_line::params::{Job, Params, Rest};
 use crate::math;
 
-/// Part of a pitch by which a length may miss a whole number of pitches and still have it.
+/// Tolerance, in pitches, within which a length counts as a whole number of pitches.
 pub(in crate::machines::ribbon_line) const PITCH_TOLERANCE: f64 = 0.0001;
 
 /// Shortest last pitch, mm: half a command increment.
@@ -56,7 +56,7 @@ impl Params {
         self.count() * self.pitch + self.last_pitch()
     }
 
-    /// Length of a product less the wanted one, mm; 0 where none is wanted.
+    /// Length of a product less the entered one, mm; 0 if the product is entered as a number of pitches.
     pub(in crate::machines::ribbon_line) fn length_error(&self) -> f64 {
         if self.job == Job::Length { self.printed_length() - self.product_length } else { 0.0 }
     }

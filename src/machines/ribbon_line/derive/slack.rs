@@ -1,4 +1,4 @@
-//! Ribbon between unwinder and pull roller: what start, run, stop and interruption lay down, and the loop that takes it.
+//! Ribbon between unwinder and pull roller: lengths laid by start, run, stop and interruption, and the loop that holds them.
 
 use super::feeds::{LineFeeds, k};
 use super::start::{first_wait, laid_at_start, ramp, wait};
@@ -12,7 +12,7 @@ use crate::math::PI;
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::ribbon_line) struct Slack {
     pub start: f64,
-    /// mm/min, at the running load and at rated load.
+    /// Slack rate, mm/min, at the running load and at rated load.
     pub rate: f64,
     pub rate_rated: f64,
     pub run: f64,
@@ -21,14 +21,15 @@ pub(in crate::machines::ribbon_line) struct Slack {
     pub resume: f64,
     /// Greatest ribbon laid by a hold and its restart.
     pub interruption: f64,
-    /// Ribbon missing after start or restart with an empty loop: X is ahead of the unwinder by it. 0 where ribbon is left over.
+    /// Ribbon missing after a start or restart with an empty loop, by which X is ahead of the unwinder; 0 if ribbon is
+    /// left over.
     pub missing: f64,
-    /// Loop capacity for all ribbon that one product with one interruption may lay down:
-    /// `C ≥ |start| + |run| + |stop| + interruption`. The signs differ, and an operator may interrupt at any moment, so that the sizes
-    /// add up. An emergency stop ends the product in the place of the stop, and lays what a hold lays, less than a stop: M5 waits
-    /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
+    /// Loop capacity for all ribbon that one product with one interruption may lay down: `C ≥ |start| + |run| + |stop|
+    /// + interruption`. The magnitudes are added, because the signs differ and an operator may interrupt at any moment.
+    /// An emergency stop replaces the stop at the end of the product and lays as much as a hold, which is less than a
+    /// stop: there M5 waits until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
     pub loop_needed: f64,
-    /// Time (s) in which the rate fills or empties the loop.
+    /// Time (s) in which the slack rate fills or empties the loop.
     pub loop_time: f64,
 }
 
@@ -43,7 +44,7 @@ impl Slack {
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
         let rate = |error: f64, kept: f64| unwound(error) - pulled(error) * kept;
         let (rate, rate_rated) = (rate(error, timing.kept), rate(unwinder.error_rated, timing.kept_rated));
-        // Slip acts all the time; losses by exact stops and starved blocks only from the first pass to the last.
+        // Slip acts throughout; losses by exact stops and starved blocks act only from the first pass to the last.
         let slip = unwound(error) - pulled(error);
         let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
         let second = line_speed / 60.0;

@@ -3,7 +3,7 @@
 use crate::drives::web;
 use crate::machines::ribbon_line::params::{FeedForm, Params, Wait};
 
-/// Seconds from a strobe to FIN where the PLC waits for nothing: a few scans of the ladder.
+/// Time (s) from a strobe to FIN if the PLC need not wait: a few scans of the ladder.
 pub(in crate::machines::ribbon_line) const FIN_DELAY: f64 = crate::machines::ladder::plc::ANSWER;
 
 /// Share of the commanded speed from which the PLC reports the spindle at speed.
@@ -15,7 +15,7 @@ pub(super) fn first_wait(p: &Params, moves: bool) -> f64 {
     if moves { wait(p, true).max(p.first_reading()) } else { 0.0 }
 }
 
-/// Dwell (s) beyond which it delays the first pull: a shorter one ends while the control still reads.
+/// Longest dwell (s) that does not delay the first pull, because it ends while the control still reads blocks.
 pub(in crate::machines::ribbon_line) fn least_dwell(p: &Params) -> f64 {
     (p.first_reading() - FIN_DELAY).max(0.0)
 }
@@ -29,7 +29,8 @@ pub(super) fn wait(p: &Params, moves: bool) -> f64 {
     }
 }
 
-/// Time that a feed per revolution loses on the rest of the spindle ramp after the wait, s: `(t_ramp - t_wait)² / (2 t_ramp)`.
+/// Time that X loses on the rest of the spindle ramp after the wait, because a feed per revolution follows the spindle,
+/// s: `(t_ramp - t_wait)² / (2 t_ramp)`.
 pub(super) fn still_to_ramp(p: &Params, wait: f64) -> f64 {
     let (ramp, left) = (ramp(p), ramp(p) - wait);
     if p.feed_form == FeedForm::PerRevolution && left > 0.0 { left * left / (2.0 * ramp) } else { 0.0 }

@@ -8,18 +8,18 @@ use crate::machines::ribbon_line::params::Params;
 /// Tension (N) of a ribbon that is tight.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::ribbon_line) struct Tension {
-    /// Of a ribbon that X draws faster than the unwinder gives it.
+    /// By a draw: X is faster than the unwinder.
     pub draw: f64,
-    /// Of a ribbon that is too short after a start; 0 where none is missing.
+    /// After a start that misses ribbon; 0 if none is missing.
     pub start: f64,
-    /// Half of the tension at which it tears.
+    /// Limit: half of the tension at which the ribbon tears.
     pub limit: f64,
 }
 
 impl Tension {
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, slack: &Slack) -> Tension {
         let area = p.ribbon_width * p.ribbon_thickness;
-        // X that follows the measured speed draws nothing from an unwinder that is slower than commanded.
+        // Under a feed per revolution X follows the measured speed of the unwinder: no draw.
         let draw = if p.feeds_per_revolution() { 0.0 } else { (-unwinder.error.min(unwinder.error_rated)).max(0.0) };
         Tension {
             draw: web::draw_tension(p.youngs_modulus, area, draw),
@@ -28,7 +28,7 @@ impl Tension {
         }
     }
 
-    /// Tension of a tight ribbon, by draw or after a start.
+    /// Greatest tension of a tight ribbon, by a draw or after a start.
     pub(in crate::machines::ribbon_line) fn excess(&self) -> f64 {
         self.draw.max(self.start)
     }

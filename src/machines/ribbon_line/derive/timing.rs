@@ -17,14 +17,14 @@ pub(in crate::machines::ribbon_line) struct LineTiming {
     pub pass: f64,
     /// Time that the control needs for a pass.
     pub needed: f64,
-    /// The same while the knob is turned; infinite if it never completes a pass.
+    /// The same while the knob is turned; infinite if the control never completes a pass.
     pub needed_turned: f64,
-    /// Time in which the blocks that are read already run with the old override.
+    /// Time in which the blocks already read run on with the old override.
     pub override_delay: f64,
     /// Mean speed of X as a share (0 to 1) of its driven speed, at running and at rated load; exact stops and starved blocks take the rest.
     pub kept: f64,
     pub kept_rated: f64,
-    /// A block with exact stop, whether the line has one or not.
+    /// A block with exact stop, also computed for a line without exact stops.
     pub exact_stop: f64,
     /// Speed (%) that X keeps with exact stops.
     pub exact_stop_speed: f64,
@@ -46,8 +46,8 @@ impl LineTiming {
         let (needed, whole) = (p.pass_needed(), (count / pitches).floor());
         let rest = count - whole * pitches;
         let pass = |pitches: f64| pass(p, pitches, pitch_time, y_stroke);
-        // Blocks that the control has read when X starts, the first pull and those that it reads in the rest of the wait; from then on it reads
-        // one in the time that it needs for a pass.
+        // Blocks already read when X starts: the first pull, and those read in the rest of the wait, one in each time
+        // that a pass needs.
         let ahead = (1.0 + ((wait - p.first_reading()).max(0.0) / needed).floor()).min(p.preread);
         let passes = match p.path_mode {
             PathMode::ExactStop => whole * pass(pitches) + if rest > 0.0 { pass(rest) } else { 0.0 },

@@ -1,4 +1,4 @@
-//! The unwinder: its speed by S and the override, the command at the analog output, and what motor and inverter miss of it.
+//! The unwinder: its speed by S and the override, the command at the analog output, and the speed error of motor and inverter.
 
 use crate::controls::AnalogOutput;
 use crate::drives::induction::Induction;
@@ -11,13 +11,13 @@ pub(in crate::machines::ribbon_line) struct UnwinderSpeed {
     pub commanded: f64,
     /// Highest speed.
     pub greatest: f64,
-    /// Speed, at most the highest.
+    /// Commanded speed, limited to the highest.
     pub actual: f64,
     /// Override (%) from which the highest speed binds.
     pub override_limit: f64,
-    /// Override (%) with which the motor really turns: at most that of its speed clamp.
+    /// Override (%) of the motor's actual speed: limited by the speed clamp.
     pub effective_override: f64,
-    /// Error of the speed at the running load and at rated load, as parts.
+    /// Relative error of the speed (`n / n_commanded - 1`) at the running load and at rated load.
     pub error: f64,
     pub error_rated: f64,
     /// Analog command, V: by the value of S, as the converter puts it out, and at the highest speed.
@@ -31,7 +31,7 @@ pub(in crate::machines::ribbon_line) struct UnwinderSpeed {
 }
 
 impl UnwinderSpeed {
-    /// Equation (1), and the clamp of control and program.
+    /// By equation (1), with the clamps of control and program.
     pub(super) fn new(p: &Params, output: &AnalogOutput) -> UnwinderSpeed {
         let greatest = p.top_speed();
         let actual = p.speed_at(p.override_stepped());
@@ -55,12 +55,14 @@ impl UnwinderSpeed {
 }
 
 impl Params {
-    /// The PLC holds the spindle override at 100 % in automatic, and the program scales S by the typed one.
+    /// Whether the PLC holds the spindle override at 100 % in automatic, and the program scales S by the typed
+    /// override.
     pub(in crate::machines::ribbon_line) fn knob_is_locked(&self) -> bool {
         self.typed_override && self.knob_use == KnobUse::Locked
     }
 
-    /// The knob turns the unwinder and the axes stay: they neither read the knob nor follow the measured speed.
+    /// Whether the knob changes the speed of the unwinder alone: the axes neither read the knob nor follow the measured
+    /// speed.
     pub(in crate::machines::ribbon_line) fn knob_turns_alone(&self) -> bool {
         let follows = self.feeds_per_revolution() && self.spindle_encoder;
         self.typed_override && self.knob_use == KnobUse::Free && !follows
@@ -97,7 +99,8 @@ impl Params {
         }
     }
 
-    /// Errors of the unwinder's speed at its running load and at rated load, as parts; a dancer trims them away.
+    /// Relative errors of the unwinder's speed at its running load and at rated load; 0 with a dancer, which trims
+    /// them.
     pub(super) fn speed_errors(&self, speed: f64) -> (f64, f64) {
         let motor = self.induction();
         let loaded = Induction { load: 1.0, ..motor };

@@ -26,7 +26,7 @@ pub(super) fn travel(line: &RibbonLine, axis: usize, by: Formula) -> NewWord {
     word(incremental.unwrap_or(own), by)
 }
 
-/// A note about the print roller's axis.
+/// A comment that begins with the name of the print roller's axis.
 pub(super) fn about(line: &RibbonLine, what: &str) -> String {
     format!("{} {what}", line.params.print_axis.address())
 }
@@ -133,7 +133,7 @@ pub(super) fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait
 /// here it would act before the last moves are done.
 pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
     if line.dialect.spindle().volts_stay {
-        // Else a key would turn the unwinder at the speed of the program.
+        // Without it a key would turn the unwinder at the speed of the program.
         b.n(50).words([m(5), s(0)]).note("NO VOLTAGE FOR THE KEYS");
     } else {
         b.n(50).words([m(5)]);

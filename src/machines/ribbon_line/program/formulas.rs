@@ -7,10 +7,10 @@ use crate::machines::ribbon_line::variables::{
 };
 use crate::nc::build::{Condition, Formula, real, v};
 
-/// π as it is written: 3.141592654, or 3.14.
+/// π as the program has it: 3.141592654, or 3.14.
 ///
-/// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to 3e-10. Where the
-/// control takes fewer digits, it gets what fits.
+/// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to
+/// 3e-10. Where the control takes fewer digits, π is cut to them.
 pub(super) fn pi(line: &RibbonLine) -> Formula {
     let decimals = line.dialect.reading.digits.saturating_sub(1).min(9);
     real(line.params.program_pi(), decimals as u8)
@@ -54,7 +54,7 @@ pub(super) fn feed_moves() -> Condition {
     v(VECTOR_FEED).ge(least_feed())
 }
 
-/// The vector feed is none: the override is 0.
+/// The vector feed is zero: the override is 0.
 pub(super) fn feed_is_zero() -> Condition {
     v(VECTOR_FEED).lt(least_feed())
 }

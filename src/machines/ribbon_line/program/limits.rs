@@ -19,8 +19,8 @@ pub(super) fn feed_guard(b: &mut Builder, line: &RibbonLine, number: u32) {
     b.n(number).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(FEED_ALARM));
 }
 
-/// Jumps to one of two blocks where the control would slow both axes, and the unwinder not: where the pull axis or the print roller is above
-/// the clamp of its feed.
+/// Jumps to block `of_pull` or `of_print` if the pull axis or the print roller is above the clamp of its feed: the
+/// control would slow both axes, but not the unwinder.
 pub(super) fn clamp_guards(b: &mut Builder, line: &RibbonLine, [of_pull, of_print]: [u32; 2]) {
     let [clamp_x, clamp_y] = [line.params.clamp_x, line.params.clamp_y].map(|clamp| real(clamp, 3));
     b.if_goto(v(LINE_SPEED).gt(clamp_x), of_pull);

@@ -47,13 +47,14 @@ pub(super) fn deck(line: &RibbonLine) -> Deck {
     b.finish()
 }
 
-/// Whether the feed override slows down the axes, and not the unwinder: neither the program nor the PLC can fix it at 100 %.
+/// Whether the feed override slows down the axes alone, without the unwinder: neither the program nor the PLC can fix
+/// it at 100 %.
 pub(super) fn feed_override_acts(line: &RibbonLine) -> bool {
     let fixed_by_plc = line.dialect.device(line.control, SignalRole::FeedOverrideOff).is_some();
     !overrides_can_be_off(line) && !fixed_by_plc && !feed_override_stops(line)
 }
 
-/// Whether the PLC fixes the feed override at 100 %, but for 0 %, which stops the axes and not the unwinder.
+/// Whether the PLC fixes the feed override at 100 %, except at 0 %, which stops the axes alone, without the unwinder.
 pub(super) fn feed_override_stops(line: &RibbonLine) -> bool {
     line.dialect.device(line.control, SignalRole::FeedOverrideValid).is_some()
 }

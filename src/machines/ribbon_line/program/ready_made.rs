@@ -53,11 +53,12 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
     b.n(47).words(codes(line, [Code::SubEnd]));
     writing::alarms(b, line.control, &entries(line));
     limit_alarms(b, line);
-    // The header is after the program end: people read it, a running line never does.
+    // The header is after the program end: it is only for readers, and costs a running line no time.
     header(b, line);
 }
 
-/// All that depends on the override, in six blocks from number `n` on; [`FEED_PER_TURN`] and [`RIBBON_PER_TURN`] hold what does not.
+/// Everything that depends on the override, in six blocks from number `n` on; [`FEED_PER_TURN`] and [`RIBBON_PER_TURN`]
+/// do not.
 pub(super) fn speed_and_feed(b: &mut Builder, line: &RibbonLine, n: u32) {
     b.n(n).assign(KNOB, v(line.override_variable())).note("OVERRIDE");
     b.n(n + 1).assign(ACTUAL_SPEED, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
@@ -140,7 +141,8 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
     length_alarms(b, line);
 }
 
-/// N20 to N29: at override 0 the line waits, and then for the unwinder as at a start: X would else pull before ribbon is given.
+/// N20 to N29: at override 0 the line waits; then it waits for the unwinder as at a start, because X would otherwise
+/// pull before ribbon is unwound.
 pub(super) fn wait_for_override(b: &mut Builder, line: &RibbonLine) {
     wait_for_knob(b.n(20), line);
     speed_and_feed(b, line, 21);

@@ -1,4 +1,4 @@
-//! The results about the supply reel: ribbon on it, and the demand of start and stop on ribbon and brake while its diameter changes.
+//! The results about the supply reel: ribbon on it, pull on the ribbon at start and stop, and brake, over its changing diameter.
 
 use crate::drives::inertia::CM2;
 use crate::drives::reel;

@@ -29,7 +29,8 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
     })
 }
 
-/// The axis whose words leave the control's range first, and its travel per pitch in words; none where the coordinates of both roll over.
+/// The axis whose coordinate leaves the control's range first, and its travel per pitch in units of its words; none if
+/// the coordinates of both axes roll over.
 fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
     let [pull_rolls, print_rolls] = line.rolls_over();
     let pull = ("X".to_owned(), line.params.pitch * f64::from(line.pull_words()));
@@ -92,8 +93,8 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
     Vec::new()
 }
 
-/// Both axes run one way for ever: the control stops with an alarm where one leaves its range. A product beyond it fails; else the
-/// coordinates have to be taken back in time.
+/// Judges the range of the coordinates, because both axes run in one direction only and the control stops with an alarm
+/// at its end. A product beyond the range fails; otherwise the operator has to reset the coordinates in time.
 pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judgement> {
     let max = line.control.limits.coordinate_max;
     let Some((axis, travel)) = farthest(line) else {
@@ -132,7 +133,7 @@ pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Op
     [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
 }
 
-/// The dots of a product may drift by the tolerance of a dot.
+/// Judges the scaling: over a product the dots may drift by the tolerance of a dot.
 fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
     let RibbonLine { params: p, derived: d, .. } = line;
     line.control.scaling?;

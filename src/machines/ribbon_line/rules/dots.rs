@@ -66,7 +66,7 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
     warn(limit, [Advice::from(advice).setting(button, entries)])
 }
 
-/// A shorter print head, where the form takes one this short (mm).
+/// An advice with a button for a print head of at most `longest` mm; without the button if the form does not accept it.
 fn with_head(advice: Message, longest: f64) -> Advice {
     let set = at_most(FIELDS, "head-length", longest);
     let advice = Advice::from(advice);

@@ -180,7 +180,7 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
         let message = msg!("ribbon.shaft-fan", frequency = (frequency, 1), torque = (torque, 2), limit = (most, 2));
         advice.push(forced_cooling_advice("unwinder-forced-cooling", message));
     }
-    // The reel brake that the motor's torque leaves after gear losses and friction.
+    // The greatest brake of the reel: motor torque less gear losses and friction.
     let at_roller = most * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
     let brake = at_roller / (p.press_roller_diameter / 2e3);
     let weaker = Advice::from(msg!("ribbon.unwinder-torque", torque = (torque, 2), limit = (most, 2)));
@@ -193,7 +193,8 @@ fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, advice)
 }
 
-/// Judges the stop over the inverter's ramp: an inverter that takes back less trips, and the unwinder coasts into the loop.
+/// Judges the stop over the inverter's ramp: an inverter that can absorb less braking torque trips, and the unwinder
+/// coasts into the loop.
 fn unwinder_braking(line: &RibbonLine) -> Option<Judgement> {
     let (p, torque, steady) = (&line.params, line.mechanics.unwinder_braking, line.mechanics.unwinder);
     let percent = p.unwinding.motor_braking;
@@ -241,7 +242,7 @@ fn unwinder_ramp(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, [advice])
 }
 
-/// The load by which the slip is computed against the torque that follows from brake and friction.
+/// Compares the load of the form, used for the slip, with the torque that follows from brake and friction.
 fn unwinder_load(line: &RibbonLine) -> Option<Judgement> {
     let (p, share) = (&line.params, 100.0 * line.mechanics.unwinder / line.params.unwinding.torque);
     if (share - p.unwinder_load).abs() <= LOAD {

@@ -48,8 +48,9 @@ fn share_of_feeds(line: &RibbonLine) -> f64 {
     if line.feeds_per_revolution() { clamps } else { clamps.min(line.feed_max() / fast.feeds.vector_feed) }
 }
 
-/// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before
-/// the control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's highest position.
+/// Override (%) up to which the speed of the line follows the knob: until the speed saturates, an axis or F is at its
+/// limit, or blocks end before the control has read the next ones. Feeds per revolution are taken with the motor's
+/// error at the knob's highest position.
 pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
     let RibbonLine { params: p, derived: d, fast, .. } = line;
     if fast.unwinder.actual <= 0.0 {
@@ -62,7 +63,8 @@ pub(in crate::machines::ribbon_line) fn knob_holds(line: &RibbonLine) -> f64 {
     (100.0 * fast.unwinder.actual * share / p.spindle_speed).min(d.unwinder.override_limit).min(line.highest_position())
 }
 
-/// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
+/// An advice with a button for S and the speed clamp with which the unwinder turns at most at `speed` r/min, at the
+/// present and at any position of the knob.
 pub(in crate::machines::ribbon_line) fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
     let RibbonLine { params: p, derived: d, fast, .. } = line;
     let mut sets = Vec::new();
@@ -168,7 +170,7 @@ pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Op
     ok(AtMost(limit))
 }
 
-/// The greatest speed counts over the whole range of the knob, the rated one where the knob is.
+/// The highest speed of the motor is judged over the whole range of the knob, its rated speed at the present position.
 pub(in crate::machines::ribbon_line) fn motor(
     line: &RibbonLine,
     speed: f64,
@@ -225,7 +227,7 @@ pub(in crate::machines::ribbon_line) fn dancer_trim(line: &RibbonLine) -> f64 {
     100.0 * line.params.induction().error(line.params.speed_at_10v)
 }
 
-/// Error (%) of a speed that the regulator of a dancer makes up for. Source: engineering choice.
+/// Greatest speed error (%) that the regulator of a dancer can compensate. Source: engineering choice.
 const TRIM: f64 = 10.0;
 
 /// Judges whether the regulator of the dancer can make up for the unwinder's error; the remedy is the frequency of the inverter at 10 V, at
@@ -249,12 +251,13 @@ pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgem
     fail(limit, [advice.setting(msg!("advice.set-frequency", frequency = frequency.as_str()), entries)])
 }
 
-/// Slip of the motor at a load (part of the rated torque) and its speed, as a sentence has them.
+/// Slip of the motor at a load (fraction of the rated torque), and its speed, r/min, each with its decimals for a
+/// message.
 fn slip(line: &RibbonLine, load: f64) -> [(f64, u8); 2] {
     [(Induction { load, ..line.params.induction() }.slip(), 1), (line.derived.unwinder.actual, 1)]
 }
 
-/// A motor that slips by its whole speed at the load of the form stands.
+/// Fails a motor that stalls: its slip at the load of the form is as great as its speed.
 pub(in crate::machines::ribbon_line) fn stalls_at_load(line: &RibbonLine) -> Option<Judgement> {
     if line.derived.unwinder.error > -1.0 {
         return None;
@@ -263,7 +266,7 @@ pub(in crate::machines::ribbon_line) fn stalls_at_load(line: &RibbonLine) -> Opt
     fail(AtLeast(-100.0), [msg!("ribbon.slips-to-rest", slip, speed).into()])
 }
 
-/// The same at rated torque, which the load of the form is below.
+/// The same at rated torque, as a warning: the load of the form is lower.
 pub(in crate::machines::ribbon_line) fn stalls_when_rated(line: &RibbonLine) -> Option<Judgement> {
     if line.derived.unwinder.error_rated > -1.0 {
         return None;
@@ -331,7 +334,7 @@ fn precomputed_in_time(p: &Params, in_time: impl Fn(f64) -> bool) -> Option<Advi
         .then(|| advice.setting(msg!("advice.precomputed"), [("variant", "precomputed")]))
 }
 
-/// Volts of the analog output; where the speed is beyond the clamp or the output, those that it would take, `10 n / n10`.
+/// Volts of the analog output. Beyond the clamp or the output: the volts that the speed would need, `10 n / n10`.
 pub(in crate::machines::ribbon_line) fn volts(line: &RibbonLine) -> f64 {
     let RibbonLine { params: p, derived: d, .. } = line;
     if d.unwinder.commanded > d.unwinder.greatest {

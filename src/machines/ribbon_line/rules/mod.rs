@@ -1,8 +1,9 @@
 //! The rules of the ribbon line, as rows: result, limit, remedy.
 //!
-//! Numbers are those of section 7 of `docs/reference/sizing.md`. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both
-//! are kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
-//! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
+//! Numbers are those of section 7 of `docs/reference/sizing.md`. Rule 1 (ranges of the form) and rule 18 (list of
+//! assumed facts) are implemented for every machine. Rule 4: a feed above a clamp is an error, because the control
+//! slows the vector; an F beyond the control's range is a verdict, because the program stops by itself before anything
+//! moves. All others are verdicts.
 
 pub(super) mod cam;
 pub(super) mod coordinates;

@@ -26,7 +26,7 @@ fn slip(line: &RibbonLine) -> Verdict {
 /// Difference of surface ratio and 1 beyond which roller and ribbon do not match, however short the contact is. Source: sizing facts 3.4.
 const MATCH_TOLERANCE: f64 = 0.025;
 
-/// Factor of the diameter beyond which other heads on the roller come before another roller. Engineering choice.
+/// Ratio of diameters beyond which another number of heads is offered before another roller. Engineering choice.
 const OTHER_ROLLER: f64 = 2.0;
 
 pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judgement> {
@@ -59,7 +59,7 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
         let other_roller = if d.surface.matching_diameter > walls {
             diameter(msg!("ribbon.match-diameter", diameter = matching, heads = (p.heads, 0)))
         } else {
-            // A roller thinner than its two walls is another one than the machine has.
+            // A matching roller thinner than its two walls cannot replace the roller of the machine.
             msg!("ribbon.match-diameter-thin", diameter = matching, heads = (p.heads, 0), walls = (walls, 2)).into()
         };
         let change = d.surface.matching_diameter / p.print_roller_diameter;
@@ -100,7 +100,7 @@ pub(in crate::machines::ribbon_line) fn pi(line: &RibbonLine) -> Option<Judgemen
     }
 }
 
-/// Error of the ribbon's speed (%) that counts as none.
+/// Speed error (%) of the ribbon that is not reported.
 const THICKNESS: f64 = 0.05;
 
 pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<Judgement> {

@@ -58,8 +58,8 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
     fail(limit, [advice])
 }
 
-/// The torque of the brake on the full reel against the torque that the ribbon bears at the core: beyond it the brake must follow the
-/// diameter.
+/// Judges the torque of the brake on the full reel against the torque that the ribbon can bear at the core: with a
+/// greater one the brake must follow the diameter.
 fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
     let (reel, most, brake) = (wound(&line.params), line.derived.tension.limit, line.params.unwinding.brake);
     let limit = AtMost(reel::torque(reel.core, most));
@@ -76,7 +76,8 @@ fn with_ramp(seconds: f64, advice: Advice) -> Advice {
     advice.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])
 }
 
-/// Whether the brake slows the reel down as fast as the unwinder stops: otherwise the reel runs on and the ribbon goes slack.
+/// Judges whether the brake slows the reel down as fast as the unwinder stops; otherwise the reel overruns and the
+/// ribbon goes slack.
 fn holds(line: &RibbonLine) -> Option<Judgement> {
     let (p, brake) = (&line.params, line.params.unwinding.brake);
     let (ramp, coasting) = (ramp_pull(p), coasting_pull(line));

@@ -64,8 +64,8 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
     fail((d.accuracy.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
-/// The shortest dwell (s) of a form after which no start pulls the ribbon tight, with the knob at its highest position: each second lays `v` mm
-/// more. A feed per revolution follows the unwinder from standstill, and the best dwell is none.
+/// Entry of the shortest dwell (s) with which no start pulls the ribbon tight, with the knob at its highest position:
+/// each second of dwell lays `v` mm more. 0 with a feed per revolution, which follows the unwinder from standstill.
 fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
     let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack.start / (fast.feeds.line_speed / 60.0) };
@@ -73,7 +73,7 @@ fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     at_least(FIELDS, "dwell", dwell)
 }
 
-/// The results at that position of the knob at which a product may lay most ribbon into the loop.
+/// The results at the position of the knob at which a product may lay most ribbon into the loop.
 pub(in crate::machines::ribbon_line) fn worst_loop(line: &RibbonLine) -> &Derived {
     line.worst(|d| d.slack.loop_needed)
 }
@@ -107,7 +107,8 @@ fn longer_loop(needed: f64) -> FormChange {
     FormChange { button: msg!("advice.set-loop", capacity = set.text.as_str()), entries: vec![set.into()] }
 }
 
-/// An advice with further changes after which a product lays `needed` mm, and the loop for it; without a button where no such loop is built.
+/// Adds a button to an advice: these changes, and the loop for the `needed` mm that a product then lays. No button if
+/// the loop would be longer than [`LONGEST_LOOP`].
 pub(in crate::machines::ribbon_line) fn with_loop(advice: Advice, needed: f64, changes: Vec<FormChange>) -> Advice {
     if needed > LONGEST_LOOP {
         return advice;
@@ -134,7 +135,7 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     );
     let mut advice = vec![with_loop(sum.into(), d.slack.loop_needed, Vec::new())];
     let after = |form: &Params| greatest(&line.with(form), |d| d.slack.loop_needed);
-    // An advice with changes of the waiting and the ramp, and the loop that they still ask; none where no such loop is built.
+    // Offers changes of wait and ramp with the loop that is still needed, if such a loop can be built.
     let mut offer = |message: Message, left: f64, changes: Vec<FormChange>| {
         if left <= p.loop_capacity {
             advice.push(taking(message.into(), changes));
@@ -177,13 +178,13 @@ fn laid_so_far(line: &RibbonLine) -> f64 {
     greatest(line.over_knob(), |d| d.slack.start.abs() + d.slack.run.abs())
 }
 
-/// Ribbon (mm) that may go missing in the run: what a start has laid at the worst position of the knob, and what is missing when the
-/// tension switch opens.
+/// Ribbon (mm) that X may pull ahead of the unwinder until the tension switch opens: the least that start and run have
+/// laid, and the missing ribbon at which the switch opens.
 fn may_go_missing(line: &RibbonLine) -> f64 {
     (least_laid_by_start(line) + TensionSwitch::new(line).missing).max(0.0)
 }
 
-/// Ribbon (mm) in the loop at the least while the line runs, over the positions of the knob.
+/// Least ribbon (mm) in the loop while the line runs, over the positions of the knob.
 fn least_laid_by_start(line: &RibbonLine) -> f64 {
     let laid = line.over_knob().map(|d| d.slack.start.min(d.slack.start + d.slack.run));
     laid.into_iter().fold(f64::INFINITY, f64::min)
@@ -198,7 +199,8 @@ struct LowestTurns {
     down: f64,
 }
 
-/// The lowest positions for a turn of the knob; `None` where the axes follow the unwinder at once, the knob does not turn it, or there is no loop.
+/// The lowest positions for a turn of the knob; `None` if the axes follow the unwinder at once, if the knob does not
+/// act on it, or without a loop.
 ///
 /// The unwinder follows the knob, the queued blocks keep their feed: `queued · (highest / k - 1)` is laid more than pulled, or
 /// `queued · (1 - k / highest)` pulled more than laid. Source: ribbon line facts, 5.
@@ -214,7 +216,7 @@ fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
     Some(LowestTurns { up, down })
 }
 
-/// Lowest position (%) of the knob between which and its highest it may be turned at once, in both directions.
+/// Lowest position (%) of the knob for a single turn to or from its highest position.
 pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
     lowest_turns(line).map_or(0.0, |turns| turns.up.max(turns.down))
 }
@@ -222,7 +224,7 @@ pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
 /// Judges a turn of the knob between the lowest position in common use and its highest.
 pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
     let (p, highest) = (&line.params, line.fast.unwinder.effective_override);
-    // A knob that ends below is no wider.
+    // The knob may end below that position.
     let low = LOW_KNOB.min(highest);
     let limit = AtMost(low);
     let LowestTurns { up, down } = lowest_turns(line).unwrap_or_default();
@@ -254,21 +256,22 @@ pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<J
     if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
 }
 
-/// Whether one turn of the knob lays ribbon: the unwinder follows it at once, and the queued blocks keep their feed.
+/// Whether a turn of the knob lays ribbon: the unwinder follows the knob at once, the blocks read ahead keep their
+/// feed.
 pub(in crate::machines::ribbon_line) fn turns_with_queue(line: &RibbonLine) -> bool {
     let p = &line.params;
     !line.feeds_per_revolution() && !p.knob_is_locked() && !p.knob_turns_alone() && line.derived.unwinder.actual > 0.0
 }
 
-/// Ribbon (mm) that one turn of the knob from its lowest position in a run to that of the form lays more than X pulls, and that lowest
-/// position, %: `queued · (v / v_low - 1)`. Source: ribbon line facts, 5.
+/// Ribbon (mm) laid beyond the pull of X by a turn of the knob from its lowest position in a run to that of the form,
+/// `queued · (v / v_low - 1)`, and that lowest position, %. Source: ribbon line facts, 5.
 fn laid_by_turn_up(line: &RibbonLine) -> (f64, f64) {
     let (p, now) = (&line.params, line.derived.unwinder.actual);
     let lowest = line.dialect.spindle().knob.low.max(LOWEST_KNOB);
     (queued(p) * (now / p.speed_at(lowest) - 1.0).max(0.0), lowest)
 }
 
-/// Loop (mm) that takes start, run and one turn of the knob from its lowest position to that of the form.
+/// Loop capacity (mm) for start, run and one turn of the knob from its lowest position to that of the form.
 pub(in crate::machines::ribbon_line) fn loop_for_turn(line: &RibbonLine) -> f64 {
     laid_so_far(line) + laid_by_turn_up(line).0
 }
@@ -307,7 +310,7 @@ fn fewer_pitches(line: &RibbonLine, laid: f64) -> Option<Advice> {
     Some(Advice::from(message).setting(msg!("advice.set-pitches", count = set.text.as_str()), [set]))
 }
 
-/// A form with the dwell that matches it.
+/// A form with the dwell that suits its other entries.
 struct DweltForm {
     form: Params,
     /// The dwell (s) as typed.
@@ -316,7 +319,7 @@ struct DweltForm {
     change: FormChange,
 }
 
-/// A form with the dwell that matches it, in the place of its own wait.
+/// The form with a dwell by [`matching_dwell`] in place of its own wait.
 fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
     let set = matching_dwell(line, &form);
     let (dwell, typed) = (set.value, set.text.clone());
@@ -328,7 +331,7 @@ fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.
 const DRIFT: f64 = 50.0;
 
-/// Advice for blocks that the control reads slower than the axes carry them out; `kept` is the share of the speed that is left, %.
+/// Advice for blocks that the axes execute faster than the control reads them; `kept`: remaining share of the speed, %.
 fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let RibbonLine { params: p, derived: d, .. } = line;
     let message = msg!("ribbon.starved", percent = kept);
@@ -416,7 +419,7 @@ pub(in crate::machines::ribbon_line) fn worst_knob(line: &RibbonLine) -> Option<
     Some(if low.slack_rate.abs() > high.slack_rate.abs() { low } else { high })
 }
 
-/// A knob that the axes do not follow fails: lock it, or let the axes follow the measured speed.
+/// Fails a knob that the axes do not follow; the remedies are to lock it, or to let the axes follow the measured speed.
 pub(in crate::machines::ribbon_line) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
     let limit = Within(DRIFT);
     let Some(knob) = worst_knob(line).filter(|knob| knob.slack_rate.abs() > DRIFT) else {
@@ -471,7 +474,7 @@ pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool
     line.worst(|d| d.tension.draw).tension.with_draw(&line.params) > line.worst(|d| d.tension.start).tension.start
 }
 
-/// An advice against a taut ribbon: the dwell after which no start misses ribbon, or a dancer against the draw, whichever pulls more.
+/// An advice against a taut ribbon: a dancer if the draw pulls more, else the dwell with which no start misses ribbon.
 pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, message: Message) -> Advice {
     if is_drawn_taut(line) {
         return with_dancer(message);
@@ -481,7 +484,7 @@ pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, m
     Advice::from(message).setting(button, [dwell])
 }
 
-/// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
+/// Warns about more than 100 stops per minute. The result, the remaining share of the speed, has no limit.
 pub(in crate::machines::ribbon_line) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { params: p, derived: d, .. } = line;
     if p.path_mode != PathMode::ExactStop || d.timing.stops_per_minute <= 100.0 {

@@ -1,4 +1,4 @@
-//! Texts of the ribbon line's drawing that it is laid out by: names of the stations with their diameters, distance of the dots.
+//! Texts of the ribbon line's drawing whose width sets its layout: names of the stations with their diameters, distance of the dots.
 
 use crate::machines::ribbon_line::params::Params;
 use crate::machines::sheets::say;

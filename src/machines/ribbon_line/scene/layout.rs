@@ -16,7 +16,7 @@ use super::super::params::Params;
 pub(crate) const ROLLER: f64 = 50.0;
 /// Radius of the print roller over its heads, mm.
 pub(crate) const PRINT_ROLLER: f64 = 60.0;
-/// Radius of a full supply reel beside which everything has its plain size at least, mm.
+/// Radius (mm) of a full supply reel up to which all other parts keep at least their plain size.
 const REEL: f64 = 224.0;
 /// Radii for the plain size, mm: of the core of the take-up reel, which is also the size of hubs, and of that reel at the start.
 pub(crate) const CORE: f64 = 34.0;
@@ -28,7 +28,7 @@ pub(crate) const PINCH: f64 = 0.6;
 /// Radius of the lens in its own drawing, before scaling.
 pub(crate) const LENS: f64 = 80.0;
 
-/// Angle, rad, over which the ribbon is drawn on a reel before it is one with the winding.
+/// Angle (rad) over which the ribbon is drawn on a reel before it merges with the winding.
 const ON_REEL: f64 = 0.9;
 
 /// Pixels of the stage for which the labels are laid out.
@@ -81,7 +81,7 @@ pub(crate) struct Layout {
     pub(crate) view: [f64; 4],
     /// Drawing units per pixel for which the labels are laid out.
     pub(crate) unit: f64,
-    /// Scale of everything whose size no input sets, over the plain size.
+    /// Scale, relative to the plain size, of parts whose size is no input.
     pub(crate) scale: f64,
     pub(crate) unwinder: Station,
     pub(crate) pull: Station,

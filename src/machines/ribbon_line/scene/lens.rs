@@ -16,7 +16,7 @@ const ROW: f64 = 0.0;
 /// Least distance of dots that are drawn one by one.
 const CLOSEST: f64 = 0.5;
 
-/// A lens of the scene, in the units that it is drawn with.
+/// Scale and sizes of the lens, in the units of its own drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Lens {
     /// Units per mm of ribbon.
@@ -43,7 +43,7 @@ impl Lens {
         }
     }
 
-    /// Point of contact from the middle of the lens.
+    /// Horizontal position of the point of contact from the middle of the lens.
     pub(crate) const CONTACT: f64 = -26.0;
 
     /// Centre of the print roller from the point of contact, down.

@@ -1,4 +1,4 @@
-//! The shape of the free loop: as long as the ribbon between the nips, so that the drawn loop hangs as deep as the slack lets it.
+//! The shape of the free loop: its length is that of the ribbon between the nips, so the drawn loop has the depth of its slack.
 //!
 //! The ribbon leaves the nip of each roller on its surface, over the angle θ, runs straight down at θ, and turns in an arc of radius ρ:
 //!
@@ -29,7 +29,7 @@ pub(crate) struct SlackLoop {
     pub(crate) share: f64,
 }
 
-/// Greatest k: the sides are all but upright.
+/// Greatest k: the sides are almost vertical.
 const UPRIGHT: f64 = 0.999;
 
 /// Greatest radius of a roller in the loop as a share of that of the arc.
@@ -83,7 +83,7 @@ impl SlackLoop {
         self.depth_at(self.angle(slack))
     }
 
-    /// The slack that hangs as deep as this, mm.
+    /// Slack (mm) of a loop of this depth (mm of the drawing).
     pub(crate) fn slack_at_depth(&self, depth: f64) -> f64 {
         let angle = SlackLoop::angle_where(|angle| self.depth_at(angle) > depth);
         self.relative_slack(angle) * self.distance / self.share
