@@ -6,7 +6,8 @@ use crate::drives::bending::{cantilever, supported};
 /// Slices of a taper, each as a bar of the diameter in its middle.
 const SLICES: u32 = 32;
 
-/// Share of the free length from the tailstock to where the held work bends most. Source: polygon turning facts 3.13.
+/// Distance from the tailstock to the greatest deflection of held work, as a share of the free length. Source: polygon
+/// turning facts 3.13.
 const WEAKEST: f64 = 1.0 - 0.586;
 
 impl Params {
@@ -20,8 +21,8 @@ impl Params {
         (self.work_length - self.grip).max(self.turned_length())
     }
 
-    /// Diameter (mm) of the finished work at a distance (mm) behind the face. The tip of a taper counts as thick as the edge is deep: the force
-    /// is at the middle of the edge.
+    /// Diameter (mm) of the finished work at a distance (mm) behind the face. The tip of a taper counts as at least as
+    /// thick as the depth of cut, because the force is at the middle of the edge.
     fn diameter_behind_face(&self, distance: f64) -> f64 {
         match self.path {
             _ if distance >= self.turned_length() => self.stock_diameter,
@@ -35,7 +36,7 @@ impl Params {
         }
     }
 
-    /// The work from the face to the jaws: lengths and diameters, mm.
+    /// The work from the face to the jaws as cylinders: length and diameter of each, mm.
     fn steps(&self) -> impl Iterator<Item = (f64, f64)> {
         let turned = self.turned_length();
         let slices = if self.path == Path::Taper { SLICES } else { 1 };
@@ -55,7 +56,8 @@ pub(super) fn of(p: &Params) -> f64 {
     if p.tailstock { held(p) } else { free(p) }
 }
 
-/// Greatest deflection (mm) of the work with a tailstock: of a cylinder by its least diameter, of a taper by the diameter where it bends most.
+/// Greatest deflection (mm) of the work with a tailstock: for a cylinder with its least diameter, for a taper with the
+/// diameter at the greatest deflection.
 pub(super) fn held(p: &Params) -> f64 {
     let free = p.free_length();
     let weakest = if p.path == Path::Taper { WEAKEST * free } else { 0.0 };

@@ -20,7 +20,7 @@ pub(super) fn devices(lathe: &TurningSpindle) -> Vec<AskedDevice> {
     Vec::from_iter(main_spindle::fan(driven::NAME, lathe.params.spindle.forced_cooling))
 }
 
-/// Forced cooling, where the motor carries the cut with it and not with a fan on its shaft.
+/// Advice to fit forced cooling, if the motor carries the cut with it and not with a fan on its shaft.
 pub(super) fn remedy(lathe: &TurningSpindle) -> Option<Advice> {
     let (d, limit) = (&lathe.derived, lathe.derived.load.torque_available);
     let speed = motor_speed(lathe, d);
@@ -40,7 +40,8 @@ pub(super) fn torques(lathe: &TurningSpindle) -> Vec<TorqueAtKnobs> {
     all.into_iter().map(of).collect()
 }
 
-/// Cut and friction at the positions of the knobs, where the fan on the motor's shaft cools too little and forced cooling enough.
+/// Judges cut and friction at the positions of the knobs, if the fan on the motor's shaft cools too little there and
+/// forced cooling would suffice.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
     let d = &lathe.derived;
     if lathe.params.cutting_force <= 0.0 || d.load.torque > d.load.torque_available {

@@ -12,11 +12,12 @@ use crate::machines::machine::Samples;
 use crate::math::{self, RPM};
 use crate::motion::Stretch;
 
-/// Least and greatest number of pieces of a cut with one torque each, and that of all cuts of a run.
+/// Least and greatest number of pieces into which a cut is divided, each with one torque; and greatest number of pieces
+/// of all cuts of a run.
 const PIECES: (usize, usize) = (4, 48);
 const ALL_PIECES: usize = 2000;
 
-/// Halvings of the time in which the tool enters the stock.
+/// Halvings in the search for the time at which the tool enters or leaves the stock.
 const HALVINGS: u32 = 20;
 
 /// The spindle's motor in stretches of a run, at its shaft.
@@ -39,7 +40,7 @@ pub(super) fn working(lathe: &TurningSpindle, run: &dyn Samples, until: f64) -> 
     works
 }
 
-/// The spans in which the tool cuts, each so short that its mean torque holds.
+/// The spans in which the tool cuts, each so short that its mean torque represents it.
 fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec<CutSpan> {
     let (p, gear) = (&lathe.params, driven::gear(lathe));
     let Some((from, to)) = stretches.first().zip(stretches.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
@@ -91,7 +92,7 @@ impl Tip {
     }
 }
 
-/// The part of a span of a cutting block in which the tool moves in the stock, from the tool at its ends.
+/// The tool at the start and at the end of its motion in the stock, within a span of a cutting block from `a` to `b`.
 fn within_stock(lathe: &TurningSpindle, run: &dyn Samples, a: Tip, b: Tip) -> Option<(Tip, Tip)> {
     let edge = |inside: Tip, outside: Tip| {
         let cuts = |t: f64| Tip::at(lathe, run, t).cuts;

@@ -1,4 +1,4 @@
-//! Drives that the turning spindle is sized by: its motor on the inverter with its gear, and its speed against the limit of the chuck.
+//! The drives of the turning spindle for the sizing: its motor on the inverter, encoder and slides, and its speed as a gauge.
 
 use super::derive::Derived;
 use super::params::{FIELDS, Output, Params, Path};
@@ -15,8 +15,8 @@ use crate::msg;
 use crate::text::Message;
 use crate::view::{Advice, Limit};
 
-/// The spindle's motor with the cut and the friction at the largest diameter of the cut, where they ask the greatest torque; none where nothing is
-/// known of the cutting force. The rest of its demand is that of the run.
+/// The spindle's motor under cut and friction at the largest diameter of the cut, where their torque is greatest; none
+/// if the cutting force is not known. The rest of its demand comes from the run.
 pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
     let (p, d) = (&lathe.params, &lathe.derived);
     if p.cutting_force <= 0.0 || d.stage.speed <= 0.0 {
@@ -28,7 +28,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         name: NAME,
         torque: through_gear(d.load.torque, gear, p.efficiency / 100.0),
         speed: d.speeds.largest_whole * gear,
-        // The inverter is set to give this speed at 10 V, whatever the program commands.
+        // The inverter is set to this speed at 10 V, independently of the program.
         top_speed: p.spindle.top,
         site_share: p.site_share / 100.0,
         brake: 0.0,
@@ -71,21 +71,23 @@ pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
     p.spindle.load_at_motor(p.spindle_gear(lathe.derived.stage.speed), p.spindle_inertia + p.work_inertia())
 }
 
-/// The encoder of the spindle, for the greatest speed that the knob allows: the control counts the speed by it in every gear stage.
+/// The encoder of the spindle, for the greatest speed that the knob allows: it is on the spindle and measures its speed
+/// in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     let of = &lathe.params.encoder;
     SpindleEncoder { name: NAME, speed: run_up::greatest_speed(lathe) * of.ratio(), lines: of.lines }
 }
 
-/// Abilities of the inverter that the catalogue does not tell: a speed input of both signs, and the feedback of a position loop.
+/// Abilities of the inverter that the catalogue does not list: a speed input of both signs, and the feedback for a
+/// position loop.
 pub(super) fn inverter_abilities(lathe: &TurningSpindle) -> Vec<Message> {
     let both_signs = (lathe.params.output == Output::Bipolar).then(|| msg!("size.bill.bipolar-input"));
     let feedback = lathe.positions().then(|| msg!("size.bill.encoder-feedback"));
     both_signs.into_iter().chain(feedback).collect()
 }
 
-/// Starts of a slide in a pass: it goes to its place or cuts, and comes back; along a taper X goes to its place, cuts, and comes back, and
-/// turns round for the shoulder before where the cone falls.
+/// Starts of a slide in a pass: two, for the way to its place or the cut, and for the way back. Along a taper X starts
+/// three times, for approach, cut and way back, and once more if it reverses for the shoulder of a falling cone.
 fn starts_of_a_pass(p: &Params) -> f64 {
     if p.path != Path::Taper {
         return 2.0;
@@ -100,7 +102,7 @@ const MOTIONS: f64 = 4.0;
 fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let (p, d) = (&lathe.params, &lathe.derived);
     let fast = lathe.at_highest_knob().map_or(f64::INFINITY, |(_, fast)| fast.times.cutting);
-    // The way back over the whole cut, along its longer axis.
+    // The return over the whole cut, along its longer axis.
     let length = p.cuts(1.0).map(|cut| cut.length).sum::<f64>();
     let rapid = if p.path == Path::Facing { p.slides.x.rapid } else { p.slides.z.rapid };
     let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
@@ -136,8 +138,8 @@ impl HasSlides for TurningSpindle {
     }
 }
 
-/// Highest speed (r/min) that the spindle may turn: the operator's limit too, where the control does not hold it: at a fixed speed, and
-/// against an override that acts after the limits.
+/// Highest allowed speed of the spindle, r/min. It includes the operator's limit where the control does not hold that
+/// limit itself: at a fixed speed, and with an override that acts after the limits.
 fn highest_speed(lathe: &TurningSpindle) -> f64 {
     let p = &lathe.params;
     if lathe.surface() && !lathe.rules().override_last { p.chuck_limit } else { p.chuck_limit.min(p.upper_limit) }

@@ -1,4 +1,4 @@
-//! Examples of the turning spindle. The pages that it comes from describe words and parameters, and print no worked example.
+//! Examples of the turning spindle. Its source documents describe words and parameters, and have no worked example.
 
 use crate::machines::machine::Example;
 

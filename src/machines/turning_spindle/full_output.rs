@@ -1,4 +1,4 @@
-//! The remedy of an analog output at its full voltage: the gear stage, or the greatest speed with which the output is not full.
+//! The remedy for an analog output at its full voltage: another gear stage, or the greatest speed below the full voltage.
 
 use super::params::{FIELDS, Gear, Params};
 use super::resolved::TurningSpindle;
@@ -9,11 +9,11 @@ use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
 
-/// An entry of a speed: its field, its present value, how a form gets another one, and the catalog id of the button.
+/// A field of a speed: id, present value, setter of the parameter, and the message of its button.
 type SpeedEntry = (&'static str, f64, fn(&mut Params, f64), fn(&str) -> Message);
 
-/// The entries of speeds in the order in which they are tried: under constant surface speed its limit, else the cutting speed; the lower limit
-/// lifts the speed whatever both are.
+/// The fields of speeds in the order of trial: under constant surface speed its limit first, otherwise the cutting
+/// speed first; the lower limit last, because it can raise the speed above both.
 fn speeds(lathe: &TurningSpindle) -> [SpeedEntry; 3] {
     let form = &lathe.form;
     let turns = |speed: &str| msg!("advice.set-speed", speed);
@@ -28,7 +28,7 @@ fn speeds(lathe: &TurningSpindle) -> [SpeedEntry; 3] {
     if lathe.surface() { [upper, cutting, lower] } else { [cutting, upper, lower] }
 }
 
-/// The advice about a full output, with the button of the first entry that alone brings the speed within it.
+/// The advice about a full output, with a button for the first field that alone brings the speed below it.
 pub(super) fn remedy(lathe: &TurningSpindle, message: Message) -> Advice {
     let (form, advice) = (&lathe.form, Advice::from(message));
     let holds = |form: Params| lathe.with(form).derived.speeds.bound != Bound::Output;

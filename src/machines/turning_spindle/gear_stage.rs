@@ -1,4 +1,4 @@
-//! Motor and rotating parts as the spindle sees them in a gear stage.
+//! Motor and rotating parts reduced to the spindle in a gear stage.
 
 use super::params::{Params, Path};
 use crate::drives::MainSpindle;
@@ -7,7 +7,7 @@ use crate::drives::spindle_motor::MotorCurve;
 use crate::machines::lathe::main_spindle::SpindleGear;
 
 impl Params {
-    /// The gear of the stage of `stage_speed` r/min at 10 V.
+    /// The gear stage of `stage_speed` r/min at 10 V.
     pub(super) fn spindle_gear(&self, stage_speed: f64) -> SpindleGear {
         SpindleGear { speed_at_10v: stage_speed, efficiency: self.efficiency }
     }
@@ -22,7 +22,7 @@ impl Params {
         self.spindle.continuous(self.spindle_gear(stage_speed), self.site_share)
     }
 
-    /// Moment of inertia (kg m²) of the stock, a solid cylinder that is as long as the cut at least. Source: sizing facts 2.1.
+    /// Moment of inertia (kg m²) of the stock, a solid cylinder at least as long as the cut. Source: sizing facts 2.1.
     pub(super) fn work_inertia(&self) -> f64 {
         let cut = if self.path == Path::Facing { 0.0 } else { self.length };
         let (outer, length) = (self.stock_diameter / 1000.0, self.work_length.max(cut) / 1000.0);

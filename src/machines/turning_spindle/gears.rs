@@ -12,15 +12,15 @@ use crate::view::Verdict;
 pub(super) struct GearTimes {
     /// Time until the old gear is out.
     pub(super) before: f64,
-    /// Until the new gear is in position.
+    /// From then until the new gear is in position.
     pub(super) meshing: f64,
-    /// Until the voltage is that of the speed.
+    /// From then until the output has the voltage of the speed.
     pub(super) after: f64,
-    /// Until a new gear that is not in position is an alarm; `None` without supervision.
+    /// Time limit for the new gear to be in position, beyond which the PLC raises an alarm; `None` without supervision.
     pub(super) patience: Option<f64>,
 }
 
-/// An eighth of the gear change before, half of it meshing, the rest after.
+/// Divides the time of a gear change: an eighth before, half for meshing, the rest after.
 pub(super) fn gear_times(lathe: &TurningSpindle) -> GearTimes {
     let p = &lathe.params;
     let patience = (p.gear_patience > 0.0).then_some(p.gear_patience);
@@ -33,8 +33,9 @@ pub(super) fn has_gears(lathe: &TurningSpindle) -> bool {
     lathe.params.stages().nth(1).is_some()
 }
 
-/// Seconds in which the spindle slows down in the stage that it leaves: `t · n / n10`, t the ramp from 0 to the speed n10 at 10 V, n the
-/// highest speed in that stage, at most the chuck's limit; of all stages the longest. Source: turning spindle facts, 2.
+/// Longest time (s) in which the spindle slows down in the stage that it leaves: `t · n / n10`, t the ramp from 0 to
+/// the speed n10 at 10 V, n the highest speed in that stage, at most the chuck's limit; of all stages the longest.
+/// Source: turning spindle facts, 2.
 pub(super) fn slowing(lathe: &TurningSpindle) -> f64 {
     let p = &lathe.params;
     p.stages().map(|n10| p.spindle.ramp * n10.min(p.chuck_limit) / n10).fold(0.0, f64::max)
@@ -45,8 +46,8 @@ pub(super) fn delay_before(lathe: &TurningSpindle) -> f64 {
     math::whole_up(1000.0 * slowing(lathe).max(gear_times(lathe).before))
 }
 
-/// The time of slowing down against the delay that such a control's own ladder has at first: a fact to know, for the exported ladder waits for
-/// the shift speed and reads no such delay.
+/// Compares the time of slowing down with the default delay of such a control's own ladder. Information only: the
+/// exported ladder waits for the shift speed and reads no such delay.
 pub(super) fn judge_delay(lathe: &TurningSpindle) -> Option<Judgement> {
     let parameter = lathe.control.param(ParamRole::GearShiftBefore)?;
     let (needed, initial) = (slowing(lathe), lathe.control.bench.shift.before);

@@ -1,4 +1,4 @@
-//! The keyway that a driven tool cuts while the spindle is locked at its angle: its findings, its time, and how far it is cut.
+//! The keyway that a driven tool cuts while the spindle is locked at an angle: findings, time, and its cut part in a run.
 
 use super::params::{Output, Params, Path};
 use super::program::KEYWAY;
@@ -78,7 +78,7 @@ pub(super) fn devices(lathe: &TurningSpindle) -> Option<AskedDevice> {
     lathe.keyway().map(|_| AskedDevice { item: BillItem::DrivenTool, drive: None, asked })
 }
 
-/// Codes of the machine builder that have two functions, or that the control itself has.
+/// Errors about M codes of the machine builder with two functions, or with a function of the control.
 fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.params;
     let all = [
@@ -111,7 +111,8 @@ fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The advice for a position loop with an output without a sign: the ladder gives such an inverter its direction by M3 and M4 alone.
+/// The advice for a position loop on an output without sign: the ladder gives such an inverter its direction only by M3
+/// and M4.
 pub(super) fn sign_for_angle(lathe: &TurningSpindle) -> Option<Advice> {
     let has_sign = !lathe.params.has_signed_output(lathe.control) || lathe.params.output == Output::Bipolar;
     let advice = Advice::from(msg!("turning.angle-needs-sign"));

@@ -11,15 +11,15 @@ use crate::machines::ladder::codes::{
 };
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
-/// Relays of the stages that the control requests by number.
+/// Relays of the stages, decoded from the number that the control requests.
 const WANTED: [Bit; 4] =
     [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
 
-/// The coil that closes the clamp, the one that opens it, and the contact of the closed clamp.
+/// Output that closes the clamp, output that opens it, and contact of the closed clamp.
 const CLAMP: Bit = Bit::Output(MachineOutput::SpindleClamp);
 const UNCLAMP: Bit = Bit::Output(MachineOutput::SpindleUnclamp);
 const CLAMPED: Bit = Bit::Input(MachineContact::SpindleClamped);
-/// The clamp is on its way.
+/// The clamp is closing or opening.
 const CLAMPING: Bit = Bit::Relay("clamping");
 
 /// The ladder of the lathe.
@@ -63,7 +63,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     if let Some(codes) = lathe.driven_codes() {
         driven_tool(&mut book, codes);
     }
-    // The program calls its tool at each start, and the turret may stand at another one.
+    // The program calls its tool at each start, because the turret may be at another one.
     let turret = book.turret();
     let busy: Vec<Bit> = (stages > 1).then_some(BUSY).into_iter().chain(clamps).chain([turret]).collect();
     book.answer(&busy);
@@ -96,13 +96,14 @@ fn driven_tool(book: &mut Book, (start, stop): (u32, Option<u32>)) {
     book.coil(run, when.to_vec(), "turning.ladder.driven-tool");
 }
 
-/// The rungs of a gear change. It ends only with the contact of the commanded stage. A reset breaks it off while the gears are out of mesh, so
-/// that nothing turns and the control reads on; the next request or run command begins it anew.
+/// The rungs of a gear change. It ends only with the contact of the commanded stage. A reset breaks it off while the
+/// gears are out of mesh: nothing turns, and the control goes on reading. The next request or run command starts the
+/// change again.
 struct Gears<'a, 'b> {
     book: &'a mut Book<'b>,
     stages: u8,
     times: GearTimes,
-    /// Seconds in which the spindle slows down before a change.
+    /// Time (s) for the spindle to slow down before a change.
     slowing: f64,
 }
 
@@ -186,7 +187,7 @@ impl Gears<'_, '_> {
         let (slow_late, late) = (Bit::Timer("slow-late"), Bit::Timer("gear-late"));
         let lost = TURNS.map(|turns| vec![on(turns), off(BUSY), off(MESHED)]);
         let stays = vec![on(GEAR_LOST), off(self.book.reset())];
-        // Unlocking the button turns nothing; a fault of the inverter has its own latch.
+        // Unlocking the emergency stop button starts nothing; a fault of the inverter has its own latch.
         let (button, reset) = (Bit::Input(MachineContact::Emergency), self.book.reset());
         let stopped = vec![vec![on(BUSY), off(button)], vec![on(SHIFT_OFF), off(reset)]];
         self.book.coil(SHIFT_OFF, stopped, "turning.ladder.shift-off");
@@ -220,8 +221,8 @@ impl Gears<'_, '_> {
         }
     }
 
-    /// The commanded stage to the control: it takes it over with the answer, which waits for the contact. A contact that opens in a cut must
-    /// not become another stage, with another voltage for the same speed.
+    /// Reports the commanded stage to the control, which takes it over with FIN; FIN waits for the contact. A contact
+    /// that opens during a cut must not change the reported stage, and with it the voltage for the same speed.
     fn report(&mut self, done: Bit) {
         for less in [1, 0] {
             let role = |bit| if less == 1 { SignalRole::GearIndex(bit) } else { SignalRole::GearNumber(bit) };

@@ -47,7 +47,7 @@ options! {
 options! {
     /// The gear stage that the program engages.
     pub(crate) enum Gear {
-        /// The lowest that reaches the highest speed needed.
+        /// The lowest stage that reaches the highest commanded speed.
         Best = "best" "turning.gear.best",
         /// Stage 1.
         First = "1" "turning.gear.1",
@@ -148,7 +148,7 @@ pub(crate) struct Params {
     pub product: String,
 }
 
-/// The control has an address of several letters.
+/// Whether the control has an address of several letters.
 pub(super) fn has_address(control: &Control, address: Address) -> bool {
     control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == address))
 }
@@ -164,12 +164,12 @@ impl Params {
         control.can(Code::SurfaceSpeed)
     }
 
-    /// The control has codes for gear stages.
+    /// Whether the control has codes for gear stages.
     pub(super) fn has_gears(&self, control: &Control) -> bool {
         control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
     }
 
-    /// Greatest length (mm) behind the face that may be cut: what the chuck does not hold, less the clearance.
+    /// Greatest length (mm) behind the face that may be cut: the length outside the jaws less the clearance.
     pub(super) fn reach(&self) -> f64 {
         (self.work_length - self.grip - self.clearance).max(0.0)
     }
@@ -184,17 +184,17 @@ impl Params {
         control.spindle.signed_output
     }
 
-    /// A word of the control positions the spindle.
+    /// Whether the control has a word that positions the spindle.
     pub(super) fn can_position(&self, control: &Control) -> bool {
         has_address(control, Address::Spos)
     }
 
-    /// The spindle is positioned for a keyway.
+    /// Whether the spindle is positioned for a keyway.
     fn has_keyway(&self, control: &Control) -> bool {
         self.keyway && self.can_position(control)
     }
 
-    /// A driven tool can cut the keyway.
+    /// Whether a driven tool can cut the keyway.
     fn has_driven_tool(&self, control: &Control) -> bool {
         self.has_keyway(control) && self.driven_tool
     }
@@ -208,12 +208,12 @@ impl Params {
         }
     }
 
-    /// Codes of the control limit the speed of the spindle in every mode (G25 S, G26 S).
+    /// Whether the control has codes that limit the speed of the spindle in every mode (G25 S, G26 S).
     pub(super) fn has_speed_limits(&self, control: &Control) -> bool {
         control.can(Code::UpperLimits)
     }
 
-    /// The cutting force follows from the material.
+    /// Whether the cutting force follows from the material.
     fn has_material(&self, _: &Control) -> bool {
         self.material != Material::None
     }

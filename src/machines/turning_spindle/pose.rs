@@ -18,7 +18,7 @@ use crate::text::units;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
-/// Degrees per frame beyond which the jaws blur.
+/// Turn (degrees per frame) beyond which the jaws blur.
 const SEEN: f64 = 40.0;
 
 /// Placements, paths and figures at a moment.
@@ -63,7 +63,7 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     pose
 }
 
-/// The angle from the top to the zero mark of the spindle, where the spindle is held.
+/// Path of the arc from the top to the zero mark of the spindle, while the spindle is held.
 fn orientation(lathe: &TurningSpindle, layout: &Layout, now: &Snapshot) -> String {
     let mut d = String::new();
     if lathe.positions() && now.spindle.held {

@@ -24,7 +24,7 @@ pub(super) const RUN: u32 = 9201;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9202;
 
-/// Sequence number of the block with which the feed of a pass begins: the cut, on a taper the way to the face.
+/// Sequence number of the first block of a pass at feed: the cut, or on a taper the approach to the face.
 pub(super) const PASS_BEGIN: u32 = 36;
 
 /// Sequence number of the block that cuts.
@@ -50,14 +50,15 @@ fn entry(number: u32) -> Formula {
     v(copy(number))
 }
 
-/// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
+/// Codes and variables of the spindle limits from the machine's data: always the highest speed, and the lowest if there
+/// is one.
 fn speed_limits(lathe: &TurningSpindle) -> [Option<(Code, u32)>; 2] {
     let has = lathe.params.has_speed_limits(lathe.control);
     let has_lowest = has && lathe.params.lower_limit > 0.0;
     [has.then_some((Code::UpperLimits, CHUCK_LIMIT)), has_lowest.then_some((Code::LowerLimits, LOWEST_SPEED))]
 }
 
-/// Variable of the length, or of the allowance of a face.
+/// Variable of the length of the cut; on a face, of the allowance.
 fn way(lathe: &TurningSpindle) -> u32 {
     if lathe.params.path == Path::Facing { ALLOWANCE } else { LENGTH }
 }
@@ -119,7 +120,7 @@ pub(super) fn deck(lathe: &TurningSpindle) -> Deck {
     b.finish()
 }
 
-/// A diameter in units of X words.
+/// A diameter in the unit of X words.
 fn size(lathe: &TurningSpindle, diameter: Formula) -> Formula {
     if lathe.diameters() { diameter } else { diameter / 2 }
 }
@@ -221,7 +222,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         }
     }
     if has_flag(lathe) {
-        // Not before the tool is back.
+        // The spindle stops only after the tool is back.
         let waits = codes(lathe, [Code::StopReading]);
         if !waits.is_empty() {
             b.words(waits);
@@ -230,7 +231,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     b.n(if lathe.keyway().is_some() { 70 } else { 55 }).words([m(30)]);
     writing::alarms(b, lathe.control, &entries(lathe));
-    // Reset first: after an M0, cycle start would bring jogged axes back into the work.
+    // Reset is required first: after an M0, cycle start would move jogged axes back into the work.
     let text = match begun(lathe) {
         Some(flag) => format!("RESET, RETRACT THE TOOL BY HAND, {flag}=0"),
         None => "RETRACT THE TOOL BY HAND".to_owned(),
@@ -263,7 +264,7 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
         Some(place) => {
             writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
             let beside = size(lathe, entry(STOCK) + entry(ROOM) * 2);
-            // The stock of a face stands out in front of it.
+            // The allowance of a face is in front of the finished face.
             let before = if lathe.params.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
             if lathe.params.tailstock {
                 // In front of the work is the tailstock.
@@ -286,14 +287,14 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
 /// Sequence numbers of the blocks that cut the keyway: into the work, and along it.
 pub(super) const KEYWAY: [u32; 2] = [60, 61];
 
-/// Releases the spindle that the program locks, where a code does that.
+/// Releases the spindle that the program has locked, if there is a code for it.
 fn release_spindle(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some((_, Some(release))) = lathe.lock_codes() {
         b.words([m(release)]).note("RELEASES THE SPINDLE");
     }
 }
 
-/// Why the program stops at the angle and cuts no keyway.
+/// Message of the stop at the angle if the program cuts no keyway: the reason.
 fn no_keyway(lathe: &TurningSpindle) -> &'static str {
     match lathe.params.driven_tool {
         false => "NO DRIVEN TOOL TO CUT THE KEYWAY",
@@ -349,7 +350,7 @@ fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
     writing::places(lathe.control, [CROSS, ALONG])
 }
 
-/// Whether a variable marks a begun part: where the program cannot read the tool's position.
+/// Whether a variable marks a begun part, because the program cannot read the tool's position.
 fn has_flag(lathe: &TurningSpindle) -> bool {
     place(lathe).is_none()
 }
@@ -364,8 +365,9 @@ fn away_alarm(lathe: &TurningSpindle) -> u32 {
     entries(lathe).len() as u32 + 1
 }
 
-/// Conditions of entries that the program refuses beside those that are not above zero, with the texts of their alarms: nothing of the work is
-/// left, nothing is cut, the cut is longer than the work, the keyway does not fit. Their alarms follow that of a tool that is not clear.
+/// Conditions under which the program refuses entries above zero, with the texts of their alarms: no core of the work
+/// is left, nothing is cut, the cut is longer than the work, the keyway does not fit. Their alarm numbers follow that
+/// of a tool that is not clear.
 fn refusals(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     let name = |number: u32| lathe.control.variable(number);
     let ends = if lathe.params.path == Path::Taper { &[FINISHED, TAPER_END][..] } else { &[FINISHED] };
@@ -376,8 +378,8 @@ fn refusals(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     core_guard(lathe).into_iter().chain(nothing_to_cut).chain([too_long]).chain(keyway_guards(lathe)).collect()
 }
 
-/// Conditions of a keyway that the work or its tool does not have, with the texts of their alarms: beyond its cylinder, shorter than the tool,
-/// to its centre.
+/// Conditions under which the program refuses a keyway, with the texts of their alarms: longer than its cylinder,
+/// shorter than the tool, or as deep as the centre.
 fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     if lathe.keyway().is_none() {
         return Vec::new();
@@ -414,7 +416,7 @@ fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
     held.chain([s(entry(SPEED_LIMIT))]).collect()
 }
 
-/// The code of the gear stage, if there are several.
+/// The code of the gear stage, if there are several stages.
 fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
     let stage = lathe.stage();
     let words = codes(lathe, [Code::GearStage(stage)]);
@@ -424,7 +426,7 @@ fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
 /// The spindle: surface speed, or the speed of the largest diameter.
 fn start(b: &mut Builder, lathe: &TurningSpindle) {
     let turn = m(if lathe.params.direction == Direction::Clockwise { 3 } else { 4 });
-    // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
+    // n = 1000 v / (π d) at the stock's diameter, cut to a whole number as S is.
     b.n(24).assign(SPEED, (entry(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * entry(STOCK))).fix());
     b.n(25).if_goto(v(SPEED).le(entry(SPEED_LIMIT)), 27);
     b.n(26).assign(SPEED, entry(SPEED_LIMIT).fix()).note("AT MOST THE LIMIT");
@@ -437,8 +439,8 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, entry(SPEED_LIMIT))));
     words.push(turn);
     b.n(27).words(words);
-    // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for every speed and
-    // override. A face has its wait in each pass, where the tool stands already.
+    // On a control whose cuts do not wait for the speed, the program dwells: the ramp to the highest speed suffices for
+    // every speed and override. A face has its wait in each pass, where the tool is already at its start.
     let ramp =
         lathe.params.spindle.ramp * lathe.derived.stage.top.min(lathe.params.chuck_limit) / lathe.derived.stage.speed;
     let waits_in_passes = lathe.params.path == Path::Facing && lathe.dwell_of_passes().is_some();
@@ -466,7 +468,8 @@ fn wait(b: &mut Builder, lathe: &TurningSpindle) {
 fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
-    // The tool leaves the shoulder at feed, out to where the pass before ended: the edge may leave a wedge there.
+    // The tool leaves the shoulder at feed, out to the end of the previous pass, because the edge may have left a wedge
+    // there.
     match lathe.params.path {
         Path::Facing => {
             b.n(35);

@@ -1,4 +1,4 @@
-//! Progress of the part: passes done, position of the tool in the present one, stock that is off.
+//! Progress of the part: passes done, position of the tool in the present pass, stock removed.
 
 use super::params::Path;
 use super::program::{PASS_BEGIN, cut_block};
@@ -7,7 +7,7 @@ use crate::machines::machine::{Executions, Samples};
 use crate::math;
 use crate::motion::Snapshot;
 
-/// How far the part is.
+/// Progress of the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Progress {
     /// Passes that are done.
@@ -37,7 +37,7 @@ pub(super) fn contour(lathe: &TurningSpindle, z: f64) -> f64 {
     p.finished_diameter + (end - p.finished_diameter) * math::clamp(-z / p.length, 0.0, 1.0)
 }
 
-/// The tool is in the stock.
+/// Whether the tool is in the stock.
 pub(super) fn cuts(lathe: &TurningSpindle, progress: Progress, now: &Snapshot) -> bool {
     let p = &lathe.params;
     let inside = |at: f64| match p.path {
@@ -50,7 +50,7 @@ pub(super) fn cuts(lathe: &TurningSpindle, progress: Progress, now: &Snapshot) -
     now.spindle.actual != 0.0 && progress.at.is_some_and(inside)
 }
 
-/// Part of the allowance that is off, 0 to 1.
+/// Removed share of the allowance, 0 to 1.
 pub(super) fn removed(lathe: &TurningSpindle, progress: Progress) -> f64 {
     let p = &lathe.params;
     let part = match (progress.at, p.path) {

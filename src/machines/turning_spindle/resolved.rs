@@ -1,4 +1,4 @@
-//! The turning spindle on a control: the form without the choices that the control lacks, and the units of its words.
+//! The turning spindle on a control: the form with choices that the control has, and the units of its words.
 
 use std::sync::OnceLock;
 
@@ -93,13 +93,14 @@ impl TurningSpindle {
         }
     }
 
-    /// The highest position (%) of the override knob with the results there; none if the form has it there.
+    /// The highest position (%) of the override knob with the results there; none if the form has that position.
     pub(super) fn at_highest_knob(&self) -> Option<(f64, &Derived)> {
         let highest = self.rules().knob.ends(self.params.override_percent).higher?;
         Some((highest, self.at_highest_knob.get_or_init(|| self.at_knob(highest))))
     }
 
-    /// The lowest position (%) of the override knob at which the spindle turns, with the results there; none if the form has it there.
+    /// The lowest position (%) of the override knob at which the spindle turns, with the results there; none if the
+    /// form has that position.
     pub(super) fn at_lowest_knob(&self) -> Option<(f64, &Derived)> {
         let lowest = self.rules().knob.ends(self.params.override_percent).lower?;
         Some((lowest, self.at_lowest_knob.get_or_init(|| self.at_knob(lowest))))
@@ -115,8 +116,8 @@ impl TurningSpindle {
         Derived::new(&params, &self.control.analog_output, &self.rules())
     }
 
-    /// The lathe as it cuts with the feed override at its highest position (%), and that position. A typed force grows with the feed: no
-    /// thickness of the chip is known for it.
+    /// Highest position (%) of the feed override, and the lathe as it cuts there. A typed force is raised in proportion
+    /// to the feed, because its chip thickness is not known.
     pub(super) fn at_highest_feed(&self) -> Option<(f64, &TurningSpindle)> {
         let highest = knobs::highest_feed(self.control.feed_knob.positions)?;
         let share = highest / 100.0;
@@ -158,7 +159,7 @@ impl TurningSpindle {
         self.control.axis(ALONG).unwrap_or(0)
     }
 
-    /// Words of X count diameters; else radii.
+    /// Whether words of X count diameters; otherwise radii.
     pub(super) fn diameters(&self) -> bool {
         self.dialect.counts_diameters(self.cross())
     }
@@ -168,8 +169,9 @@ impl TurningSpindle {
         self.params.speed_mode == SpeedMode::Surface
     }
 
-    /// Seconds per r/min of the speed limit that the program dwells in each pass: where a cut ends at another speed than the next one begins
-    /// with, on a control whose cuts do not wait for the speed. Between two speeds the spindle takes at most its ramp to the limit.
+    /// Dwell in each pass, in seconds per r/min of the speed limit, on a control whose cuts do not wait for the speed;
+    /// `None` if a cut ends at the speed with which the next one begins. Between two speeds the spindle needs at most
+    /// its ramp to the limit.
     pub(super) fn dwell_of_passes(&self) -> Option<f64> {
         let changes = self.surface() && self.params.path != Path::Turning;
         let per_speed = self.params.spindle.ramp / self.derived.stage.speed;
@@ -181,12 +183,13 @@ impl TurningSpindle {
         params::has_address(self.control, Address::Lims).then_some(Address::Lims)
     }
 
-    /// The spindle is positioned to an angle after the cut.
+    /// Whether the spindle is positioned to an angle after the cut.
     pub(super) fn positions(&self) -> bool {
         self.params.keyway && self.form.can_position(self.control)
     }
 
-    /// Diameter (mm) of the cylinder into which the program cuts a keyway with the driven tool; `None` where it cuts none.
+    /// Diameter (mm) of the cylinder into which the program cuts a keyway with the driven tool; `None` without a
+    /// keyway.
     pub(super) fn keyway(&self) -> Option<f64> {
         let cuts = self.positions() && self.params.driven_tool && self.params.keyway_depth > 0.0;
         self.params.keyway_diameter().filter(|_| cuts)

@@ -43,7 +43,7 @@ pub(super) fn positioning_torque(lathe: &TurningSpindle) -> f64 {
     load.accelerating(0.0, lathe.params.positioning_acceleration * RPM, 1.0) + load.torque
 }
 
-/// The acceleration of the positioning against the short-time torque of the motor.
+/// Judges the torque of the positioning's acceleration against the short-time torque of the motor.
 pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let spindle = engaged(lathe);
     let most = spindle.driving_motor().torque(lathe.params.positioning_speed);

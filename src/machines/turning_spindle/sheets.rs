@@ -14,7 +14,7 @@ use crate::math;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
-/// Share of the highest speed of a stage at which its gears are shifted, by the voltage of 10 V.
+/// Shift speed of a stage as a share of its speed at 10 V.
 const SHARE: f64 = SHIFT_VOLTS / 10.0;
 
 const LADDER: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
@@ -44,7 +44,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         stages.map(|(name, speed)| (name, ParamValue::Number(value(speed)))).collect()
     };
     let (rules, shift) = (lathe.rules(), gear_times(lathe));
-    // Where the sheet has the ratio of each stage, the voltage stands for the speed of the motor.
+    // If the sheet has the ratio of each stage, the voltage represents the speed of the motor.
     let by_motor = lathe.control.param(ParamRole::SpindleRatioMotor).is_some();
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
     let (shifts, positioning) = (p.stages().nth(1).is_some(), lathe.positioning());
@@ -84,7 +84,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleUpperSet, number(p.chuck_limit)),
         (ParamRole::SpindleSurfaceLimit, number(p.upper_limit)),
         (ParamRole::TurnsThroughReset, yes(rules.turns_through_reset)),
-        // The guards of a restart are in the first blocks.
+        // The guards for a restart are in the first blocks.
         (ParamRole::RewindAtReset, yes(true)),
         (ParamRole::RewindAtEnd, yes(true)),
         (ParamRole::GearShift, yes(shifts)),

@@ -1,4 +1,4 @@
-//! Interruptions of the lathe: the spindle turns on while the tool is in the cut, until the operator ends the program.
+//! Interruptions of the lathe: the spindle keeps turning while the tool is in the cut, until the operator ends the program.
 
 use super::gears;
 use super::program;
@@ -135,7 +135,7 @@ fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
 
 /// Rows of the keyway: the spindle is locked at its angle, and the driven tool turns in the work.
 fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 4] {
-    // The ladder opens a clamp without a release code at reset; a person locks where there is no code at all.
+    // A clamp without a release code is opened by the ladder at reset; without any code the operator locks the spindle.
     let opens = matches!(lathe.lock_codes(), Some((_, None)));
     // Where the PLC reads the reset key, an emergency stop is no reset to it.
     let reads_key = lathe.dialect.device(lathe.control, SignalRole::ResetRequest).is_some();

@@ -1,4 +1,4 @@
-//! Travels of the slides: from the start of the tool to its last cut, against the travel of each slide and the length of its screw.
+//! Travels of the slides from the start of the tool to its last cut, compared with the travel of each slide and the length of its screw.
 
 use super::params::Path;
 use super::resolved::TurningSpindle;
@@ -12,14 +12,14 @@ pub(super) fn needed(lathe: &TurningSpindle) -> [f64; 2] {
     let p = &lathe.params;
     let keyway = lathe.keyway().map(|surface| surface - 2.0 * p.keyway_depth);
     let smallest = keyway.map_or(lathe.derived.cut.smallest, |bottom| lathe.derived.cut.smallest.min(bottom));
-    // A pass of a taper leaves its end by one depth, at most from where it is clear of the stock.
+    // A pass of a taper retracts by one depth from its end, at most from a diameter clear of the stock.
     let outermost = if p.path == Path::Taper { p.stock_diameter + 2.0 * (p.clearance + p.depth) } else { 0.0 };
     let cut = if p.path == Path::Facing { 0.0 } else { p.length };
     let far = if lathe.keyway().is_some() { cut.max(p.keyway_start + p.keyway_length) } else { cut };
     [0.5 * (p.start_x.max(outermost) - smallest), p.start_z + far]
 }
 
-/// Travels beyond those of the slides, where these are known.
+/// Errors about needed travels beyond those of the slides, if these are known.
 pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.params;
     let travels = [("travel-x", p.travel_x), ("travel-z", p.travel_z)];
@@ -31,7 +31,7 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A travel against the length of the screw (mm), which the nut cannot leave.
+/// Judges a travel (mm) against the length of the screw (mm), which the nut cannot leave.
 fn judge(needed: f64, screw: f64) -> Option<Judgement> {
     if needed <= screw {
         return ok(AtMost(screw));

@@ -81,22 +81,23 @@ pub(super) const REACH: u32 = 125;
 /// Room that the turret needs beside the work to turn, mm.
 pub(super) const ROOM: u32 = 126;
 
-/// Speed at the largest diameter, r/min: kept through the cut, or set after it. Local, as all of the program's own below: they drive the tool,
-/// and neither the operator's entries nor another program may reach them while a part is cut. It has the place of a copy of 109, which is no
-/// entry.
+/// Speed at the largest diameter, r/min: kept through the cut, or set after it. Local, as all of the program's own
+/// below: they drive the tool, and neither the operator's entries nor another program may reach them while a part is
+/// cut. Its number is that of a copy of 109, which is not an entry.
 pub(super) const SPEED: u32 = copy(109);
 
-/// Stock that remains after the pass, mm: in diameter, on a face along Z. It has the place of a copy of 110, which is no entry.
+/// Stock that remains after the pass, mm: in diameter, on a face along Z. Its number is that of a copy of 110, which is
+/// not an entry.
 pub(super) const LEFT: u32 = copy(110);
 
-/// Length of a taper per diameter; 0 for a cylinder.
+/// Length of a taper (mm) per mm of diameter; 0 for a cylinder.
 pub(super) const SLOPE: u32 = 28;
 
 /// Diameter at which a pass of a taper begins, mm.
 pub(super) const BEGIN_X: u32 = 29;
 
-/// Z at which it begins, mm.
+/// Z at which a pass of a taper begins, mm.
 pub(super) const BEGIN_Z: u32 = 30;
 
-/// Diameter at which it ends, mm.
+/// Diameter at which a pass of a taper ends, mm.
 pub(super) const END_X: u32 = 31;

@@ -1,11 +1,11 @@
-//! The point of the cut that asks most of the spindle's motor for a short time: cut, friction and acceleration together.
+//! The point of the cut with the greatest short-time demand on the spindle's motor: cut, friction and acceleration together.
 
 use super::derive::Derived;
 use super::params::{Params, SpeedMode};
 use crate::drives::cutting;
 use crate::math::RPM;
 
-/// Relative change of a diameter by which a change of the speed with it is found.
+/// Relative step of the diameter for the numerical derivative of the speed.
 const CLOSE: f64 = 1e-6;
 
 /// The spindle at a diameter of the cut.

@@ -24,10 +24,11 @@ pub(in crate::machines::ribbon_line) struct Slack {
     /// Ribbon missing after a start or restart with an empty loop, by which X is ahead of the unwinder; 0 if ribbon is
     /// left over.
     pub missing: f64,
-    /// Loop capacity for all ribbon that one product with one interruption may lay down: `C ≥ |start| + |run| + |stop|
-    /// + interruption`. The magnitudes are added, because the signs differ and an operator may interrupt at any moment.
-    /// An emergency stop replaces the stop at the end of the product and lays as much as a hold, which is less than a
-    /// stop: there M5 waits until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
+    /// Loop capacity for all ribbon that one product with one interruption may lay:
+    /// `C ≥ |start| + |run| + |stop| + interruption`. The magnitudes are added, because the signs differ and an
+    /// operator may interrupt at any moment. An emergency stop replaces the stop at the end of the product and lays as
+    /// much as a hold, which is less than a stop: there M5 waits until the axes are at rest. Source: sizing facts 2.6,
+    /// ribbon line facts, 7.
     pub loop_needed: f64,
     /// Time (s) in which the slack rate fills or empties the loop.
     pub loop_time: f64,

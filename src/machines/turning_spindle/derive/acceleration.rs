@@ -1,4 +1,4 @@
-//! Acceleration of the spindle: the one that constant surface speed asks, and that of its ramp.
+//! Acceleration of the spindle: the one needed for constant surface speed, and that of its ramp.
 
 use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
@@ -11,9 +11,9 @@ use crate::machines::turning_spindle::params::Params;
 /// Accelerations, r/min per second.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::turning_spindle) struct SpindleAcceleration {
-    /// Greatest one that constant surface speed asks; 0 at one speed.
+    /// Greatest one needed for constant surface speed; 0 at a fixed speed.
     pub needed: f64,
-    /// Of the ramp; infinite without one.
+    /// Acceleration of the ramp; infinite without one.
     pub ramp: f64,
 }
 

@@ -4,7 +4,7 @@ use crate::controls::SpindleRules;
 use crate::drives::speed::surface_rpm;
 use crate::machines::turning_spindle::params::{Params, SpeedMode};
 
-/// Commanded speed and its limits. An override that acts after the limits is bound by the output alone.
+/// Commanded speed and its limits. An override that acts after the limits is limited by chuck and output only.
 pub(super) struct CommandedSpeed {
     /// Factors of the override that act before and after the limits.
     pub before: f64,
@@ -13,7 +13,7 @@ pub(super) struct CommandedSpeed {
     pub surface: f64,
     /// Lowest speed, r/min; 0 where no lower limit acts.
     pub lowest: f64,
-    /// The lower limit acts on every speed, not on constant surface speed alone.
+    /// Whether the lower limit acts on every speed; otherwise only on constant surface speed.
     pub low_always: bool,
     /// Lower of the limits of operator and chuck, r/min.
     pub limit: f64,
@@ -33,7 +33,8 @@ impl CommandedSpeed {
         }
     }
 
-    /// Highest commanded speed (r/min) of a cut down to the diameter `smallest`, at most that of chuck and, at constant surface speed, operator.
+    /// Highest commanded speed (r/min) of a cut down to the diameter `smallest` (mm), at most the limit of the chuck
+    /// and, at constant surface speed, that of the operator.
     pub(super) fn top(&self, p: &Params, smallest: f64) -> f64 {
         if p.turns_at_fixed_speed() {
             let speed = surface_rpm(p.cutting_speed, p.stock_diameter) * (p.override_percent / 100.0);
@@ -50,7 +51,7 @@ impl CommandedSpeed {
 }
 
 impl Params {
-    /// The spindle has one speed for the whole cut.
+    /// Whether the spindle has one speed for the whole cut.
     pub(super) fn turns_at_fixed_speed(&self) -> bool {
         self.speed_mode == SpeedMode::Fixed
     }

@@ -18,7 +18,7 @@ pub(in crate::machines::turning_spindle) struct HeldSpeed {
 }
 
 impl HeldSpeed {
-    /// The limits of constant surface speed, or of one speed, with an output that gives `top` r/min at the most.
+    /// The limits of constant surface speed (`surface`) or of a fixed speed, with an output of at most `top` r/min.
     pub(super) fn new(p: &Params, command: &CommandedSpeed, top: f64, surface: bool) -> HeldSpeed {
         let limits = SpeedLimits {
             machine: p.chuck_limit,

@@ -1,4 +1,4 @@
-//! Diameters at which the limits of the speed begin to bind, and those that ask most of a motor.
+//! Diameters at which the limits of the speed begin to bind, and those with the greatest demand on a motor.
 
 use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
@@ -11,9 +11,9 @@ use crate::math;
 /// Diameters (mm) where the limits of constant surface speed bind.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::turning_spindle) struct LimitDiameters {
-    /// The highest speed binds below it.
+    /// Diameter below which the highest speed binds.
     pub high: f64,
-    /// The lowest speed binds above it; 0 without a lower limit.
+    /// Diameter above which the lowest speed binds; 0 without a lower limit.
     pub low: f64,
     /// Share (0 to 1) of the diameters of the cut at which the highest speed binds.
     pub limited_share: f64,
@@ -31,9 +31,9 @@ impl LimitDiameters {
         }
     }
 
-    /// Diameters (mm) one of which asks most of a motor with the base speed `base` at the spindle, r/min. Above base speed the demand of
-    /// power, `F v / 60 + ω (M_f + J dω/dt)`, falls with the diameter; below, torque of cut and acceleration have no greatest value between
-    /// both ends.
+    /// Candidates for the diameter (mm) with the greatest demand on a motor whose base speed at the spindle is `base`
+    /// r/min. Above base speed the demand of power, `F v / 60 + ω (M_f + J dω/dt)`, falls with the diameter; below,
+    /// torque of cut and acceleration have no greatest value between both ends.
     pub(in crate::machines::turning_spindle) fn hardest(
         &self,
         cut: &CutGeometry,

@@ -1,4 +1,4 @@
-//! Power and torque of cut and friction, and those that the motor gives for them.
+//! Power and torque of cut and friction, and the continuous ratings of the motor for them.
 
 use super::cut::CutGeometry;
 use super::limits::LimitDiameters;

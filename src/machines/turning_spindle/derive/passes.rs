@@ -1,4 +1,4 @@
-//! The passes from stock to finished part: their number, their cuts, and the stock that each leaves.
+//! The passes from stock to finished part: their number, their cuts, and the stock left after each.
 
 use crate::drives::cutting::Cut;
 use crate::machines::turning_spindle::params::{Params, Path};

@@ -1,4 +1,4 @@
-//! Speeds of the spindle in the cut, at constant surface speed and at one speed.
+//! Speeds of the spindle in the cut, at constant surface speed and at a fixed speed.
 
 use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
@@ -22,7 +22,7 @@ pub(in crate::machines::turning_spindle) struct CutSpeeds {
     /// One speed for the whole cut, as commanded at the stock's diameter and as the control holds it.
     pub asked: f64,
     pub fixed: f64,
-    /// Surface speed at the smallest diameter, and there with one speed for the whole cut, m/min.
+    /// Surface speed at the smallest diameter, m/min: at constant surface speed, and with one speed for the whole cut.
     pub surface_smallest: f64,
     pub fixed_surface_smallest: f64,
     /// Greatest feed, mm/min.
@@ -56,7 +56,7 @@ impl CutSpeeds {
         }
     }
 
-    /// Speed of the spindle (r/min) that the program has at a diameter in mm.
+    /// Speed of the spindle (r/min) in the program's cut at a diameter in mm.
     pub(in crate::machines::turning_spindle) fn at(&self, p: &Params, diameter: f64) -> f64 {
         if p.turns_at_fixed_speed() { self.fixed } else { self.held.at(diameter).0 }
     }

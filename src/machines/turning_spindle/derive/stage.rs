@@ -25,7 +25,7 @@ impl EngagedStage {
 }
 
 impl Params {
-    /// The converter of the analog output in a gear stage that has `stage_speed` r/min at 10 V.
+    /// The analog output in a gear stage of `stage_speed` r/min at 10 V.
     pub(in crate::machines::turning_spindle) fn analog(&self, stage_speed: f64, output: &AnalogOutput) -> Analog {
         Analog {
             offset_zero: self.offset_zero / 1000.0,
@@ -35,8 +35,8 @@ impl Params {
         }
     }
 
-    /// Number of the gear stage, from 1, and its speed at full output: the chosen one where it is fitted, else the lowest that reaches
-    /// `top` r/min, else the fastest.
+    /// Number (from 1) of the gear stage and its speed at full output, r/min: the chosen stage if it is fitted, else
+    /// the lowest that reaches `top` r/min, else the fastest.
     fn stage(&self, top: f64) -> (u8, f64) {
         let stages = || (1..).zip(self.stages());
         let chosen = stages().find(|(number, _)| self.gear != Gear::Best && *number == self.gear as u8);

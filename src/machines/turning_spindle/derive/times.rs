@@ -1,4 +1,4 @@
-//! Times of the cut, and the rating that a motor has over them.
+//! Times of the cut, and the rating of a motor for their duration.
 
 use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
@@ -6,8 +6,8 @@ use super::speeds::CutSpeeds;
 use super::stage::EngagedStage;
 use crate::machines::turning_spindle::params::Params;
 
-/// Longest time (s) in which a motor may give its overload without a pause, and the share of the time that it is in all. Source: duty S6-40 %
-/// of IEC 60034-1, 4 minutes in 10.
+/// Longest time (s) for which a motor may give its overload without a pause, and the greatest share of the whole time.
+/// Source: duty S6-40 % of IEC 60034-1, 4 minutes in 10.
 const OVERLOAD_TIME: f64 = 240.0;
 const OVERLOAD_SHARE: f64 = 0.4;
 
@@ -53,7 +53,8 @@ impl CutTimes {
         if is_rare { rated * p.motor_overload / 100.0 } else { rated }
     }
 
-    /// Pause (s) to the next part with which the cuts take two fifths of the time (S6-40 %), whatever the rest of the part takes.
+    /// Least pause (s) to the next part with which the cuts take two fifths of the time (S6-40 %), without counting the
+    /// other times of the part.
     pub(in crate::machines::turning_spindle) fn pause_for_overload(&self) -> f64 {
         self.cutting * (1.0 / OVERLOAD_SHARE - 1.0)
     }

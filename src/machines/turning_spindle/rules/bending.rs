@@ -1,4 +1,4 @@
-//! The rule of bending: slender work that gives way to the tool.
+//! The rule of bending: slender work that deflects under the cutting force.
 
 use super::knob_positions::at_knobs;
 use super::remedies::with_depth;
@@ -18,8 +18,9 @@ fn bending_demand(cut: &CutAtKnobs) -> (f64, f64) {
     (bending::of(cut.params), NOTABLE)
 }
 
-/// Bending against the least that matters. A tailstock leaves a small part of it; less depth lessens the force. Work that bends more than the
-/// cut along it is deep gives way before the tool: the force and with it the bending fall as the depth does, so that no smaller depth helps.
+/// Judges bending against [`NOTABLE`]. A tailstock leaves a small part of the bending; less depth lowers the force.
+/// Work that bends by more than the depth of a cut along it is not cut at all: force and bending fall in proportion to
+/// the depth, so no smaller depth helps.
 pub(super) fn bends(lathe: &TurningSpindle) -> Option<Judgement> {
     let p = &lathe.params;
     let value = bending::of(p);
@@ -34,7 +35,7 @@ pub(super) fn bends(lathe: &TurningSpindle) -> Option<Judgement> {
         });
     }
     let (bending, depth, held) = ((value, 2), (p.depth, 3), (bending::held(p), 3));
-    // A face has no place for the tailstock.
+    // Facing excludes a tailstock.
     let takes_tailstock = !p.tailstock && p.path != Path::Facing;
     if p.path != Path::Facing && value > p.depth {
         let advice = if takes_tailstock && bending::held(p) <= p.depth {

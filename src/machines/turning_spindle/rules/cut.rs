@@ -1,4 +1,4 @@
-//! Findings about the cut: diameters, passes and start position against the stock, and a cone against the insert.
+//! Findings about the cut: diameters, passes and start position compared with the stock, and a falling cone compared with the insert.
 
 use crate::machines::form::entry::at_least;
 use crate::machines::lathe::turret;
@@ -53,8 +53,9 @@ pub(super) fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
 /// Point angles (°) of inserts: the slimmest and the stoutest that turn outlines, V and C of ISO 1832. Source: memory.
 const INSERTS: (f64, f64) = (35.0, 80.0);
 
-/// A cone that falls towards the chuck, against the flank that trails behind the tip of the insert: it clears `180° - κ - ε`, with the edge
-/// angle κ and the point angle ε of the insert. An error where no insert is slim enough, with the length at which one is.
+/// Judges a cone that falls towards the chuck against the trailing edge of the insert, which clears an angle of
+/// `180° - κ - ε`, with the edge angle κ and the point angle ε of the insert. An error, with a sufficient length, if
+/// even the slimmest insert does not clear the cone.
 fn falling_cone(p: &Params) -> Option<Diagnostic> {
     let depth = 0.5 * (p.finished_diameter - p.large_diameter);
     if p.path != Path::Taper || depth <= 0.0 {

@@ -11,8 +11,8 @@ use crate::view::Limit::AtMost;
 /// Demand of the cut at positions of the knobs, and its limit.
 pub(super) type Demand = fn(&CutAtKnobs) -> (f64, f64);
 
-/// A demand that holds at the form's positions of the knobs: a warning where it does not at another one, with the feed that holds at all of
-/// them.
+/// Judges a demand that is within its limit at the form's positions of the knobs: a warning if it is beyond the limit
+/// at another position, with a feed that keeps the limit at all positions.
 pub(super) fn at_knobs(
     lathe: &TurningSpindle,
     limit: f64,
@@ -25,7 +25,8 @@ pub(super) fn at_knobs(
     }
 }
 
-/// An advice with the greatest feed at which a demand holds at every position of the knobs, where less feed lowers it.
+/// An advice with a button for the greatest feed that keeps a demand within its limit at every position of the knobs,
+/// if less feed lowers the demand.
 pub(super) fn with_slower_feed(lathe: &TurningSpindle, demand: Demand, message: Message) -> Advice {
     match slower_feed(lathe, |slower| knobs::worst(slower.cuts_at_knobs(), demand).is_none()) {
         Some(share) => with_feed(lathe, share, message),

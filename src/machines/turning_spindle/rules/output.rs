@@ -1,4 +1,4 @@
-//! The rules of the analog output: voltages that are too low, and a speed above that of the full output.
+//! The rules of the analog output: voltages that are too low, and a speed above that at full voltage.
 
 use super::stages::with_best_stage;
 use crate::drives::Bound;

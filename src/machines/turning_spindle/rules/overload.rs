@@ -15,7 +15,8 @@ pub(super) fn overloaded(lathe: &TurningSpindle, limit: f64, at_knobs: Option<Ju
     warn(AtMost(limit), core::iter::once(overload).chain(at_knobs).collect::<Vec<_>>())
 }
 
-/// A demand above the continuous rating that the motor's overload would cover if the pause to the next part were longer.
+/// Judges a demand above the continuous rating that the motor's overload would cover with a longer pause to the next
+/// part.
 pub(super) fn overload_without_pause(lathe: &TurningSpindle, demand: f64, rated: f64) -> Option<Judgement> {
     let TurningSpindle { params: p, derived: d, .. } = lathe;
     let set = at_least(FIELDS, "pause", d.times.pause_for_overload());

@@ -17,7 +17,8 @@ fn power_demand(cut: &CutAtKnobs) -> (f64, f64) {
     (cut.derived.load.power, cut.derived.times.for_the_cut(cut.params, cut.derived.load.power_available))
 }
 
-/// Greatest power of cut and friction against the motor, with the cutting speed or the depth at which it suffices.
+/// Judges the greatest power of cut and friction against the motor; the remedies are the cutting speed or the depth at
+/// which it suffices.
 pub(super) fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { params: p, derived: d, .. } = lathe;
     if p.cutting_force <= 0.0 {
@@ -37,7 +38,7 @@ pub(super) fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let at_share =
         |share: f64| lathe.with(Params { cutting_speed: lathe.form.cutting_speed * share, ..lathe.form.clone() });
     let suffices = |slower: &TurningSpindle| slower.derived.load.power <= slower.derived.load.power_available;
-    // The speed limit may hold the work below the entered cutting speed: less of that changes nothing at first.
+    // The speed limit may keep the surface speed below the entered one: a lower entry changes nothing at first.
     let share = math::greatest_share((1.0 / p.cutting_speed).min(1.0), |share| suffices(&at_share(share)));
     let slower = share.map_or(0.0, |share| (p.cutting_speed * share).floor());
     // Friction keeps its power with less depth.

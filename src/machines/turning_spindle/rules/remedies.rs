@@ -11,16 +11,17 @@ use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
 
-/// An advice with the feed that is `share` of the present one.
+/// Advice with a button for `share` of the present feed.
 pub(super) fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let set = at_most(FIELDS, "feed", lathe.params.feed * share);
     Advice::from(message).setting(msg!("advice.set-feed", feed = set.text.as_str()), [set])
 }
 
-/// An advice with the depth that is `share` of the present one, where the force follows from it and the passes stay within their number.
+/// Advice with a button for `share` of the present depth, if the force follows from the depth and the number of passes
+/// stays within its limit.
 pub(super) fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
     let advice = Advice::from(message);
-    // The first of more passes is at a larger diameter, at most that of the stock.
+    // With more passes the first one is at a larger diameter, up to that of the stock.
     let grows = lathe.params.stock_diameter / lathe.params.middle_of_edge(lathe.derived.cut.largest_whole);
     let set = at_most(FIELDS, "depth", lathe.params.depth * share / grows);
     let depth = set.value;

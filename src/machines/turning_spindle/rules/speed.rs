@@ -1,4 +1,4 @@
-//! The rules of the spindle's speed: the chuck's limit, the diameter where the limit binds, and the acceleration that the cut asks.
+//! The rules of the spindle's speed: the chuck's limit, the diameter at which the limit binds, and the acceleration needed in the cut.
 
 use super::remedies::with_feed;
 use crate::drives::speed::{surface_rpm, surface_speed};
@@ -31,7 +31,8 @@ pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(limit)
 }
 
-/// Below the diameter of the limit the surface speed falls with the diameter: allowed over half of the diameters.
+/// Judges the limit diameter, below which the surface speed falls with the diameter: allowed over half of the diameters
+/// of the cut.
 pub(super) fn limit_diameter(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { derived: d, .. } = lathe;
     if !lathe.surface() || d.limits.limited_share <= 0.0 {
@@ -49,7 +50,7 @@ pub(super) fn limit_diameter(lathe: &TurningSpindle) -> Option<Judgement> {
     Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
 
-/// Acceleration that constant surface speed asks, against the ramp of the spindle.
+/// Judges the acceleration needed for constant surface speed against the ramp of the spindle.
 pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     let d = &lathe.derived;
     if d.acceleration.needed > d.acceleration.ramp {
@@ -75,7 +76,8 @@ pub(super) fn check_speed_limits(lathe: &TurningSpindle, found: &mut Vec<Diagnos
     }
 }
 
-/// A lower limit above the speed that the cut asks at its largest diameter, with the cutting speed that it makes.
+/// Warning about a lower limit above the speed that the cutting speed needs at the largest diameter, with the resulting
+/// cutting speed.
 fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
     let TurningSpindle { params: p, derived: d, .. } = lathe;
     let lowest = if lathe.surface() || lathe.rules().low_always { p.lower_limit.min(p.upper_limit) } else { 0.0 };
@@ -89,8 +91,8 @@ fn lifted_speed(lathe: &TurningSpindle) -> Option<Diagnostic> {
     Some(Diagnostic::warning(message).about("lower-limit").mended_by(asked.floor()))
 }
 
-/// The greatest speed over the override knob against the operator's limit, with the cutting speed that stays below it: neither a fixed speed
-/// nor an override that acts after the limits is held by the control.
+/// Judges the greatest speed over the range of the override knob against the operator's limit; the remedy is a cutting
+/// speed that stays below it. The control limits neither a fixed speed nor an override that acts after the limits.
 pub(super) fn passes_limit(lathe: &TurningSpindle) -> Option<Judgement> {
     let p = &lathe.params;
     let most = p.chuck_limit.min(p.upper_limit);
@@ -122,7 +124,7 @@ pub(super) fn passes_limit(lathe: &TurningSpindle) -> Option<Judgement> {
     fail(limit, [advice])
 }
 
-/// Part of a speed by which rounding may lift it.
+/// Relative amount by which rounding may raise a speed.
 const ROUNDING: f64 = 1e-9;
 
 /// The position (%) of the override knob where the speed of the program is greatest, and that speed.

@@ -1,4 +1,4 @@
-//! The rules of the gear stages: the time to mesh, stages that are missing, and the stage that an advice offers.
+//! The rules of the gear stages: meshing time, missing stages, and the stage that an advice offers.
 
 use crate::machines::form::entry::at_most;
 use crate::machines::turning_spindle::derive::Derived;
@@ -10,7 +10,7 @@ use crate::msg;
 use crate::text::{Diagnostic, Message};
 use crate::view::Advice;
 
-/// The time of a gear to mesh, against the time that the PLC waits for it.
+/// Judges the meshing time of a gear against the time limit of the PLC.
 pub(super) fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { params: p, .. } = lathe;
     let shift = gear_times(lathe);
@@ -35,7 +35,7 @@ pub(super) fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advic
     }
 }
 
-/// A gear stage in which the torque suffices and the speed is the same.
+/// A gear stage with sufficient torque at the same speed.
 pub(super) fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
     let output = &lathe.control.analog_output;
     let gears = [Gear::First, Gear::Second, Gear::Third, Gear::Fourth];

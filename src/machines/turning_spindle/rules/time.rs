@@ -1,4 +1,4 @@
-//! The rule of the control's block time: blocks that are read while the cut lasts.
+//! The rule of the control's block time: the blocks read during a cut.
 
 use super::remedies::with_feed;
 use crate::controls::spindle::RapidSpeed;
@@ -7,14 +7,14 @@ use crate::machines::turning_spindle::resolved::TurningSpindle;
 use crate::machines::verdict::{Judgement, warn};
 use crate::msg;
 
-/// Macro blocks between two passes, and how many more a taper has.
+/// Macro blocks between two passes, and the additional ones of a taper.
 const BLOCKS_BETWEEN_PASSES: f64 = 5.0;
 const BLOCKS_OF_TAPER: f64 = 3.0;
 
 /// Blocks that are read while the cut lasts.
 pub(super) fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { params: p, derived: d, .. } = lathe;
-    // A speed that is kept in rapids lets a cut begin with the highest speed of the cut before.
+    // If rapids keep the spindle speed, a cut begins with the highest speed of the previous cut.
     let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
     let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.speeds.high)).sum() } else { f64::INFINITY };
     let lasts = 1000.0 * (d.times.cutting / d.cut.passes.max(1.0)).min(least);

@@ -38,7 +38,7 @@ pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
         let slower = |message| with_slower_feed(lathe, torque_demand, message);
         let at_knobs = match knobs::torque_remedy(&cooling::torques(lathe), cooling::FIELD, slower) {
             Some(TorqueRemedy::Feed(advice)) => warn(AtMost(rated), [advice]),
-            // The rule of the cooling warns.
+            // The rule of the cooling gives the warning.
             Some(TorqueRemedy::Cooling(_)) | None => ok(AtMost(rated)),
         };
         if d.load.torque <= rated {
@@ -68,7 +68,8 @@ pub(super) fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
     fail(AtMost(most), Vec::from_iter(cooled.into_iter().chain([advice])))
 }
 
-/// Cut, friction and acceleration together against the short-time curve of the motor, at the diameter where they ask most of it.
+/// Judges cut, friction and acceleration together against the short-time curve of the motor, at the diameter with the
+/// greatest share of it.
 pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     if lathe.params.cutting_force <= 0.0 {
         return None;

@@ -6,7 +6,7 @@ use crate::machines::turning_spindle::resolved::TurningSpindle;
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Values of the form against the words of the control: range, whole numbers, positions of the override knob.
+/// Findings about values that words of the control cannot have: range, whole numbers, positions of the override knob.
 pub(super) fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let TurningSpindle { params: p, derived: d, .. } = lathe;
     let limits = &lathe.control.limits;
@@ -34,7 +34,7 @@ pub(super) fn check_words(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Parameters out of the control's range: of the analog output, and those of its sheet.
+/// Errors about parameters out of the control's range: those of the analog output and of the parameter sheet.
 pub(super) fn check_parameters(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let TurningSpindle { params: p, .. } = lathe;
     let rules = &lathe.control.spindle;

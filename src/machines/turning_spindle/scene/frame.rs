@@ -36,7 +36,7 @@ pub(super) fn draw_bed_back(drawing: &mut Drawing) {
 /// Ways and front of the bed, with the opening to the chip tray; falling chips are drawn behind both.
 pub(super) fn draw_bed_front(drawing: &mut Drawing) {
     let (top, opening) = (BED + 28.0, BED + 38.0);
-    // The opening runs against the outline, so that it stays free.
+    // The opening has the opposite direction of the outline, so it is not filled.
     drawing
         .path(filled("M-400 #H1400v36H-400ZM250 #l18 24h492l18 -24Z", &[top, opening]), Look::fill(Paint::SteelShade));
     drawing.rect([-400.0, BED, 1800.0, 30.0, 0.0], Look::fill(Paint::SteelBar));
@@ -53,7 +53,7 @@ pub(super) fn draw_tailstock(drawing: &mut Drawing, layout: &Layout) {
         return;
     }
     let top = AXIS - 62.0;
-    // The quill stands out as far as its centre reaches.
+    // The quill ends where its centre begins.
     let end = layout.face + CENTRE.1;
     drawing.showing("tailstock", |drawing| {
         drawing.path(filled("M# #H#v44H#l-22 -16v-12Z", &[end, AXIS - 22.0, TAIL, end]), Look::fill(Paint::SteelBar));
@@ -80,7 +80,7 @@ pub(super) fn draw_centre(drawing: &mut Drawing, layout: &Layout, radius: f64) {
     });
 }
 
-/// How far the point of the tailstock's centre reaches into the work, and from the face to the quill.
+/// Length of the tailstock's centre in the work, and from the face to the quill.
 const CENTRE: (f64, f64) = (10.0, 64.0);
 /// Greatest radius of the point.
 const CENTRE_RADIUS: f64 = 12.0;

@@ -24,7 +24,7 @@ const METER_RADIUS: f64 = 62.0;
 const METER_SWEEP: f64 = 44.0;
 /// Height of the letters on the dials.
 const LETTERS: f64 = 13.0;
-/// Height of the figures below them, which grow and shrink with the panel.
+/// Height of the figures below them; they scale with the panel.
 const FIGURES: f64 = 14.0;
 
 /// The scale of the speed dial: its end, the step of its long marks, and the unit of its figures, all in r/min.

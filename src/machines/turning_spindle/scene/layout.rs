@@ -11,7 +11,7 @@ pub(super) const UNIT: f64 = 1.3;
 pub(super) const BED: f64 = 500.0;
 /// Greatest half height and length of the part, in units of the drawing.
 pub(super) const ROOM: (f64, f64) = (98.0, 330.0);
-/// At most so much smaller for the start of the tool to be in the drawing.
+/// Least factor by which the drawing is reduced to contain the start point of the tool.
 pub(super) const SMALLER: f64 = 0.6;
 /// How far the turret reaches above the tip of the tool, and the farthest place of the tip to the right.
 const REACH: f64 = 160.0;

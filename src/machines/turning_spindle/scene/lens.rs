@@ -13,10 +13,10 @@ use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Font, LETTER, Placement, SceneGroup, Shape};
 
-/// Length of the depth of cut in the lens, about.
+/// Approximate length of the depth of cut in the lens.
 const DEPTH: f64 = 24.0;
 
-/// How many times the lens magnifies: 1, 2, 5, 10 … so that the depth of cut is seen.
+/// Magnification of the lens: 1, 2, 5, 10 …, so that the depth of cut is visible.
 fn magnification(p: &Params, layout: &Layout) -> f64 {
     let wanted = DEPTH / (p.depth * layout.scale);
     let decade = math::pow(10.0, math::log10(wanted.max(1.0)).floor());

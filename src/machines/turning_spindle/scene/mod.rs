@@ -72,7 +72,7 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
 /// Base line of the names in the row above the machine.
 const ROW: f64 = 46.0;
 
-/// Names, dimensions and live values; every one has its own place, whatever the sizes.
+/// Names, dimensions and live values; each has its own place at any sizes of the form.
 fn labels(drawing: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let p = &lathe.params;
     let mm = |value: f64| units::text(value, 3, "mm");
@@ -166,7 +166,8 @@ const LEFT: f64 = 688.0;
 const TOP_ROW: f64 = 20.0;
 const START: f64 = 396.0;
 const CLEARANCE: f64 = 830.0;
-/// The figures of the slides, which never come between instruments and chuck themselves, and their most letters: `X -5 999.999`.
+/// Place of the figures of the slides, between instruments and chuck where the slides never come, and its width for the
+/// longest figure, `X -5 999.999`.
 const SLIDES: (f64, f64) = (236.0, 104.0);
 const SLIDE_LETTERS: usize = 12;
 /// Begin of the leader of the label at the tool: below its two lines where the letters are largest, and under their first letters.
