@@ -14,7 +14,7 @@ use crate::text::Diagnostic;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
-/// A part of the bar that is thinner than its stock: distances of both ends from the face, and its diameter, mm.
+/// A section of the bar that is thinner than its stock: distances of both ends from the face, and its diameter, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Thinner {
     from: f64,
@@ -23,20 +23,21 @@ struct Thinner {
 }
 
 impl TurnedEnd {
-    /// The end as a thinner part of the bar, where it is turned.
+    /// The end as a thinner section of the bar; `None` if it is not turned.
     fn thinner(&self) -> Option<Thinner> {
         self.on.then_some(Thinner { from: 0.0, to: self.length, diameter: self.diameter })
     }
 }
 
 impl PolygonLathe {
-    /// Length (mm) of the bar from face to jaws: that of the form, or the least for the cutter.
+    /// Length (mm) of the bar from face to jaws: that of the form, or, if it is unknown, the least that the cutter
+    /// needs.
     fn free_length(&self) -> f64 {
         if self.params.free_length > 0.0 { self.params.free_length } else { self.length_to_jaws() }
     }
 
-    /// Deflection (mm) under a force (N) across the work at a distance from the face, of a bar that is free up to the jaws, with the parts of
-    /// it that are thinner.
+    /// Deflection (mm) of the bar under a transverse force (N) at the distance `behind` (mm) from the face; `free`:
+    /// distance (mm) of the jaws from the face; `thinner`: sections with a smaller diameter.
     fn deflection(&self, force: f64, behind: f64, free: f64, thinner: &[Thinner]) -> f64 {
         let ends = thinner.iter().flat_map(|part| [part.from, part.to]).filter(|end| (behind..free).contains(end));
         let mut places: Vec<f64> = ends.chain([behind, free.max(behind)]).collect();
@@ -49,19 +50,20 @@ impl PolygonLathe {
         cantilever(force, self.params.material.elasticity(), steps)
     }
 
-    /// The polygons as thinner parts of the bar: with the width across flats, which is less than their stiffness.
+    /// The polygons as thinner sections of the bar, of the diameter across flats, which underestimates their stiffness.
     fn flats(&self) -> impl Iterator<Item = Thinner> {
         let part = |p: &Params| Thinner { from: p.from_face, to: p.far_end(), diameter: p.across_flats };
         self.polygons().map(move |lathe| part(&lathe.params))
     }
 
-    /// The thinner parts of the bar while a polygon is cut: all flats, and the end turned before them.
+    /// The thinner sections of the bar while a polygon is cut: all flats, and the end turned before them.
     fn thinner_in_flats(&self) -> Vec<Thinner> {
         let [before, _] = &self.params.turned_ends;
         self.flats().chain(before.thinner()).collect()
     }
 
-    /// Greatest deflection (mm) of the work under its forces, at the end of each polygon towards the face, with this free length (mm).
+    /// Greatest deflection (mm) of the work under the force of an insert at the near end of each polygon, with the free
+    /// length `free` (mm).
     fn bending_of(&self, free: f64) -> f64 {
         let thinner = self.thinner_in_flats();
         let cuts = self.polygons().map(|lathe| {
@@ -71,7 +73,8 @@ impl PolygonLathe {
         cuts.fold(0.0, f64::max)
     }
 
-    /// Greatest force (N) of an insert with which no polygon bends the work by more than a deflection (mm); infinite without force.
+    /// Greatest force (N) of an insert that bends the work at no polygon by more than `most` mm; infinite for a rigid
+    /// bar.
     fn force_bending_by(&self, most: f64) -> f64 {
         let (free, thinner) = (self.free_length(), self.thinner_in_flats());
         let force = |lathe: &PolygonLathe| most / self.deflection(1.0, lathe.params.from_face, free, &thinner);
@@ -83,7 +86,8 @@ impl PolygonLathe {
         self.bending_of(self.free_length())
     }
 
-    /// Depth of a pass (mm) with which no force is above a share of the greatest one; none that the passes allow.
+    /// Greatest depth of a pass (mm) with which the force of an insert is at most `share` of the present greatest one;
+    /// `None` if the number of passes does not allow such a depth.
     fn shallower(&self, share: f64) -> Option<f64> {
         let limit = share * self.force();
         let force = |depth: f64| {
@@ -105,8 +109,9 @@ impl PolygonLathe {
     }
 }
 
-/// What the force of the cut does to each turned end, as a bar of its diameter from its shoulder to the face, behind it the bar, with the flats
-/// and the other end where they are cut before: an error where the end gives way by more than the cut is deep, `None` where it is stiff enough.
+/// Bending of each turned end under its cutting force. The model is a bar of the end's diameter from face to shoulder,
+/// and behind it the stock with the flats and the other end if they are cut before. An error if the end deflects by
+/// more than the depth of cut, a warning above [`NOTABLE`], `None` if it is stiff enough.
 pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
     let p = &lathe.params;
     let [before, after] = &p.turned_ends;
@@ -126,7 +131,8 @@ pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
     })
 }
 
-/// Bending against the tolerance of the flats, with a shorter free length or a smaller depth as a remedy where one of them suffices.
+/// Judges bending against the tolerance of the flats; the remedies are a shorter free length or a smaller depth, if one
+/// of them suffices.
 pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
     let (bending, limit) = (lathe.bending(), AtMost(p.flatness));

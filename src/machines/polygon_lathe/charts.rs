@@ -56,7 +56,7 @@ fn over_angle(series: Vec<Series>) -> Chart {
 fn deviation_of(lathe: &PolygonLathe, points: usize, (label, tone): (&'static str, u8)) -> Option<Series> {
     let section = lathe.params.section()?;
     let sides = lathe.params.ratio()?.sides(lathe.params.inserts as u32);
-    // Every corner is met.
+    // The points include every corner.
     let each = (points / (2 * sides as usize)).clamp(1, 3600) + 1;
     let all = deviations(&section, 0.5 * lathe.params.across_flats, sides, 2 * sides as usize * each);
     let begin = section.begin();
@@ -64,10 +64,11 @@ fn deviation_of(lathe: &PolygonLathe, points: usize, (label, tone): (&'static st
     Some(Series { label, tone, address: None, points })
 }
 
-/// Tip circles that are looked at.
+/// Number of tip circles on the chart.
 const CIRCLES: usize = 60;
 
-/// Least and greatest deviation of the sides over the radius of the tip circle, at the ratio and the inserts of the form.
+/// Least and greatest deviation of the sides over the radius of the tip circle, with the ratio and the inserts of the
+/// form.
 pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
     let (p, ratio) = (&lathe.params, lathe.params.ratio()?);
     let count = points.clamp(2, CIRCLES);

@@ -8,7 +8,7 @@ pub(super) fn choices(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     choose::choices(&p.wanted(sizes), &p.means())
 }
 
-/// Cutters and ratios for the tip circle of the form alone: fast enough for every keystroke.
+/// Cutters and ratios for the tip circle of the form only: fast enough to be computed at every keystroke.
 pub(super) fn choices_on_tip_circle(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     let mut means = p.means();
     for cutter in &mut means.cutters {

@@ -1,4 +1,4 @@
-//! Demand of the whole part on the drives of work and tool, and their limits: the worst of all polygons and feeds.
+//! Demand of the whole part on the drives of work and tool, and their limits: the worst case over all polygons and feeds.
 
 use super::load::{FEEDS, PolygonAxis};
 use super::resolved::PolygonLathe;
@@ -13,7 +13,7 @@ pub(super) enum DemandKind {
     Peak,
     /// Mean torque of the cut, Nm.
     Mean,
-    /// Effective torque of the cut, Nm: strikes heat a motor more than their mean.
+    /// Effective torque of the cut, Nm: an interrupted cut heats a motor more than its mean torque.
     Effective,
     /// Mean power of the cut, kW.
     Power,
@@ -22,7 +22,7 @@ pub(super) enum DemandKind {
 }
 
 impl PolygonLathe {
-    /// Demand on an axis at a feed with this polygon, and its limit.
+    /// Demand on an axis and its limit with this polygon at a feed, an index of [`FEEDS`].
     fn demand_at(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> (f64, f64) {
         let torque = self.derived.load.cuts[feed].torque[axis as usize];
         let drive = self.params.drive(axis);
@@ -42,13 +42,13 @@ impl PolygonLathe {
         let feeds = 0..FEEDS.len();
         let of = |lathe: &PolygonLathe, feed| lathe.demand_at(axis, kind, feed);
         let all = self.polygons().flat_map(|lathe| feeds.clone().map(move |feed| of(lathe, feed)));
-        // Of a limit of 0, which friction leaves, any demand is infinitely more.
+        // Friction may leave a limit of 0: any demand then has an infinite share.
         let share = |(demand, limit): (f64, f64)| if demand > 0.0 { demand / limit } else { 0.0 };
         let first = (0.0, f64::INFINITY);
         all.fold(first, |worst, next| if worst == first || share(next) > share(worst) { next } else { worst })
     }
 
-    /// Demand of the cuts of a feed on an axis over its limit, of all polygons the greatest.
+    /// Greatest ratio, over all polygons, of demand to limit of an axis at a feed, an index of [`FEEDS`].
     pub(super) fn excess(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> f64 {
         self.polygons()
             .map(|lathe| lathe.demand_at(axis, kind, feed))
@@ -66,7 +66,7 @@ impl PolygonLathe {
         self.force().max(self.greatest_end_force())
     }
 
-    /// Greatest force (N) of the cuts of a feed.
+    /// Greatest force (N) of the cuts at a feed, an index of [`FEEDS`].
     pub(super) fn force_at(&self, feed: usize) -> f64 {
         self.polygons().map(|lathe| lathe.derived.load.cuts[feed].force).fold(0.0, f64::max)
     }
@@ -82,7 +82,7 @@ impl PolygonLathe {
         self.params.turned_ends.iter().filter(|end| end.on).map(|end| self.end_force(end)).fold(0.0, f64::max)
     }
 
-    /// The shortest ramp (s) in which both drives run up to every speed of the program.
+    /// Shortest ramp (s) with which both drives can run up to every speed of the program.
     pub(super) fn ramp(&self) -> f64 {
         let both = self
             .polygons()

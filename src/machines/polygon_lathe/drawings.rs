@@ -11,7 +11,7 @@ use crate::nc::File;
 use crate::text::catalog::number_text as show;
 use crate::view::outline::{Dimension, LineKind, Outline, OutlineShape, Plate};
 
-/// Arcs in which a cut side is drawn: they leave it by less than a hundredth of a micrometre on a usual part.
+/// Arcs per cut side: on a usual part they deviate from it by less than 0.01 µm.
 const SPANS: u32 = 8;
 
 /// The files beside programs and sheets.
@@ -91,7 +91,7 @@ fn dimensions(section: &Section, across_flats: f64, away: f64) -> Vec<Dimension>
     [flats, stock].into_iter().chain(corner).collect()
 }
 
-/// Words of the legend.
+/// Word of the legend for a kind of line.
 fn legend(kind: LineKind) -> String {
     say(match kind {
         LineKind::Part => "polygon.drawing.part",

@@ -1,4 +1,4 @@
-//! Drives that the polygon lathe is sized by: the motors of work and tool, and the phase between them.
+//! The drives of the polygon lathe for the sizing: motors of work, tool and slides, and the phase between work and tool as a gauge.
 
 use super::demand::DemandKind;
 use super::load::PolygonAxis;
@@ -15,7 +15,7 @@ use crate::math::PI;
 use crate::motion::Mover;
 use crate::view::Advice;
 
-/// All that the drive gives may be asked: the form has no reserve beside its peak torque.
+/// Limits without a reserve: the form has none beyond its peak torque.
 const NO_RESERVE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
 /// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock, and those of the slides.
@@ -67,7 +67,7 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     in_ratio.into_iter().chain(slides::axes(lathe)).collect()
 }
 
-/// Starts per minute of the slide that starts more often, over the passes of all polygons and turned ends.
+/// Starts per minute of the slide with more starts, over the passes of all polygons and turned ends.
 fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
     let (p, rapids) = (&lathe.params, [lathe.params.slides.x.rapid, lathe.params.slides.z.rapid]);
     let of = |p: &Params, steps: Vec<PassStep>, rpm: f64| {
@@ -106,8 +106,8 @@ impl HasSlides for PolygonLathe {
     }
 }
 
-/// Quantities checked during operation: lead of the tool over its ratio to the work, in the cut of a polygon alone. Elsewhere the axes stand,
-/// run up, or turn to other start angles.
+/// Gauge: phase of the tool ahead of its ratio to the work, only while a polygon is cut. At other times the axes are at
+/// rest, run up, or turn to other start angles.
 pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
     id: "phase",
     label: "polygon.gauge.phase",
@@ -118,7 +118,8 @@ pub(super) const GAUGES: &[GaugeRow<PolygonLathe>] = &[GaugeRow {
     value: |lathe, now| if lathe.cuts_flats(now) { lathe.phase(now).abs() } else { 0.0 },
 }];
 
-/// Work and tool after a power failure at the speeds of the first polygon: the phase that they lose, and the time until both are at rest.
+/// Work and tool after a power failure at the speeds of the first polygon: the phase between them at rest, and the time
+/// until then.
 pub(super) fn without_supply(lathe: &PolygonLathe) -> Option<CoastedAxes> {
     let gauge = GAUGES.first()?.gauge(lathe, lathe.derived.angles.coast_phase.abs());
     let speeds = [lathe.params.work_speed(), lathe.params.tool_speed()];

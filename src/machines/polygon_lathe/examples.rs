@@ -64,7 +64,7 @@ pub(super) const EXAMPLES: &[Example] = &[
         entries: &[
             ("from-face", "30"),
             ("free-length", "60"),
-            // In front of the thread the slide comes to its speed.
+            // The run-in of the thread.
             ("clearance", "3"),
             ("before", "true"),
             ("before-length", "20"),

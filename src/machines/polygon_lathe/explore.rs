@@ -12,19 +12,19 @@ use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
 use crate::view::{Explorer, FieldEntry, Knob, Scene};
 
-/// Width and height of the drawing, and the radius that the stock takes in it.
+/// Width and height of the drawing, and the radius of the stock in it.
 const ROOM: (f64, f64, f64) = (360.0, 240.0, 94.0);
 
 /// Drawing units per pixel.
 const UNIT: f64 = 0.9;
 
-/// Steps along an arc of the section: no step is seen at this size.
+/// Steps along an arc of the section, too small to be visible at this size.
 const STEPS: u32 = 16;
 
 /// Points of the deviation.
 const POINTS: usize = 360;
 
-/// Greatest number of paths; more merge into one grey.
+/// Greatest number of drawn paths; more would merge into a grey area.
 const PATHS: usize = 60;
 
 /// Sliders and section of a polygon, from 0.

@@ -133,7 +133,8 @@ fn thread_faults(end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     found
 }
 
-/// Tools whose numbers belong to another tool: a cutter of a polygon turns no end, and a turning tool cuts no thread.
+/// Tool numbers used for two tools: that of a polygon's cutter for a turned end, or that of a turning tool for a
+/// thread.
 fn tool_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     let mut found = Vec::new();
     let is_cutter = |tool: f64| lathe.polygons().any(|polygon| polygon.params.tool == tool);
@@ -155,7 +156,7 @@ fn within<'a>(lathe: &'a PolygonLathe, end: &TurnedEnd) -> impl Iterator<Item = 
     (1..).zip(lathe.polygons()).filter(move |(_, polygon)| polygon.params.from_face < length)
 }
 
-/// Polygons of which an end turned before them leaves no flat.
+/// Polygons that disappear because an end turned before them leaves no stock for a flat.
 fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> Vec<Fault> {
     let covered = within(lathe, end).filter(|(_, polygon)| end.diameter <= polygon.params.across_flats);
     let fault = |(number, polygon): (u32, &PolygonLathe)| {
@@ -164,7 +165,7 @@ fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> 
     covered.map(fault).collect()
 }
 
-/// Polygons whose corners an end turned before them takes, with the diameter that it leaves.
+/// Polygons whose corners are cut off by an end turned before them, with the remaining diameter.
 fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let [end, _] = &lathe.params.turned_ends;
     let corner = |polygon: &PolygonLathe| {
@@ -188,7 +189,7 @@ fn overlaps(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> 
     covered.map(fault).collect()
 }
 
-/// A start of the slide at which the axes of work and cutter are further apart than they come.
+/// Error of a start point of the slide at which the distance of the axes of work and cutter exceeds its greatest value.
 fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let p = &lathe.params;
     let radius = lathe.polygons().map(|polygon| polygon.params.tip_radius).fold(0.0, f64::max);
@@ -199,7 +200,8 @@ fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
     found.map(|found| if most >= p.clear_diameter() { found.mended_by(most.floor()) } else { found })
 }
 
-/// A time constant of the slides that a parameter of the control does not take: the sheet has it for rapid traverse and for cutting feed.
+/// Error of a time constant of the slides out of the range of a parameter; the sheet has it for rapid traverse and for
+/// cutting feed.
 fn beyond_ramp_range(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let roles = [ParamRole::RapidTimeConstant, ParamRole::AxisTimeConstant];
     let mut ranges = roles.into_iter().filter_map(|role| lathe.control.param(role)).map(|row| row.range);

@@ -1,16 +1,17 @@
-//! Faults of the second and the third polygon of a part: own place, sides, start angles and cutter; all else is shared with the first.
+//! Faults of the second and the third polygon of a part, which have their own position, sides, start angles and cutter; all else is shared with the first.
 
 use super::further_form::FURTHER;
 use super::resolved::PolygonLathe;
 use crate::msg;
 use crate::text::Message;
 
-/// The field of a further polygon, from 0; none if it shares the first one's.
+/// The field of the further polygon `at` (from 0) for a field of the first one; none if it shares that field.
 pub(super) fn field(id: &str, at: usize) -> Option<&'static str> {
     FURTHER.get(at)?.counterpart(id)
 }
 
-/// Faults of the further polygons, each with its field: faults of a single polygon, overlapping places, cutters that do not fit.
+/// Faults of the further polygons, each with its field: faults of the polygon by itself (`alone`), overlapping
+/// positions, cutters that differ under one tool number.
 pub(super) fn faults(
     lathe: &PolygonLathe,
     alone: impl Fn(&PolygonLathe) -> Vec<(Message, &'static str)>,

@@ -21,7 +21,7 @@ pub(crate) struct Further {
     pub work_start: f64,
     pub tool_start: f64,
     pub tool: f64,
-    /// 0: the tip radius of the first polygon's cutter.
+    /// Tip radius of its cutter, mm; 0: that of the first polygon's cutter.
     pub tip_radius: f64,
 }
 
@@ -120,7 +120,7 @@ macro_rules! row {
     };
 }
 
-/// Groups of the fields, labels and helps of the check marks, and distances from the face by default.
+/// Groups of the fields, labels and helps of the check marks, and default distances from the face (mm).
 const GROUPS: [&str; 2] = ["polygon.group.second", "polygon.group.third"];
 const MARKS: [&str; 2] = ["polygon.second", "polygon.third"];
 const HELPS: [&str; 2] = ["polygon.second.help", "polygon.third.help"];
@@ -147,12 +147,12 @@ pub(super) const fn rows<P: FurtherForm, const AT: usize>() -> [Field<P>; 14] {
     ]
 }
 
-/// The part has the polygons before this one.
+/// Whether the part has the polygons before this one.
 fn is_offered<P: FurtherForm, const AT: usize>(p: &P, _: &Control) -> bool {
     p.further_polygons().iter().take(AT).all(|further| further.on)
 }
 
-/// The part has this polygon.
+/// Whether the part has this polygon.
 fn is_on<P: FurtherForm, const AT: usize>(p: &P, _: &Control) -> bool {
     p.further_polygons().iter().take(AT + 1).all(|further| further.on)
 }

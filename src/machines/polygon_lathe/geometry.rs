@@ -19,10 +19,10 @@ const RADIANS: f64 = PI / 180.0;
 pub(super) const RADIUS_ERROR: f64 = 1.0;
 pub(super) const ANGLE_ERROR: f64 = 10.0;
 
-/// Enough for the three polygons of a work and one changed value of each.
+/// Number of sections kept: enough for the three polygons of a part and one changed value of each.
 const KEPT_SECTIONS: usize = 6;
 
-/// A computed section, with what it was computed from.
+/// Cache entry: a section with its inputs.
 struct KeptSection {
     setup: CutterSetup,
     /// Radius of the stock, mm.
@@ -31,7 +31,7 @@ struct KeptSection {
 }
 
 thread_local! {
-    /// The last one first.
+    /// Cache of sections, the newest first.
     static LAST_SECTIONS: RefCell<VecDeque<KeptSection>> = const { RefCell::new(VecDeque::new()) };
 }
 
@@ -57,19 +57,20 @@ impl Params {
         Some(setup)
     }
 
-    /// Relief and cutting speed that every pass needs, with its number from 1. `sizes` are across flats of the passes.
+    /// Number (from 1) of every pass, with its needed relief and its cutting speeds. `sizes`: across flats of the
+    /// passes, mm.
     pub(super) fn cuts(&self, setup: &CutterSetup, sizes: &[f64]) -> Vec<(f64, InsertLoad)> {
         let cuts = cut::passes(sizes, self.tip_radius, setup.ratio, setup.sides(), 0.5 * self.blank());
         (1_u32..).map(f64::from).zip(cuts).collect()
     }
 
-    /// The finished section. The last ones are kept, because the search for repairs and sensitivities designs the same sections with other
-    /// machine data hundreds of times.
+    /// The finished section. The newest ones are cached, because the search for repairs and sensitivities needs the
+    /// same sections hundreds of times with other machine data.
     pub(super) fn section(&self) -> Option<Section> {
         self.section_in(0.5 * self.blank())
     }
 
-    /// The section out of a stock of this radius, mm.
+    /// The section cut out of stock of this radius, mm.
     pub(super) fn section_in(&self, stock: f64) -> Option<Section> {
         let setup = self.setup(self.across_flats)?;
         LAST_SECTIONS.with_borrow_mut(|last| {
@@ -110,15 +111,15 @@ impl Params {
     }
 }
 
-/// Deviations of the inserts from their places, in their order, from the text of the form; none where one is no number, is greater than
-/// `most`, or where there are more of them than inserts.
+/// Position errors of the inserts, in their order, from the text of the form; none if one is not a number or is greater
+/// than `most`, or if there are more of them than inserts.
 pub(super) fn insert_deviations(text: &str, inserts: usize, most: f64) -> Option<Vec<f64>> {
     let within = |deviation: &f64| deviation.abs() <= most;
     let all: Option<Vec<f64>> = text.split_whitespace().map(|each| number::read(each).filter(within)).collect();
     all.filter(|all| all.len() <= inserts)
 }
 
-/// Entries of a cutter and a ratio, with the shape set to the form's own.
+/// Entries of the form for a cutter and a ratio, with the shape `own`.
 pub(super) fn own_shape(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<FieldEntry> {
     let number = |id, value| FieldEntry::new(id, show(value, 0));
     vec![

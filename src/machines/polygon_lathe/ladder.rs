@@ -31,13 +31,13 @@ pub(super) const RPM: [PlcNumber; PMC_AXES] = [PlcNumber::Block("AXIS7.SPEED"), 
 /// Slow down and stop: channels 7 and 6.
 pub(super) const STOP: [Bit; PMC_AXES] = [Bit::Device("G400.3"), Bit::Device("G360.3")];
 
-/// The request is taken: relays of the sequence.
+/// Relay of the sequence: the request has been accepted.
 const TAKEN: Bit = Bit::Relay("taken");
 const STOPPING: Bit = Bit::Relay("stopping");
 const SPENT: Bit = Bit::Relay("spent");
 const INDEXED: Bit = Bit::Relay("indexed");
 const TURNING: Bit = Bit::Relay("turning");
-/// The spindle override is 100 % whatever the knob says.
+/// The spindle override is 100 % at any position of the knob.
 const OVERRIDE_FIXED: Bit = Bit::Relay("override-fixed");
 /// M3 or M4 while the sequence holds the main spindle: its answer waits.
 const SPINDLE_WAITS: Bit = Bit::Relay("spindle-waits");
@@ -45,7 +45,8 @@ const SPINDLE_WAITS: Bit = Bit::Relay("spindle-waits");
 /// The ladder of the lathe.
 pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     let mut book = Book::new(lathe.control, &lathe.dialect);
-    // At once it would take the drives from work and tool in the cut: the relay delays it until both stand.
+    // The emergency stop is delayed by its relay until work and tool are at rest: at once it would switch off their
+    // drives in the cut.
     let delayed = !lathe.params.coasts(lathe.control);
     book.emergency_by(if delayed { MachineContact::EmergencyDelayed } else { MachineContact::Emergency });
     let mut busy = Vec::new();
@@ -81,14 +82,15 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
     channels(&mut book);
     sequence(&mut book, lathe.params.settling(), delayed);
     answers(&mut book, lathe.has_main_spindle());
-    // A single cutter is on a spindle of its own at the slide: its T selects the offset alone, and nothing turns.
+    // A single cutter is on its own spindle at the slide: its T only selects the offset, and no turret turns.
     busy.extend(program::changes_tools(lathe).then(|| book.turret()));
     book.answer(&busy);
     meanings(&mut book);
     book.finish()
 }
 
-/// The knob of the spindle override to the control, with a thread from M49 on 100 % until M5 or the end of the program.
+/// The knob of the spindle override to the control. With a thread the override is 100 % from M49 until M5 or the end of
+/// the program.
 fn spindle_override(book: &mut Book, lathe: &PolygonLathe) {
     let threads = lathe.params.turned_ends.iter().any(TurnedEnd::threads);
     if !threads || book.has(SignalRole::SpindleOverrideCode) {
@@ -104,15 +106,16 @@ fn spindle_override(book: &mut Book, lathe: &PolygonLathe) {
     book.override_valid();
 }
 
-/// Servo off of the work's axis, axis 4, and its follow-up at 0. Both signals are from memory.
+/// Servo off of the work's axis (axis 4), and its follow-up, which acts while the signal is 0. Both signals are from
+/// memory.
 const SERVO_OFF: Bit = Bit::Device("G126.3");
 const FOLLOW_UP: Bit = Bit::Device("G7.5");
 
-/// While the main spindle turns the work, the servo motor on the same shaft is off and its position follows: its loop would work against the
-/// inverter.
+/// While the main spindle turns the work, the servo motor on the same shaft is off and its position is followed up,
+/// because its position loop would work against the inverter.
 fn follow_up(book: &mut Book) {
     let mut turns = [MachineOutput::Forward, MachineOutput::Reverse].map(|run| vec![on(Bit::Output(run))]).to_vec();
-    // Until it stands, unless the servo itself turns it.
+    // Until the spindle is at rest, unless the servo itself turns it.
     turns.push(vec![off(Bit::Input(MachineContact::AtStandstill)), off(TAKEN)]);
     let rows = [
         (SERVO_OFF, turns, "polygon.ladder.servo-off"),
@@ -169,7 +172,7 @@ fn sequence(book: &mut Book, settling: f64, stops_at_button: bool) {
         vec![on(TURNING), off(turn)],
         vec![on(TAKEN), off(TURNING), off(index)],
         vec![on(TAKEN), on(reset)],
-        // One drive without the other would break the ratio in the cut.
+        // With only one drive the ratio would be lost in the cut.
         vec![on(TAKEN), on(Bit::Signal(SignalRole::Alarm))],
         vec![on(STOPPING), on(TAKEN)],
     ];
@@ -213,7 +216,8 @@ fn answers(book: &mut Book, has_main_spindle: bool) {
     if has_main_spindle {
         // The inverter would turn the work against the servo motor.
         idle.extend([MachineOutput::Forward, MachineOutput::Reverse].map(|run| off(Bit::Output(run))));
-        // Without its run command it still slows down, or coasts with the inverter off: the contact measures at the spindle.
+        // Without its run command the spindle still slows down, or coasts with the inverter off: the standstill contact
+        // decides.
         idle.push(on(Bit::Input(MachineContact::AtStandstill)));
     }
     book.coil(Bit::Macro(AT_ANGLE), vec![vec![on(INDEXED)]], "polygon.ladder.bit");

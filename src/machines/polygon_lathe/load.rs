@@ -13,7 +13,7 @@ pub(super) enum PolygonAxis {
     Tool,
 }
 
-/// The fields of the feeds: each has cuts of its own.
+/// The fields of the feeds. [`PolygonLoad::cuts`] has the cuts of each, in this order.
 pub(super) const FEEDS: [&str; 3] = ["feed", "finish-feed", "infeed"];
 
 /// Torque about an axis, Nm.
@@ -23,7 +23,7 @@ pub(super) struct Torque {
     pub mean: f64,
 }
 
-/// The cuts of one feed: greatest force of an insert (N), torque of work and tool.
+/// The cuts at one feed: greatest force of an insert (N), torque of work and tool.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct CutLoad {
     pub force: f64,
@@ -39,7 +39,7 @@ pub(super) struct PolygonLoad {
     pub at_once: f64,
 }
 
-/// Motor of the work axis or of the tool axis, behind the gear.
+/// Motor of the work axis or of the tool axis, reduced to the axis through its gear.
 pub(super) struct AxisMotor {
     /// Speed of the axis, r/min, signed.
     pub speed: f64,
@@ -50,12 +50,12 @@ pub(super) struct AxisMotor {
     pub ramp: f64,
     /// Position gain, 1/s.
     pub gain: f64,
-    /// Friction (Nm) at the axis beside the cut.
+    /// Friction (Nm) at the axis, besides the cut.
     pub friction: f64,
 }
 
 impl CutLoad {
-    /// The worse of both in each number.
+    /// The greater of both in each figure.
     fn worst(self, other: CutLoad) -> CutLoad {
         let both = |a: Torque, b: Torque| Torque { peak: a.peak.max(b.peak), mean: a.mean.max(b.mean) };
         let torque = [both(self.torque[0], other.torque[0]), both(self.torque[1], other.torque[1])];
@@ -64,15 +64,17 @@ impl CutLoad {
 }
 
 impl Params {
-    /// Specific cutting force of the material, or the entered one, which no thickness of the chip changes; with the wear of the edge.
+    /// Specific cutting force with the wear of the edge: that of the material, or the entered one, which does not
+    /// depend on the chip thickness.
     pub(super) fn specific(&self) -> Kienzle {
         let entered = Kienzle { unit_force: self.specific_force, exponent: 0.0 };
         let sharp = self.material.kienzle().unwrap_or(entered);
         Kienzle { unit_force: sharp.unit_force * self.edge_wear, ..sharp }
     }
 
-    /// Loads of passes of these `sizes` across flats. The chip is as wide as the layer is deep and as thick as the marks on a flat are
-    /// apart; on the way down as wide as the insert, and its force acts at the tip circle and at the stock at most.
+    /// Loads of passes of these `sizes` across flats. The chip has the depth of the layer as its width and the distance
+    /// of the feed marks as its thickness. In the infeed its width is that of the insert, and the levers of its force
+    /// are the tip radius and the stock radius.
     pub(super) fn load(&self, sizes: &[f64]) -> PolygonLoad {
         let Some(ratio) = self.ratio() else { return PolygonLoad::default() };
         let inserts = self.inserts as u32;
@@ -105,7 +107,8 @@ impl Params {
         all
     }
 
-    /// The form with `share` of its feeds; those of the flats stay in step with a work that turns faster by it.
+    /// The form with all feeds multiplied by `share`. If the work turns faster by the same factor, its speed is
+    /// multiplied instead of the feeds of the flats, which are per turn of the work.
     pub(super) fn with_feeds(mut self, share: f64, work_turns_faster: bool) -> Params {
         if work_turns_faster {
             self.speed *= share;
@@ -118,7 +121,7 @@ impl Params {
         self
     }
 
-    /// The main spindle turns an end of the bar.
+    /// Whether the main spindle turns an end of the bar.
     pub(super) fn turns_ends(&self) -> bool {
         self.turned_ends.iter().any(|end| end.on)
     }
@@ -152,19 +155,19 @@ impl Params {
         AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain, friction }
     }
 
-    /// Torque (Nm) that the drive gives at its speed beside friction: continuously at its site, and for a short time.
+    /// Torques (Nm) of the drive at its speed less friction: continuous at its site, and short-time.
     pub(super) fn torques(&self, axis: PolygonAxis) -> (f64, f64) {
         self.torques_of(&self.drive(axis))
     }
 
-    /// The same of a drive.
+    /// The same for a drive.
     pub(super) fn torques_of(&self, drive: &AxisMotor) -> (f64, f64) {
         let rated = drive.motor.torque(drive.speed);
         let left = |percent: f64| (rated * percent / 100.0 - drive.friction).max(0.0);
         (left(self.site_share), left(self.drive_peak))
     }
 
-    /// The shortest ramp (s) of an axis that its drive has the torque for.
+    /// Shortest ramp (s) of an axis that the torque of its drive allows.
     pub(super) fn ramp(&self, axis: PolygonAxis) -> f64 {
         let drive = self.drive(axis);
         shortest_ramp(drive.inertia, drive.speed, drive.gain, self.torques(axis).1)

@@ -42,7 +42,8 @@ impl Params {
         SpindleGear { speed_at_10v: self.main_speed, efficiency: self.drive_efficiency }
     }
 
-    /// Clamp (r/min) of the control for the spindle: its speed at 10 V, at most that of the work axis, whose motor and chuck run along.
+    /// Clamp (r/min) of the control for the spindle: its speed at 10 V, at most the highest speed of the work axis,
+    /// whose motor and chuck turn with it.
     pub(super) fn main_clamp(&self) -> f64 {
         self.main_speed.min(self.work_limit)
     }
@@ -69,7 +70,7 @@ impl PolygonLathe {
         self.params.turned_ends.iter().zip(TURNED_ENDS.map(|fields| fields.depth)).filter(|(end, _)| end.on)
     }
 
-    /// The program turns the bar by its main spindle.
+    /// Whether the program turns the bar by its main spindle.
     pub(super) fn has_main_spindle(&self) -> bool {
         self.params.turns_ends()
     }
@@ -77,7 +78,7 @@ impl PolygonLathe {
     /// Torque (Nm) of the cut at a turned end, at the diameter from which it is cut: `F D / 2000`. Source: turning spindle facts, 4.
     fn cut_torque(&self, end: &TurnedEnd) -> f64 {
         let [before, _] = &self.params.turned_ends;
-        // By its place: at another feed it is the same end.
+        // Identified by its sizes: with another feed it is the same end.
         let is_before = (end.diameter, end.length) == (before.diameter, before.length);
         let blank = if is_before { self.params.stock_diameter } else { end.blank(&self.params) };
         cutting::torque(self.end_force(end), blank)
@@ -101,12 +102,13 @@ pub(super) fn programmed_speed(lathe: &PolygonLathe) -> f64 {
     lathe.turned_ends().map(|(end, _)| end.speed).fold(0.0, f64::max)
 }
 
-/// Greatest speed (r/min) that the program asks for: S, or that of the knob's highest position, which the control clamps.
+/// Greatest commanded speed (r/min) with the knob at any position: S, or S at the knob's highest position, limited by
+/// the clamp of the control.
 pub(super) fn greatest_speed(lathe: &PolygonLathe) -> f64 {
     programmed_speed(lathe).max(speed_at_highest_knob(lathe))
 }
 
-/// Torque (Nm) of cut and friction where they ask most of the motor.
+/// Torque (Nm) of cut and friction at the end with the greatest demand on the motor.
 pub(super) fn torque(lathe: &PolygonLathe) -> f64 {
     lathe.hardest_end().map_or(0.0, |(end, _)| lathe.end_torque(end))
 }
@@ -128,7 +130,7 @@ pub(super) fn least_volts(lathe: &PolygonLathe) -> f64 {
     lathe.control.analog_output.with_speed(lathe.params.main_speed).output(slowest)
 }
 
-/// The voltage at the slowest turned end against the one beside which offsets and noise are small.
+/// Judges the voltage at the slowest turned end against [`FEW_VOLTS`].
 pub(super) fn judge_volts(lathe: &PolygonLathe) -> Option<Judgement> {
     let (volts, limit) = (least_volts(lathe), AtLeast(FEW_VOLTS));
     if limit.holds(volts) {
@@ -137,7 +139,7 @@ pub(super) fn judge_volts(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(limit, [msg!("polygon.few-volts", volts = (volts, 3)).into()])
 }
 
-/// Cut and friction against the continuous torque of the motor.
+/// Judges cut and friction against the continuous torque of the motor.
 pub(super) fn judge_torque(lathe: &PolygonLathe) -> Option<Judgement> {
     let (p, (end, field)) = (&lathe.params, lathe.hardest_end()?);
     let (torque, speed) = (lathe.end_torque(end), end.speed);
@@ -183,8 +185,8 @@ fn torques_at_knobs(lathe: &PolygonLathe, end: &TurnedEnd) -> Vec<TorqueAtKnobs>
     all.into_iter().map(torque).collect()
 }
 
-/// A cut that the motor carries at the form's positions of the knobs: a warning where it does not at another one. The advised feeds hold at
-/// all of them.
+/// Judges a cut within the motor's torque at the form's positions of the knobs: a warning if it exceeds the torque at
+/// another position. The advised feeds suffice at all positions.
 fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> {
     let p = &lathe.params;
     let all: Vec<TorqueAtKnobs> = lathe.turned_ends().flat_map(|(end, _)| torques_at_knobs(lathe, end)).collect();
@@ -204,7 +206,8 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
     }
 }
 
-/// The greatest speed of the turned ends, with the knob at any position, against that of the work axis, whose motor and chuck run along.
+/// Judges the greatest speed of the turned ends, with the knob at any position, against the highest speed of the work
+/// axis, whose motor and chuck turn with it.
 pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let (speed, most) = (greatest_speed(lathe), lathe.params.work_limit);
     if speed <= most {
@@ -217,14 +220,15 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     fail(AtMost(most), [advice.setting(msg!("advice.set-speed", speed = (most, 0)), sets)])
 }
 
-/// The ramp of the inverter against the shortest one to the greatest speed of the turned ends.
+/// Judges the ramp of the inverter against the shortest one to the greatest speed of the turned ends.
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
     let speed = programmed_speed(lathe);
     let at_knob = lathe.knob_ends().higher.map(|percent| (percent, lathe.speed_at(speed, percent)));
     main_spindle::judge_ramp(&lathe.params.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
 }
 
-/// Its motor for the sizing, at the turned end that asks most of it; none without turned ends, or where no cutting force is known.
+/// The main motor for the sizing, at the turned end with the greatest demand on it; none without turned ends, or if the
+/// cutting force is not known.
 pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
     let (p, (end, _)) = (&lathe.params, lathe.hardest_end()?);
     let gear = p.main_gear();
@@ -253,7 +257,8 @@ fn load_at_motor(p: &Params) -> Load {
     p.main.load_at_motor(p.main_spindle_gear(), p.work_inertia)
 }
 
-/// Its motor in a part of a run: friction always, the greatest cut while the slide is in the stock and the spindle turns it.
+/// The main motor in a part of a run: friction always, and the greatest cut while the slide is in the stock and the
+/// spindle turns it.
 pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
     let p = &lathe.params;
     let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;

@@ -36,7 +36,7 @@ fn offset(lathe: &PolygonLathe) -> f64 {
     (lathe.params.work_start - lathe.params.tool_start / k).rem_euclid(360.0)
 }
 
-/// The program while it is written: its blocks, each with what it does (catalog id, or empty).
+/// The program while it is written: its blocks, each with a note (catalog id, or empty).
 struct Blocks<'a> {
     lathe: &'a PolygonLathe,
     builder: Builder,
@@ -54,7 +54,7 @@ impl Blocks<'_> {
         writing::places(self.lathe.control, [CROSS, ALONG])
     }
 
-    /// The checks of a tool that is clear of the work, as in the program with G512.
+    /// The checks that the tool is clear of the work, as in the program with G512.
     fn check(&mut self) {
         let Some(place) = self.place() else { return };
         let clear = self.lathe.x_of(self.lathe.params.clear_diameter());
@@ -62,7 +62,8 @@ impl Blocks<'_> {
         self.notes.extend(["polygon.other.clear"; 2]);
     }
 
-    /// The checks of a turret that has room to turn, as in the program with G512; the next block is that behind them.
+    /// The checks that the turret has room to turn, as in the program with G512; with room beside the work the program
+    /// goes on after them.
     fn check_turret(&mut self) {
         const NEXT: u32 = 12;
         let Some(place) = self.place() else { return };
@@ -87,13 +88,13 @@ impl Blocks<'_> {
     }
 }
 
-/// The program, and what each of its blocks does; none without a ratio.
+/// The program, and the note of each of its blocks; none without a ratio.
 fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let p = &lathe.params;
     p.ratio()?;
     let mut b = Blocks { lathe, builder: Builder::new(), notes: Vec::new() };
     b.builder.program(NUMBER, "FOR CONTROLS WITH G51.2");
-    // With its point: without one a word of an axis counts increments.
+    // With a decimal point: without one a word of an axis counts increments.
     let cross = |size: f64| x(real(lathe.x_of(size), 3));
     let along = |length: f64| z(real(length, 3));
     let clear = p.clear_diameter();
@@ -141,7 +142,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
 fn turn(lathe: &PolygonLathe, b: &mut Blocks<'_>) -> Option<()> {
     let p = &lathe.params;
     let ratio = p.ratio()?;
-    // P above 0, Q with the sense of the tool.
+    // P is above 0; Q has the sign of the tool's direction.
     let mut on = vec![word(Address::G, real(51.2, 1)), p_word(ratio.work()), word(Address::Q, ratio.tool())];
     let offset = offset(lathe);
     if math::clamp(offset, 1e-6, 359.999_999) == offset {

@@ -1,4 +1,4 @@
-//! Closed lines of the section: through points, the ideal polygon, and how far the finished section is from it.
+//! Closed lines of the section, the ideal polygon, and the deviation of the finished section from it.
 
 use crate::drives::polygon::{SAME_LENGTH, Section};
 use crate::math::{self, PI};
@@ -31,7 +31,8 @@ fn from_normal(section: &Section, angle: f64, pitch: f64) -> f64 {
     pitch * (off - off.round())
 }
 
-/// Deviation of the finished section from the plane of the nearest side, at evenly spaced angles: angle and mm, none where stock is left.
+/// Deviation (mm) of the finished section from the plane of the nearest side, at `count` evenly spaced angles (rad), as
+/// (angle, deviation); NaN where stock is left.
 pub(super) fn deviations(section: &Section, apothem: f64, sides: u32, count: usize) -> Vec<(f64, f64)> {
     let pitch = 2.0 * PI / f64::from(sides.max(1));
     let at = |(i, radius): (usize, f64)| {

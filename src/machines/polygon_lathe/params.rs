@@ -120,7 +120,7 @@ pub(crate) struct Params {
     pub product: String,
 }
 
-/// Characters of the errors of all inserts.
+/// Greatest length of the text with the errors of all inserts.
 const ERRORS: usize = 200;
 
 impl Params {
@@ -129,17 +129,17 @@ impl Params {
         self.shape == Shape::Own
     }
 
-    /// The bar is turned by the main spindle.
+    /// Whether the bar is turned by the main spindle.
     fn turns(&self, _: &Control) -> bool {
         self.turned_ends.iter().any(|end| end.on)
     }
 
-    /// The polygon begins at a distance from the face: there is stock at both of its ends.
+    /// Whether the polygon begins at a distance from the face, with stock at both of its ends.
     pub(super) fn is_behind_face(&self) -> bool {
         self.from_face > 0.0
     }
 
-    /// A polygon begins at a distance from the face, so that the insert goes down into the stock.
+    /// Whether any polygon begins at a distance from the face, so that the insert goes down into the stock.
     fn goes_down(&self, _: &Control) -> bool {
         self.is_behind_face() || self.further[0].on
     }
@@ -149,7 +149,7 @@ impl Params {
         self.material == Material::None
     }
 
-    /// Emergency stop leaves work and tool to coast.
+    /// Whether work and tool coast at an emergency stop.
     pub(super) fn coasts(&self, _: &Control) -> bool {
         self.emergency == Emergency::Off
     }

@@ -1,4 +1,4 @@
-//! The passes of a polygon: how many, and size and feed of each.
+//! The passes of a polygon: their number, and size and feed of each.
 
 use super::params::Params;
 use crate::math;
@@ -19,14 +19,14 @@ impl Params {
         if lies_on_it { before.diameter.min(self.stock_diameter) } else { self.stock_diameter }
     }
 
-    /// Depth of all roughing passes, on the radius.
+    /// Depth of all roughing passes together, on the radius, mm.
     fn rough(&self) -> f64 {
         (0.5 * (self.blank() - self.across_flats) - self.allowance).max(0.0)
     }
 
-    /// How far the tips go into the stock, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the tips, touches stock beside the
-    /// polygon if this reach is more than `h`. Source: mechanics, with the distance of the axes a = AF/2 + r and a body of the radius r -
-    /// h.
+    /// Depth of the tips in the stock at the last pass, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the
+    /// tips, touches stock beside the polygon if this reach is more than `h`. Source: mechanics, with the distance of
+    /// the axes a = AF/2 + r and a body of the radius r - h.
     pub(super) fn reach(&self) -> f64 {
         (0.5 * (self.blank() - self.across_flats)).max(0.0)
     }
@@ -37,18 +37,18 @@ impl Params {
         1.0 + math::clamp(math::whole_up(self.rough() / self.depth), 0.0, PASSES)
     }
 
-    /// Across flats after a pass (from 1).
+    /// Distance across flats (mm) after a pass (from 1).
     pub(super) fn size(&self, pass: f64) -> f64 {
         let rough = self.across_flats + 2.0 * self.allowance;
         if pass >= self.passes() { self.across_flats } else { (self.blank() - 2.0 * pass * self.depth).max(rough) }
     }
 
-    /// Feed of a pass in mm for each turn of the work.
+    /// Feed of a pass, mm per turn of the work.
     pub(super) fn feed_of(&self, pass: f64) -> f64 {
         if pass >= self.passes() { self.finish_feed } else { self.feed }
     }
 
-    /// F in mm/min for a feed for each turn of the work.
+    /// F (mm/min) of a feed in mm per turn of the work.
     pub(super) fn per_minute(&self, feed: f64) -> f64 {
         feed * self.work_speed().abs()
     }

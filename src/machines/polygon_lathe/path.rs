@@ -1,4 +1,4 @@
-//! Path of the cutter through its passes, each motion once: programs and times are made from it.
+//! Path of the cutter through its passes as a list of motions, the source of both programs and times.
 //!
 //! No rapid is inside the stock. A polygon at the end of the bar is cut from in front of the face. For a polygon further along the bar the
 //! insert goes down into the stock at feed, from its clearance over the stock, where all of it is beyond the near end of the polygon; from
@@ -16,7 +16,7 @@ pub(super) enum SlideTarget {
     Along(f64),
 }
 
-/// A step of a pass.
+/// A motion or dwell of a pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PassStep {
     /// One axis at rapid traverse.
@@ -44,7 +44,7 @@ impl PassStep {
     }
 }
 
-/// Maximum dwell, s; also where the work does not turn.
+/// Maximum dwell, s; also the dwell if the work does not turn.
 const MAX_DWELL: f64 = 9_999.0;
 
 impl Params {
@@ -53,16 +53,16 @@ impl Params {
         self.stock_diameter + 2.0 * self.clearance
     }
 
-    /// Whether the tools have their clearance at the start, and in front of the jaws at a distance of `far` mm of the last cut from the
-    /// face.
+    /// Whether the tools have their clearance at the start point, and in front of the jaws after a last cut at the
+    /// distance `far` (mm) from the face.
     pub(super) fn has_room(&self, far: f64) -> bool {
         let far = self.turned_ends.iter().filter(|end| end.on).map(|end| end.length).fold(far, f64::max);
         let jaws = self.free_length == 0.0 || far + self.clearance <= self.free_length;
         jaws && self.start_x >= self.clear_diameter() && self.start_z >= self.clearance
     }
 
-    /// Z position (mm) at which a pass goes to its depth: in front of the face, or with the insert's far edge its width beyond the near
-    /// end.
+    /// Z position (mm) at which a pass goes to its depth: in front of the face, or, for a polygon behind the face, one
+    /// width of the insert beyond the near end.
     pub(super) fn approach(&self) -> f64 {
         if self.is_behind_face() { -self.from_face - self.insert_width } else { self.clearance }
     }
@@ -72,13 +72,15 @@ impl Params {
         self.retract_feed.min(self.slides.x.clamp)
     }
 
-    /// Time in which every insert passes every side, s: `60 D / n work` in lowest terms, rounded up to a word.
+    /// Time in which every insert passes every side, s: `60 D / n_work`, with the ratio in lowest terms, rounded up to
+    /// the resolution of a word.
     fn pattern_time(&self) -> f64 {
         let turns = self.ratio().map_or(1.0, |ratio| f64::from(ratio.work()));
         ((60_000.0 * turns / self.work_speed().abs()).ceil() / 1000.0).min(MAX_DWELL)
     }
 
-    /// The steps of a pass, from 1. The last pass waits where an end of the polygon gets its shape, until every insert has been there.
+    /// The steps of a pass, from 1. The last pass dwells at each end of the polygon that lies in the stock, until every
+    /// insert has passed it.
     pub(super) fn steps(&self, pass: f64) -> Vec<PassStep> {
         let feed = self.per_minute(self.feed_of(pass));
         let (size, clear) = (SlideTarget::Across(self.size(pass)), SlideTarget::Across(self.clear_diameter()));
@@ -91,12 +93,12 @@ impl Params {
             return steps.chain([out, PassStep::Rapid(begin)]).collect();
         }
         let down = [PassStep::Rapid(begin), PassStep::Feed(size, self.per_minute(self.infeed))];
-        // Going down alone cuts as much as the insert is wide.
+        // A polygon no longer than the insert is wide is cut by the infeed alone.
         let along = along.into_iter().chain(wait).filter(|_| beside);
         down.into_iter().chain(wait).chain(along).chain([out]).collect()
     }
 
-    /// Time of all passes but for rapid traverse, s.
+    /// Time of all passes without rapid traverse, s.
     pub(super) fn cutting_time(&self) -> f64 {
         let begin = (self.clear_diameter(), self.clearance);
         time(begin, self.all_steps(), 0.0, NO_RAPIDS)
@@ -108,8 +110,8 @@ impl Params {
     }
 }
 
-/// Starts from standstill of the axis that starts more often, in steps from a diameter and a place along the work: a motion starts an axis
-/// unless it goes on in the direction of the step before.
+/// Number of starts from standstill of the axis with more starts, over steps from `from` (diameter and position along
+/// the work, mm): a motion starts an axis unless it continues in the direction of the previous step.
 pub(super) fn starts(mut from: (f64, f64), steps: &[PassStep]) -> f64 {
     let (mut moving, mut count) = ([0.0_f64; 2], [0.0_f64; 2]);
     for step in steps {
@@ -129,8 +131,8 @@ pub(super) fn starts(mut from: (f64, f64), steps: &[PassStep]) -> f64 {
 /// Rapid traverse that takes no time.
 pub(super) const NO_RAPIDS: [f64; 2] = [f64::INFINITY; 2];
 
-/// Time of steps from a diameter and a place along the work, s: `60 s / F` for the distance s, step by step; threads at a speed in r/min,
-/// rapids across and along at speeds in mm/min.
+/// Time (s) of steps from `from` (diameter and position along the work, mm): the sum of `60 s / F` with the distance s
+/// of each step. `rpm`: spindle speed in threads, r/min; `rapids`: rapid traverse across and along the work, mm/min.
 pub(super) fn time(mut from: (f64, f64), steps: impl Iterator<Item = PassStep>, rpm: f64, rapids: [f64; 2]) -> f64 {
     let mut total = 0.0;
     for step in steps {

@@ -5,7 +5,7 @@ use crate::drives::Stage;
 use crate::drives::speed::STAGES;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
-/// The main spindle where the program turns by it; else that of the control's test bench, at rest.
+/// The main spindle if the program turns the bar with it; else the spindle of the control's test bench, at rest.
 fn spindle(lathe: &PolygonLathe) -> SpindlePlant {
     let bench = SpindlePlant::bench(lathe.control, lathe.dialect.spindle());
     if !lathe.has_main_spindle() {

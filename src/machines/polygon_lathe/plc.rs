@@ -1,8 +1,8 @@
 //! The builder's PMC of the polygon lathe: its ladder, and the named block that turns the axes of work and tool.
 //!
-//! From the paper: the variables of speed and ratios, and that each axis turns at their product. The rest is ours, as in the ladder: reset
-//! and emergency stop end polygon turning (in ratio, or coasting with the drives off), and only a new request starts it again. Feed hold
-//! stops the slide alone.
+//! From the paper: the variables of speed and ratios, and that each axis turns at their product. The rest is
+//! macroline's own, as in the ladder: reset and emergency stop end polygon turning (in ratio, or coasting with the
+//! drives off), and only a new request starts it again. Feed hold stops the slide alone.
 
 use super::ladder::{ANGLE, AT_STANDSTILL, DONE, GO_TO_ANGLE, RPM, RUN, STOP, ladder};
 use super::resolved::PolygonLathe;
@@ -11,7 +11,7 @@ use crate::machines::ladder::plc::{LadderPlc, NamedBlock, Wiring};
 use crate::machines::ladder::scan::Image;
 use crate::motion::{PMC_AXES, PlcOrders, PlcSignals};
 
-/// Seconds between two speeds of an axis that coasts.
+/// Time step (s) of the speed of a coasting axis.
 const STEP: f64 = 0.01;
 /// Angles (turns) that differ by no more are equal.
 const SAME_ANGLE: f64 = 1e-9;
@@ -30,13 +30,13 @@ pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
 enum AxesState {
     /// Both are at rest.
     Rest,
-    /// Each axis turns to its start angle until then.
+    /// The axes turn to their start angles, each until this time (s).
     Indexing([f64; PMC_AXES]),
     /// Both turn at their speeds.
     Turning,
     /// Both slow down, to rest at this time (s).
     Stopping(f64),
-    /// Both coast since then, from these speeds in r/min.
+    /// Both coast since this time (s), from these speeds in r/min.
     Coasting(f64, [f64; PMC_AXES]),
 }
 
@@ -109,7 +109,7 @@ impl Axes {
             }
             AxesState::Coasting(since, from) => {
                 let deceleration = self.coasting_deceleration.unwrap_or([f64::INFINITY; PMC_AXES]);
-                // In steps, each at the speed of its middle.
+                // In steps, each with the speed at its middle.
                 let gone = t + 0.5 * STEP - since;
                 orders.pmc_speed =
                     core::array::from_fn(|k| (from[k].abs() - deceleration[k] * gone).max(0.0).copysign(from[k]));

@@ -1,4 +1,4 @@
-//! The form of each polygon of a part: inserts and ratio of its shape, and each further polygon in the place of the first.
+//! The form for each polygon of a part: inserts and ratio by its shape, and each further polygon in place of the first one.
 
 use super::further_form::Further;
 use super::params::Params;
@@ -20,7 +20,7 @@ impl Params {
         self
     }
 
-    /// The further polygons of the part, each in the place of the first. The third needs the second.
+    /// The form for each further polygon, with that polygon in place of the first one. The third needs the second.
     pub(super) fn further(&self) -> Vec<Params> {
         let one = |further: &Further| {
             let own = Params {
@@ -42,7 +42,7 @@ impl Params {
             };
             let mut own = own.with_shape();
             if own.tool != self.tool {
-                // The errors belong to another cutter.
+                // The entered errors of the inserts belong to the first polygon's cutter.
                 own.radius_errors.clear();
                 own.angle_errors.clear();
             }

@@ -15,9 +15,9 @@ use crate::text::units;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
-/// Degrees per frame beyond which a single insert blurs.
+/// Turn (degrees per frame) beyond which a single insert blurs.
 const SEEN: f64 = 60.0;
-/// Degrees per frame beyond which the jaws of the chuck blur.
+/// Turn (degrees per frame) beyond which the jaws of the chuck blur.
 const SEEN_JAWS: f64 = 40.0;
 
 /// Placements, paths and figures at a moment.
@@ -36,7 +36,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     let near = (0.0, 0.0);
     let present = progress::present(lathe, run, now, &progress);
     let polygon = lathe.polygons().nth(present).unwrap_or(lathe);
-    // The cutter of the present polygon, from its own last place, and from that of the first.
+    // Distance of the present polygon's cutter from its own last position, and from that of the first cutter.
     let own = 0.5 * (across_flats - polygon.params.across_flats) * layout.scale;
     let aside = layout.of(polygon).cutter.0 + own - layout.cutter.0;
     let turned = |axis: usize, limit: f64| Frame::seen((now.pmc[axis].feed / 60.0 * frame.step).abs(), limit);
@@ -92,7 +92,7 @@ fn edges(lathe: &PolygonLathe, layout: &Layout, progress: &Progress, angle: f64)
     scene::profile(lathe, progress).into_iter().map(cut).collect()
 }
 
-/// Number of the pass, and the number of passes where its size is one of the form's.
+/// Number of the pass; with the number of passes if its size is that of a pass of the form.
 pub(super) fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
     let all: Vec<f64> = lathe.polygons().flat_map(|lathe| &lathe.sizes).copied().collect();
     let Some(now) = progress.now() else { return format!("1 / {}", all.len()) };

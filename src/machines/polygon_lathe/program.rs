@@ -1,7 +1,7 @@
 //! The programs of the polygon lathe: O3000 turns the part, O9120 (G512) starts the two axes, O9121 (G502) stops them.
 //!
-//! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
-//! them, and the bits to and from the PMC, is ours.
+//! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write;
+//! everything else in them, and the bits to and from the PMC, is macroline's own.
 
 use super::path::{PassStep, SlideTarget};
 use super::resolved::PolygonLathe;
@@ -30,7 +30,8 @@ pub(super) const TOOL_ANGLE: u32 = 1496;
 /// Bits to the PMC: go to the start angles, turn (ours).
 pub(super) const INDEX: u32 = 1100;
 pub(super) const TURN: u32 = 1101;
-/// Bits from the PMC: at the start angles, both at speed, polygon turning is on, nothing turns and nothing is asked for (ours).
+/// Bits from the PMC: at the start angles, both at speed, polygon turning is on, nothing turns and nothing is requested
+/// (ours).
 pub(super) const AT_ANGLE: u32 = 1000;
 pub(super) const AT_SPEED: u32 = 1001;
 pub(super) const ON: u32 = 1002;
@@ -57,7 +58,7 @@ const WORK_RATIO_NOT_WHOLE: u32 = 4;
 const TOOL_RATIO_NOT_WHOLE: u32 = 5;
 const ZERO_RATIO: u32 = 6;
 const NOT_ALONE: u32 = 7;
-/// Number of the alarm of polygon turning that is on already.
+/// Number of the alarm for a start while polygon turning is on.
 const ON_ALREADY: u32 = 8;
 /// Numbers of the alarms of an axis above its highest speed.
 const WORK_TOO_FAST: u32 = 9;
@@ -161,7 +162,7 @@ pub(super) struct TurnedEndBlock {
     pub(super) words: Vec<NewWord>,
     /// Comment of the block, or empty.
     note: &'static str,
-    /// The turret brings another tool: the block is followed by a check of its clearance.
+    /// Whether the turret brings another tool: a check of its clearance follows the block.
     pub(super) changes_tool: bool,
 }
 
@@ -171,7 +172,7 @@ impl TurnedEndBlock {
     }
 }
 
-/// Where a turned end stands in the program.
+/// Position of a turned end in the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum TurnedEndPlace {
     /// Before the polygons.
@@ -180,7 +181,7 @@ pub(super) enum TurnedEndPlace {
     After,
 }
 
-/// Least feed of a word, mm per revolution: below it F would be written as 0.
+/// Least feed of an F word, mm per revolution; a smaller one would be written as 0.
 const LEAST_FEED: f64 = 0.001;
 
 /// A step of a turned end with its feed per revolution of the spindle, instead of per minute at `speed` (r/min).
@@ -193,8 +194,9 @@ fn per_revolution(step: PassStep, speed: f64) -> PassStep {
     }
 }
 
-/// Blocks of a turned end, if the part has one there: each tool from the start of the slide and back, the spindle on for both. The feed is per
-/// revolution: with one per minute a knob at a low position would drive the tool into a bar that hardly turns.
+/// Blocks of a turned end, if the part has one at this place: each tool starts from the start point of the slide and
+/// returns to it, with the spindle on for both tools. The feed is per revolution: with a feed per minute, a spindle
+/// knob at a low position would drive the tool into a bar that hardly turns.
 pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<TurnedEndBlock> {
     let p = &lathe.params;
     let Some(end) = p.turned_ends.get(place as usize).filter(|end| end.on) else { return Vec::new() };
@@ -212,11 +214,13 @@ pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<Tur
         if at == 0 {
             all.push(plain(vec![m(3), s(end.speed as u32)]));
             all.push(TurnedEndBlock::new(ramp(), "SPINDLE COMES TO ITS SPEED"));
-            // Behind the dwell: a parameter of the control may count it in revolutions under a feed per revolution.
+            // After the dwell, because a parameter of the control may count a dwell in revolutions under a feed per
+            // revolution.
             all.extend(per_turn.then(|| plain(writing::codes(lathe.control, [Code::FeedPerRevolution]))));
         }
         if at > 0 {
-            // Between two threads the knob would act, and each thread would begin while the spindle goes back to S.
+            // Without it the knob would act between two threads, and each thread would begin while the spindle returns
+            // to S.
             let per_minute = writing::codes(lathe.control, per_turn.then_some(Code::FeedPerMinute));
             let fixed = per_minute.into_iter().chain([m(OVERRIDE_OFF)]).collect();
             all.push(TurnedEndBlock::new(fixed, "SPINDLE OVERRIDE OFF"));
@@ -249,7 +253,8 @@ fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, p
     }
 }
 
-/// Jumps to an alarm unless the turret has room to turn where the slide stands; beside the work it goes on at block `next`.
+/// Jumps to an alarm unless the turret has room to turn at the position of the slide; with room beside the work it goes
+/// on at block `next`.
 pub(super) fn check_turret(b: &mut Builder, lathe: &PolygonLathe, place: (u32, u32), next: u32) {
     let p = &lathe.params;
     let beside = lathe.x_of(p.stock_diameter + 2.0 * p.turret_room);
@@ -342,7 +347,8 @@ fn call(on: u32, lathe: &PolygonLathe) -> Vec<NewWord> {
     [g(on)].into_iter().chain(arguments.map(|(letter, value)| word(letter, value))).collect()
 }
 
-/// From a polygon to the next: the cutter changes at the start of the slide, and a pass at the end of the bar begins in front of the face.
+/// From one polygon to the next: the cutter changes at the start point of the slide, and a pass at the end of the bar
+/// begins in front of the face.
 fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe), place: Option<(u32, u32)>) {
     let p = &to.params;
     let clear = p.clear_diameter();

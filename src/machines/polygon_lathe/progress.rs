@@ -1,8 +1,8 @@
-//! Progress of the part: passes done, position of the present one, and the outline of the stock at its face.
+//! Progress of the part: passes done, position of the present pass, and the outline of the stock at its face.
 //!
-//! Holds for any program: a pass is a stay of the slide in the stock, beyond its face and within its diameter. The outline is cut again for
-//! every frame from the angles of the two axes at the start of the pass, so that a phase error or a wrong start angle shows. It is a polar
-//! grid, for the eye; measured values come from the exact section.
+//! Applies to any program: a pass is a visit of the slide to the stock, behind its face and within its diameter. The
+//! outline is computed for every frame from the angles of the two axes at the start of the pass, so that a phase error
+//! or a wrong start angle is visible. It is a polar grid for the drawing only; results come from the exact section.
 
 use super::program;
 use super::resolved::{PolygonLathe, TOOL, WORK};
@@ -30,7 +30,7 @@ pub(super) struct SlidePass {
     pub(super) size: f64,
     /// Stretch of the work that it has cut: distances of its near and its far end from the face, mm.
     pub(super) stretch: (f64, f64),
-    /// The machine as the slide reached the stock.
+    /// The machine at the time when the slide reached the stock.
     since: Snapshot,
 }
 
@@ -40,7 +40,7 @@ impl SlidePass {
         0.5 * (self.stretch.0 + self.stretch.1)
     }
 
-    /// Both have cut some of the same stretch.
+    /// Whether both have cut a part of the same stretch.
     fn overlaps(&self, other: &SlidePass) -> bool {
         self.stretch.0 < other.stretch.1 && other.stretch.0 < self.stretch.1
     }
@@ -84,7 +84,7 @@ fn visits(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<Visit> {
     run.visits([(lathe.cross(), 0.5 * lathe.params.stock_diameter), (lathe.along(), 0.0)], until)
 }
 
-/// The main spindle turns the work, with the tool axis at rest.
+/// Whether the main spindle turns the work, with the tool axis at rest.
 fn is_turning(now: &Snapshot) -> bool {
     now.pmc[TOOL].feed == 0.0 && now.spindle.actual != 0.0
 }
@@ -100,7 +100,7 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
         if is_turning(&since) {
             let far = -visit.along.0;
             let threaded = p.turned_ends.iter().filter(|end| end.on && end.pitch > 0.0 && far <= end.length);
-            // The drawing has no flanks.
+            // The drawing of a thread has no flanks.
             let least = threaded.map(|end| end.diameter).fold(0.0, f64::max).min(p.stock_diameter);
             let (near, size) = ((-visit.along.1).max(0.0), (2.0 * visit.across).max(least));
             progress.turned_stretches.push(SizedStretch { near, far, size });
@@ -154,7 +154,7 @@ pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot)
     grid
 }
 
-/// Cuts the insert passes since the slide reached the face, up to one closed pattern.
+/// Cuts the grid by the insert passes since the slide reached the face, up to one closed pattern.
 fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &SlidePass, now: &Snapshot) {
     let Some(setup) = lathe.at(slide.middle()).params.setup(slide.size) else { return };
     let k = setup.ratio.value();

@@ -41,7 +41,7 @@ macro_rules! row {
     };
 }
 
-/// Whether the flats come about.
+/// Whether the inserts cut flats.
 fn cuts(lathe: &PolygonLathe) -> bool {
     lathe.derived.cuts
 }

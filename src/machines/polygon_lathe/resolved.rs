@@ -29,7 +29,7 @@ pub(crate) struct PolygonLathe {
     pub(super) dialect: Dialect,
     /// Across flats of every pass.
     pub(super) sizes: Vec<f64>,
-    /// The second and the third polygon of the part, each as if it were the only one.
+    /// The second and the third polygon of the part, each as a lathe with this polygon alone.
     pub(super) further: Vec<PolygonLathe>,
     /// Text of the lens's scales, made when it is first shown.
     pub(super) lens_scales: OnceLock<String>,
@@ -49,7 +49,7 @@ impl PolygonLathe {
         PolygonLathe::on(form, on.control, on.dialect())
     }
 
-    /// The same form on another control, with the settings that it has at first.
+    /// The same form on another control, with the default settings of its switches.
     pub(super) fn on_control(&self, control: &'static Control) -> PolygonLathe {
         PolygonLathe::on(self.form.clone(), control, Dialect::resolve(control, &Switches::default()))
     }
@@ -64,7 +64,7 @@ impl PolygonLathe {
         PolygonLathe { further, ..PolygonLathe::one(form, params, control, dialect) }
     }
 
-    /// The lathe with one polygon.
+    /// The lathe with one polygon, without further ones.
     fn one(form: Params, params: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
         let sizes: Vec<f64> = (1..=params.passes() as u32).map(|pass| params.size(f64::from(pass))).collect();
         let derived = Derived::new(&params, &sizes, x_per_mm(control, &dialect));
@@ -82,13 +82,15 @@ impl PolygonLathe {
         }
     }
 
-    /// The lathe as it cuts at most feed: with the feed override at its highest position, or as it is where no knob acts above 100 %.
+    /// The lathe with the greatest feed: with the feed override at its highest position, or as it is if no knob acts
+    /// above 100 %.
     pub(super) fn with_most_feed(&self) -> &PolygonLathe {
         self.at_highest_feed().map_or(self, |(_, fed)| fed)
     }
 
-    /// The lathe as it cuts with the feed override at its highest position (%), and that position. The slide alone goes faster, so that the
-    /// chips are thicker; where the override acts on work and tool too, they turn faster, and the chips of the flats stay as they are.
+    /// Highest position (%) of the feed override, and the lathe as it cuts there. If only the slide is faster, the
+    /// chips are thicker; if the override also acts on work and tool, they turn faster and the chips of the flats do
+    /// not change.
     pub(super) fn at_highest_feed(&self) -> Option<(f64, &PolygonLathe)> {
         let highest = knobs::highest_feed(self.control.feed_knob.positions)?;
         let lathe = || {
@@ -103,7 +105,7 @@ impl PolygonLathe {
         core::iter::once(self).chain(&self.further)
     }
 
-    /// The polygon at a distance from the face, mm; else the first.
+    /// The polygon at a distance (mm) from the face; the first one if there is none.
     pub(super) fn at(&self, behind: f64) -> &PolygonLathe {
         let there = |lathe: &&PolygonLathe| (lathe.params.from_face..=lathe.params.far_end()).contains(&behind);
         self.polygons().find(there).unwrap_or(self)
@@ -149,18 +151,18 @@ impl PolygonLathe {
         0.5 * across * self.x_per_mm()
     }
 
-    /// The feed override acts on the PMC axes.
+    /// Whether the feed override acts on the PMC axes.
     pub(super) fn overrides(&self) -> bool {
         self.dialect.pmc_override
     }
 
-    /// Across flats at the slide's position, and its position along the work, mm.
+    /// Distance across flats at the slide's position, and its position along the work, mm.
     pub(super) fn slide(&self, now: &Snapshot) -> (f64, f64) {
         let at = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.actual);
         (2.0 * at(self.cross()), at(self.along()))
     }
 
-    /// The slide is in the stock of a polygon, with work and tool turning.
+    /// Whether the slide is in the stock of a polygon, with work and tool turning.
     pub(super) fn cuts_flats(&self, now: &Snapshot) -> bool {
         let (across, along) = self.slide(now);
         let there = self.polygons().any(|lathe| (lathe.params.from_face..=lathe.params.far_end()).contains(&-along));

@@ -9,7 +9,7 @@ use crate::machines::verdict::{self, judge};
 use crate::text::Phrase;
 use crate::view::{Advice, FieldEntry, Readout};
 
-/// Results of the first polygon, and ids and labels of the corresponding ones of the others.
+/// Id of a result of the first polygon, with id and label of the corresponding result of each other polygon.
 #[rustfmt::skip]
 const RESULTS: &[(&str, [(&str, &str); 2])] = &[
     ("sides", [("second-sides", "polygon.second.sides"), ("third-sides", "polygon.third.sides")]),
@@ -38,7 +38,8 @@ pub(super) fn ids(at: usize) -> Vec<&'static str> {
 /// The result that, for a further polygon, is its angle to the first polygon.
 const ANGLE: &str = "orientation";
 
-/// Rewrites an advice about the first polygon for another one. The form can carry it out if every field has a counterpart there.
+/// Rewrites an advice about the first polygon for another one. Its button stays only if every field has a counterpart
+/// there.
 fn advice(advice: Advice, at: usize) -> Advice {
     let of_other = |entry: FieldEntry| Some(FieldEntry { field: field(entry.field, at)?, ..entry });
     let entries: Option<Vec<FieldEntry>> = advice.entries.into_iter().map(of_other).collect();

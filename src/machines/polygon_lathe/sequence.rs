@@ -20,7 +20,7 @@ const TRACKS: [&str; 6] = [
     "polygon.track.slide",
 ];
 
-/// A step of the sequence: when it happens, its text, and which tracks (index, on) change.
+/// A step of the sequence: its time (s), its text, and the tracks that change, as (index, on).
 type Step = (f64, &'static str, Vec<(usize, bool)>);
 
 /// Steps from G512 to G502, with times in closed form that leave out the blocks of the macro programs.
@@ -77,7 +77,7 @@ const TRACK: f64 = 44.0;
 /// Timing diagram of the signals from G512 to G502; the cut is shortened.
 fn diagram(lathe: &PolygonLathe) -> String {
     let steps = steps(lathe);
-    // Every step gets its own column, so that short ones are seen.
+    // Every step has its own column, so that short steps are visible.
     let column = (RIGHT - LEFT) / steps.len() as f64;
     let middle = |at: usize| LEFT + column * (at as f64 + 0.5);
     // A line for each sentence.

@@ -34,7 +34,7 @@ pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
     all
 }
 
-/// The first parameter that binds a code, and the program that it calls.
+/// The first parameter that binds a code to a program.
 const FIRST: u32 = 4120;
 
 fn parameters(lathe: &PolygonLathe) -> Sheet {
@@ -87,7 +87,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         sheet.rows.push(row(cells, OURS));
     }
     if lathe.has_main_spindle() {
-        // Both turn the same shaft.
+        // Servo motor and main motor turn the same shaft.
         let cells = ["", "", "4", "", "", &say("polygon.param.servo-off")].map(str::to_owned);
         sheet.rows.push(row(cells, OURS));
     }

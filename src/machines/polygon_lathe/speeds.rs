@@ -1,4 +1,4 @@
-//! Speeds of work and tool, and their course: settling, lag, coasting, and the way to the start angles.
+//! Speeds of work and tool, and times and phases of their settling, lag, coasting and indexing.
 
 use super::params::Params;
 

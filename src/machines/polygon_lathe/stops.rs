@@ -1,4 +1,4 @@
-//! Hold, alarm, reset, emergency stop and power failure of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
+//! Interruptions of the polygon lathe, from hold to power failure: work and tool keep their ratio as long as their drives are on.
 
 use super::citations::OURS;
 use super::main_spindle::speed_at_highest_knob;
@@ -21,7 +21,8 @@ pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
         Interruption::Hold | Interruption::BlockStop => SpindleReaction::TurnsInRatio,
         Interruption::PowerFailure => SpindleReaction::Coasts,
         Interruption::EmergencyStop if lathe.params.coasts(lathe.control) => SpindleReaction::Coasts,
-        // Work and tool have servo drives, no inverter: that of the main spindle holds the program.
+        // Work and tool have servo drives; the only inverter is that of the main spindle, whose fault holds the
+        // program.
         Interruption::Alarm | Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
             SpindleReaction::StopsInRatio
         }
@@ -52,7 +53,7 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
         operator,
         cite: DESIGN,
     };
-    // A control finishes the thread's block first: a thread that stops within is spoilt.
+    // A control finishes the block of a thread before it holds: a thread interrupted within it would be spoilt.
     let threads = lathe.params.turned_ends.iter().any(TurnedEnd::threads);
     let in_thread = threads.then(|| {
         row(
@@ -100,7 +101,7 @@ fn of_main_spindle(lathe: &PolygonLathe) -> Vec<Reaction> {
             msg!("lathe.stops.fault"),
         ),
     ];
-    // Behind the hold in the other cuts.
+    // After the row of the hold in other cuts.
     rows.splice(1..1, in_thread);
     rows
 }

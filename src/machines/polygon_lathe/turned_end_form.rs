@@ -105,12 +105,12 @@ pub(super) const fn rows<P: TurnedEndForm, const AT: usize>() -> [Field<P>; 12] 
     ]
 }
 
-/// The end is turned.
+/// Whether the end is turned.
 fn turns<P: TurnedEndForm, const AT: usize>(p: &P, _: &Control) -> bool {
     p.turned_ends()[AT].on
 }
 
-/// The turned end has a thread.
+/// Whether the turned end has a thread.
 fn threads<P: TurnedEndForm, const AT: usize>(p: &P, _: &Control) -> bool {
     p.turned_ends()[AT].on && p.turned_ends()[AT].pitch > 0.0
 }

@@ -8,17 +8,18 @@ use crate::math;
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
 const FLANKS: f64 = 0.613_435;
 
-/// Share of its pitch by which a thread may deviate where it begins.
+/// Allowed deviation of the pitch at the beginning of a thread, as a share of the pitch.
 const PITCH_ERROR: f64 = 0.01;
 
-/// Pitches between a thread and the shoulder behind it, at the least. Source: polygon turning facts 3.10.
+/// Least distance, in pitches, between a thread and the shoulder behind it. Source: polygon turning facts 3.10.
 const RUN_OUT: f64 = 2.0;
 
 /// Greatest number of cuts of a turned end, and of its thread.
 const MOST: f64 = 100.0;
 
 impl TurnedEnd {
-    /// Diameter (mm) from which it is cut: that of the end turned before it where it lies on that one, else that of the bar.
+    /// Diameter (mm) of the stock of the end: that of the end turned before it, if it lies on that one, else that of
+    /// the bar.
     pub(super) fn blank(&self, p: &Params) -> f64 {
         let [before, _] = &p.turned_ends;
         let lies_on_it =
@@ -26,7 +27,7 @@ impl TurnedEnd {
         if lies_on_it { before.diameter.min(p.stock_diameter) } else { p.stock_diameter }
     }
 
-    /// Diameter (mm) that the part gets: on a thinner end turned before it the tool cuts air.
+    /// Diameter (mm) that the part reaches: on a thinner end turned before it the tool cuts nothing.
     pub(super) fn reached(&self, p: &Params) -> f64 {
         let [before, _] = &p.turned_ends;
         let lies_on_it = before.on && self != before && self.length <= before.length;
@@ -54,7 +55,8 @@ impl TurnedEnd {
         self.cuts(stock) > MOST || self.pitch > 0.0 && self.thread_cuts() > MOST
     }
 
-    /// Turning: cuts to depth, the last with the chamfer. Each ends at feed out of the stock and goes back in front of the face.
+    /// Steps of turning: cuts at increasing depth, the last one with the chamfer. Each cut leaves the stock at feed and
+    /// returns in front of the face.
     pub(super) fn steps(&self, p: &Params) -> Vec<PassStep> {
         let (feed, end) = (self.feed * self.speed, SlideTarget::Along(-self.length));
         let back = [
@@ -80,7 +82,7 @@ impl TurnedEnd {
         all
     }
 
-    /// Thread cutting, each cut from in front of the face.
+    /// Steps of thread cutting; each cut begins in front of the face.
     pub(super) fn thread(&self, p: &Params) -> Vec<PassStep> {
         let depth = FLANKS * self.pitch;
         let cuts = self.thread_cuts().min(MOST) as u32;
@@ -96,10 +98,10 @@ impl TurnedEnd {
         if self.pitch > 0.0 { (1..=cuts).flat_map(one).collect() } else { Vec::new() }
     }
 
-    /// Way (mm) in front of the thread in which the slide comes from rest within the share a of its speed V = S P / 60 [mm/s], after linear
-    /// acceleration over τ [s] and a position loop of gain K [1/s]: `t = τ + ln((1 - e^(-Kτ)) / (Kτ a)) / K`, `δ = V (t - τ/2 - (1 - a) /
-    /// K)`. On a ramp so long that the lag is below a on it: `t = τ (1 - a) + 1/K`, `δ = V (t²/2 - t/K + 1/K²) / τ`. Source: polygon
-    /// turning facts 3.10.
+    /// Run-in (mm) in front of the thread: the distance in which the slide comes from rest to within the share a of its
+    /// speed V = S P / 60 [mm/s], after linear acceleration over τ [s] and a position loop of gain K [1/s]:
+    /// `t = τ + ln((1 - e^(-Kτ)) / (Kτ a)) / K`, `δ = V (t - τ/2 - (1 - a) / K)`. If the ramp is so long that the lag
+    /// falls below a on it: `t = τ (1 - a) + 1/K`, `δ = V (t²/2 - t/K + 1/K²) / τ`. Source: polygon turning facts 3.10.
     pub(super) fn run_in(&self, p: &Params) -> f64 {
         let (ramp, gain, speed) =
             (p.slides.time_constant / 1000.0, p.slides.position_gain, self.speed * self.pitch / 60.0);

@@ -7,7 +7,7 @@ use crate::machines::polygon_lathe::params::Params;
 /// Angles, degrees of the work unless noted otherwise.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::machines::polygon_lathe) struct WorkAngles {
-    /// Angle of the polygon at standstill, and its error at speed.
+    /// Angle of the polygon by the start angles, and its error at speed.
     pub orientation: f64,
     pub orientation_error: f64,
     /// Start angle A of the work for the wanted orientation.

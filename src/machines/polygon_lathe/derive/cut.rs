@@ -1,4 +1,4 @@
-//! The cutter in the stock: its section, the path of its inserts, and the pass that needs most of them.
+//! The cutter in the stock: its section, the path of its inserts, and the pass with the greatest demand on them.
 
 use crate::drives::polygon::cut::InsertLoad;
 use crate::drives::polygon::{Curve, CutterSetup, Section};
@@ -14,14 +14,14 @@ pub(super) struct PolygonCut {
     pub section: Section,
     /// Path of the first insert.
     pub curve: Curve,
-    /// Relief and cutting speeds of all passes, the worst of each.
+    /// Greatest needed relief, and least and greatest cutting speed, over all passes.
     pub demand: InsertLoad,
     /// Number (from 1) of the pass that needs the greatest relief.
     pub relief_pass: f64,
 }
 
 impl PolygonCut {
-    /// The cut in passes of these `sizes` across flats; none where no section comes about.
+    /// The cut in passes of these `sizes` across flats (mm); none if the inserts cut no section.
     pub(super) fn new(p: &Params, sizes: &[f64]) -> Option<PolygonCut> {
         let (setup, section) = p.setup(p.across_flats).zip(p.section())?;
         if p.across_flats >= p.stock_diameter {

@@ -1,4 +1,4 @@
-//! Demands on the inserts: relief, cutting speed, marks, and the errors of their places.
+//! Demands on the inserts: relief, cutting speed, feed marks, and their position errors.
 
 use super::cut::{DEGREES, PolygonCut};
 use super::speeds::PolygonSpeeds;
@@ -19,12 +19,12 @@ pub(in crate::machines::polygon_lathe) struct InsertDemands {
     /// Greatest relief that a pass needs (°), and the number of that pass, from 1.
     pub relief: f64,
     pub relief_pass: f64,
-    /// The inserts face in the direction of a cutter that turns in the sense of the work.
+    /// Whether the inserts face as on a cutter that turns in the direction of the work.
     pub faces_forward: bool,
     /// Least and greatest cutting speed, m/min.
     pub slowest_cut: f64,
     pub fastest_cut: f64,
-    /// Distance of the marks on a flat at the finishing feed, mm.
+    /// Distance of the feed marks on a flat at the finishing feed, mm.
     pub mark_pitch: f64,
     /// Greatest radial error, mm.
     pub depth: WorstInsert,

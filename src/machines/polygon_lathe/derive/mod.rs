@@ -27,7 +27,7 @@ use twist::Twist;
 /// The results; those of section, inserts, angles, twist and load are 0 where the inserts cut no section.
 #[derive(Debug, Clone)]
 pub(super) struct Derived {
-    /// The inserts cut a section out of the stock.
+    /// Whether the inserts cut a section out of the stock.
     pub cuts: bool,
     pub speeds: PolygonSpeeds,
     pub place: CutterPlace,
@@ -42,7 +42,8 @@ pub(super) struct Derived {
 }
 
 impl Derived {
-    /// Computes the results for passes of these `sizes` across flats; X words count `x_per_mm` units per mm of the slide.
+    /// Computes the results for passes of these `sizes` across flats (mm); `x_per_mm`: units of X words per mm of the
+    /// slide.
     pub(super) fn new(p: &Params, sizes: &[f64], x_per_mm: f64) -> Derived {
         let speeds = PolygonSpeeds::new(p);
         let feeds = PolygonFeeds::new(p);

@@ -1,4 +1,4 @@
-//! The place of the cutter beside the work, and the length up to the jaws that it needs.
+//! The position of the cutter beside the work, and the length from face to jaws that it needs.
 
 use crate::machines::polygon_lathe::params::Params;
 
@@ -7,7 +7,8 @@ use crate::machines::polygon_lathe::params::Params;
 pub(in crate::machines::polygon_lathe) struct CutterPlace {
     /// Distance of the axes of work and cutter at the last pass.
     pub distance: f64,
-    /// How far the body of the cutter would be in the stock if it were as large as the tip circle.
+    /// Depth of the tips in the stock at the last pass: so far would a cutter body as large as the tip circle be in
+    /// stock beside the polygon.
     pub reach: f64,
     /// Tool offset of X, in units of its words.
     pub offset: f64,

@@ -8,13 +8,13 @@ use crate::machines::polygon_lathe::params::Params;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::machines::polygon_lathe) struct SectionFigures {
     pub sides: f64,
-    /// Greatest and least distance across flats, as a micrometer measures it.
+    /// Greatest and least distance across flats, as measured by a micrometer.
     pub across_flats: f64,
     pub least_across_flats: f64,
     /// Least and greatest deviation of any side from its plane.
     pub deviation: (f64, f64),
     pub flatness: f64,
-    /// Greatest deviation where all inserts are in their places: above 0 the sides are hollow.
+    /// Greatest deviation of the sides if all inserts are in their places; above 0 the sides are hollow.
     pub hollow: f64,
     /// Curvature of the sides, 1/mm; positive for crowned sides.
     pub curvature: f64,

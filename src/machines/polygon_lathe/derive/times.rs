@@ -7,9 +7,9 @@ use crate::machines::polygon_lathe::params::Params;
 pub(in crate::machines::polygon_lathe) struct PolygonTimes {
     /// Number of passes.
     pub passes: f64,
-    /// To the start angles, up to speed and down again.
+    /// Turning to the start angles, run-up, and run-down.
     pub ready: f64,
-    /// Of all motions at feed.
+    /// All motions at feed.
     pub cutting: f64,
 }
 

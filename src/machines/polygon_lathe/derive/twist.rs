@@ -9,9 +9,9 @@ use crate::machines::polygon_lathe::params::Params;
 /// The twist of the flats.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::machines::polygon_lathe) struct Twist {
-    /// Over the length, degrees.
+    /// Twist over the length of the polygon, degrees.
     pub angle: f64,
-    /// Speed of the tool that it needs during the last pass, r/min.
+    /// Speed of the tool during the last pass that the twist needs, r/min.
     pub tool_speed: f64,
 }
 

@@ -8,7 +8,7 @@ use crate::msg;
 use crate::view::Limit::Within;
 use crate::view::{Advice, Verdict};
 
-/// Angle (°) below visibility.
+/// Angle (°) too small to be visible.
 const SEEN: f64 = 0.05;
 
 pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -17,7 +17,7 @@ pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.angles.orientation_error.abs() <= SEEN {
         return ok(limit);
     }
-    // The rule about the phase reports this; no start angle is a remedy at every speed.
+    // The rule about the phase reports this cause; a start angle would be a remedy at one speed only.
     if (d.angles.orientation_error - d.angles.phase_on_work).abs() <= SEEN {
         return warn(limit, []);
     }
@@ -27,7 +27,8 @@ pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(limit, [advice.setting(msg!("advice.set-a", angle = (d.angles.work_start, 3)), [set])])
 }
 
-/// Axes whose time constants or gains differ; both have the greater time constant and the lower gain as a remedy.
+/// Judges axes whose time constants or gains differ; the remedy is the greater time constant and the lower gain for
+/// both.
 pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { params: p, derived: d, .. } = lathe;
     if d.angles.phase.abs() <= 1e-9 {
@@ -48,10 +49,11 @@ pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
 }
 
-/// Work and tool coast at a power failure, and at an emergency stop that switches their drives off.
+/// Judges the phase lost while work and tool coast, at a power failure and at an emergency stop that switches their
+/// drives off.
 pub(super) fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
     if !lathe.params.coasts(lathe.control) {
-        // A fact about the supply, no fault of the form.
+        // Information about power failures, not a fault of the form.
         let advice =
             vec![msg!("polygon.coasts-without-supply", angle = (lathe.derived.angles.coast_phase.abs(), 0)).into()];
         return Some(Judgement { verdict: Verdict::None, limit: None, advice });

@@ -1,4 +1,4 @@
-//! The rules of inserts, ratio and tip circle: sides, flatness, hollow sides and relief, each with the cutter that is better.
+//! The rules of inserts, ratio and tip circle: sides, flatness, hollow sides and relief, each with a better cutter.
 
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::{SAME_LENGTH, ellipse};
@@ -38,7 +38,7 @@ pub(super) fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
     )
 }
 
-/// Hollow sides. Sides may be hollow although their middle is crowned; then the curvature is not the cause.
+/// Judges hollow sides. Sides may be hollow although their middle is crowned; then the curvature is not the cause.
 pub(super) fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { params: p, derived: d, .. } = lathe;
     let limit = (d.section.curvature < 0.0).then_some(AtLeast(0.0));
@@ -93,7 +93,7 @@ enum Fault {
     Hollow,
 }
 
-/// The fact of a fault, with the remedy at the first fault: one choice of cutter corrects all of them.
+/// The message of a fault; the first fault also has the remedy, because one choice of cutter corrects all of them.
 fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     let PolygonLathe { params: p, derived: d, .. } = lathe;
     let mut advice = vec![Advice::from(fact)];
@@ -129,7 +129,8 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     advice
 }
 
-/// The flattest cutter and ratio on this tip circle as advice, or that none is possible; nothing where the form has it already.
+/// Advice with the flattest cutter and ratio on this tip circle, or the message that none is possible; `None` if the
+/// form has the flattest one already.
 fn better(lathe: &PolygonLathe) -> Option<Advice> {
     let choices = choices_on_tip_circle(&lathe.params, &lathe.sizes);
     let Some(best) = choices.first() else { return Some(msg!("polygon.no-choice", count = lathe.params.sides).into()) };
@@ -157,7 +158,7 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
     Some(Advice::from(advice).setting(msg!("advice.set-cutter", inserts, work_turns = work, tool_turns = tool), sets))
 }
 
-/// Advice to turn the tool in the sense of the work.
+/// Advice to turn the tool in the direction of the work.
 fn same_sense(lathe: &PolygonLathe) -> Advice {
     let p = &lathe.params;
     let set = nearest(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());

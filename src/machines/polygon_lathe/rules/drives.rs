@@ -14,7 +14,8 @@ use crate::text::Message;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
-/// An advice that lowers every feed whose cuts on this lathe, at a position of the feed override, exceed a limit of the drive.
+/// An advice with lower values for every feed whose cuts exceed a limit of the drive on the lathe `at` a position of
+/// the feed override.
 fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, fact: Message) -> Advice {
     let p = &lathe.params;
     let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
@@ -26,8 +27,8 @@ fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: 
 }
 
 impl PolygonLathe {
-    /// Lower entries of the feeds whose cuts on this lathe at a position of the feed override have a force above the greatest one (N) that is
-    /// allowed: of the flats, then of the turned ends.
+    /// Lower entries for the feeds whose cutting force on the lathe `at` a position of the feed override exceeds `most`
+    /// (N): of the flats, then of the turned ends.
     pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<NumberEntry> {
         let p = &self.params;
         let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
@@ -46,7 +47,7 @@ impl PolygonLathe {
     }
 }
 
-/// The sentence about a cut that the drive carries at the feed of the form alone.
+/// Message about a cut that exceeds the drive only with the feed override at its highest position.
 fn at_knob(kind: DemandKind, percent: f64, asked: f64, limit: f64) -> Message {
     let percent = (percent, 0);
     match kind {
@@ -62,7 +63,8 @@ fn at_knob(kind: DemandKind, percent: f64, asked: f64, limit: f64) -> Message {
     }
 }
 
-/// The cut against the drive: a warning where the drive does not carry it with the feed override at its highest position.
+/// Judges the cut against the drive: a warning if it exceeds the drive only with the feed override at its highest
+/// position.
 fn cut(
     lathe: &PolygonLathe,
     axis: PolygonAxis,
@@ -83,7 +85,8 @@ fn cut(
     }
 }
 
-/// The heat of the cut against the drive: a warning where only the strikes exceed its continuous torque, for a short cut may do that.
+/// Judges the effective torque of the cut against the continuous torque of the drive: only a warning if the mean torque
+/// is within it, because a short cut may exceed it.
 fn heat(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
     let kind = DemandKind::Effective;
     let ((asked, limit), (mean, continuous)) = (lathe.demand(axis, kind), lathe.demand(axis, DemandKind::Mean));
@@ -130,7 +133,7 @@ pub(in super::super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
     })
 }
 
-/// The run-up against the drive. Both axes get the same ramp, so that they keep their ratio on it.
+/// Judges the run-up against the drive. The remedy is one ramp for both axes, so that they keep their ratio on it.
 fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
     let p = &lathe.params;
     let (asked, limit) = lathe.demand(axis, DemandKind::RunUp);

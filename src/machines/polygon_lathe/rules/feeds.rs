@@ -23,7 +23,7 @@ pub(super) fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     within_clamp("infeed", p.infeed, d.feeds.infeed, p.slides.x.clamp)
 }
 
-/// The feed of a field in mm/min against the clamp of the slide.
+/// Judges the feed of a field (mm/min) against the clamp of the slide.
 fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Option<Judgement> {
     if feed <= clamp {
         return ok(AtMost(clamp));

@@ -19,10 +19,10 @@ use crate::text::{Citation, Grade};
 /// Source of a drive's ratings: its data sheet.
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
 
-/// Source of the way that a thread needs in front of it.
+/// Source of the run-in that a thread needs in front of it.
 const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
 
-/// Source of the room that a thread needs in front of a shoulder.
+/// Source of the run-out that a thread needs in front of a shoulder.
 const RUN_OUT: Citation = Citation::new("polygon turning facts 3.10; DIN 76-1 from memory", Grade::Open);
 
 /// All rules that judge a result.

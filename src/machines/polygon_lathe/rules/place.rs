@@ -21,7 +21,7 @@ pub(super) fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
     }
 }
 
-/// The body of the cutter, disc and holders, in the stock beside the polygon.
+/// Judges the body of the cutter, disc and holders, against stock beside the polygon.
 pub(super) fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { params: p, derived: d, .. } = lathe;
     // The overhang counts up to the radius of the tip circle, at which no body is left.
@@ -44,7 +44,7 @@ pub(super) fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
     fail(AtMost(overhang), [advice])
 }
 
-/// The distance of the jaws from the face; an unknown one is not judged, but has to be measured.
+/// Judges the distance of the jaws from the face; an unknown distance is not judged, but has to be measured.
 pub(super) fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
     let free = lathe.params.free_length;
     if free == 0.0 {

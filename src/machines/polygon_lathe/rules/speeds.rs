@@ -50,7 +50,7 @@ fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) 
     fail(Within(limit), [with_b((limit / term.abs()).floor(), advice)])
 }
 
-/// Advice with a speed B, a whole number, or that no B is a remedy.
+/// Advice with a speed B, a whole number, or without a button if no B is a remedy.
 fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Advice {
     if !(1.0..=field_max(FIELDS, "speed")).contains(&speed) {
         return msg!("polygon.no-b").into();

@@ -1,4 +1,4 @@
-//! The rules of threads on turned ends: the way to the speed in front, and the room at the end.
+//! The rules of threads on turned ends: the run-in in front, and the run-out at the end.
 
 use crate::drives::polygon::SAME_LENGTH;
 use crate::machines::form::entry::{at_least, at_most, field_max, field_min};
@@ -20,7 +20,7 @@ pub(super) fn run_in_after(lathe: &PolygonLathe) -> Option<Judgement> {
     run_in(lathe, &lathe.params.turned_ends[1], TURNED_ENDS[1].speed)
 }
 
-/// The way in front of a thread, from the clearance to the face, against that in which the slide comes to its speed.
+/// Judges the distance from the clearance to the face against the run-in in which the slide reaches its speed.
 fn run_in(lathe: &PolygonLathe, end: &TurnedEnd, speed: &'static str) -> Option<Judgement> {
     let p = &lathe.params;
     let (needed, limit) = (end.run_in(p), AtMost(p.clearance));
@@ -55,7 +55,8 @@ pub(super) fn run_out_after(lathe: &PolygonLathe) -> Option<Judgement> {
     run_out(lathe, &lathe.params.turned_ends[1], TURNED_ENDS[1].thread_length)
 }
 
-/// The way from the end of a thread to the shoulder against the run-out, with the greatest thread length as a remedy.
+/// Judges the distance from the end of a thread to the shoulder against the run-out; the remedy is the greatest thread
+/// length.
 fn run_out(lathe: &PolygonLathe, end: &TurnedEnd, field: &'static str) -> Option<Judgement> {
     let needed = end.run_out(&lathe.params);
     // Without the rounding of binary fractions.

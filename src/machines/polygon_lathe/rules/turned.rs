@@ -1,4 +1,4 @@
-//! The rule of an end that is turned after the polygons on a thinner one: the part never gets its diameter.
+//! The rule of an end turned after the polygons where the part is already thinner: its diameter is not reached.
 
 use crate::machines::form::entry::at_most;
 use crate::machines::polygon_lathe::params::FIELDS;
@@ -9,7 +9,7 @@ use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::Equal;
 
-/// The diameter that the end turned after gets, against its own.
+/// Judges the diameter that the end turned after the polygons reaches against its entered one.
 pub(super) fn reached(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
     let [_, after] = &p.turned_ends;

@@ -229,7 +229,8 @@ pub(in super::super) fn distance(lathe: &PolygonLathe, layout: &Layout, away: f6
     path
 }
 
-/// Offset of the distance's figure from its place in the drawing, in units: in the middle between the axes, and always within the drawing.
+/// Offset, in units, of the figure of the distance from its place at rest: it stays in the middle between the axes, and
+/// within the drawing.
 pub(in super::super) fn figure_at(layout: &Layout, away: f64) -> f64 {
     let middle = 0.5 * (layout.work.0 + layout.cutter.0);
     math::clamp(middle + 0.5 * away, FIGURE, RIGHT - FIGURE) - middle

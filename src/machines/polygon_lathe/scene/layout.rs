@@ -17,7 +17,7 @@ const LEFT: f64 = 22.0;
 /// Greatest radii of cutter and work, and least and greatest one of the chuck.
 const ROOM: (f64, f64) = (172.0, 92.0);
 const CHUCK: (f64, f64) = (74.0, 134.0);
-/// At most so much smaller for the start of the slide to be in the drawing.
+/// Least factor by which the drawing is reduced to contain the start point of the slide.
 const SMALLER: f64 = 0.6;
 
 /// Radius of the main motor.

@@ -27,7 +27,7 @@ const POINTS: u32 = 48;
 /// Height of the leader over the cutter.
 const OVER: f64 = 46.0;
 
-/// The nearest of 1, 2, 5, 10 … that is not more.
+/// The greatest of 1, 2, 5, 10 … not above a value.
 fn round(value: f64) -> f64 {
     let decade = math::pow(10.0, math::log10(value.max(1e-9)).floor());
     decade * [5.0, 2.0].into_iter().find(|times| times * decade <= value).unwrap_or(1.0)
@@ -41,7 +41,7 @@ pub(super) fn draw(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout)
         let ring = group::of(group::RING, at);
         drawing.place(ring, SceneGroup { hidden: at > 0, ..SceneGroup::default() });
         drawing.within(ring, |drawing| {
-            // Up from the contact and over the cutter, which the leader does not cross.
+            // The leader goes up from the contact and over the cutter, without crossing it.
             let (cut, level) = layout.contact(polygon);
             drawing.circle((cut, level, 10.0), Look::POINTER);
             drawing.path(filled("M# #V#H#", &[cut, level - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
@@ -84,7 +84,7 @@ fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
         let cut = |off: f64| section.radius(normal + off) < section.stock() - SAME_LENGTH;
         let sample = |i: u32| most * (2.0 * f64::from(i) / f64::from(POINTS) - 1.0);
         let mut offs: Vec<f64> = (0..=POINTS).map(sample).filter(|off| cut(*off)).collect();
-        // To where the stock begins, between two samples.
+        // Up to the point between two samples at which stock begins.
         for end in [offs.first().copied(), offs.last().copied()].into_iter().flatten() {
             let (mut inside, mut beyond) = (end, end + (2.0 * most / f64::from(POINTS)).copysign(end));
             for _ in 0..30 {
@@ -133,7 +133,7 @@ fn sides(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
             let look = if at == 0 { Look::hair(Paint::Ink, 2.0) } else { Look::hair(Paint::Dim, 1.0) };
             drawing.path(polyline(&points(side)), look);
         }
-        // From the plane to where the first side is farthest from it.
+        // From the plane to the greatest deviation of the first side.
         let farthest = curves.first().and_then(|side| side.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())));
         if let Some((x, y)) = farthest.filter(|(_, y)| (y * up).abs() > 5.0) {
             let (x, from, to) = (x * along, PLANE, PLANE - y * up);

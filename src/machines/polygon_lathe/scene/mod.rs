@@ -83,7 +83,7 @@ fn beside_passes(lathe: &PolygonLathe) -> (f64, Anchor) {
     if end < DETAILS[1] { (DETAILS[1], Anchor::Start) } else { (RIGHT, Anchor::End) }
 }
 
-/// Names, dimensions and live values; every one has its own place, whatever the sizes.
+/// Names, dimensions and live values; each has its own place at any sizes of the form.
 fn labels(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     let p = &lathe.params;
     let mm = |value: f64| units::text(value, 3, "mm");
