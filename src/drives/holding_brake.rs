@@ -1,4 +1,4 @@
-//! Brake at a motor, which closes without current: its torque for a weight, and the turns and the time until the motor stands.
+//! Brake at a motor, which closes without current: its torque for a weight, and the turns and the time until the motor is at rest.
 
 use super::load::coasting;
 use crate::text::{Citation, Grade};

@@ -1,4 +1,4 @@
-//! Engineering formulas shared by the machines: inertia, load, motion and duty of motors, slides on ball screws, servo motors, their derating and holding brakes, parts to order, cams, analog output, spindle speed and positioning, gear units, cutting, web and reel, timing of a servo’s block, induction motors, polygon turning, axis scaling.
+//! Engineering formulas that the machines share: motors and their duty, slides, gear units, cutting, web and reel, polygon turning.
 
 pub mod inertia;
 

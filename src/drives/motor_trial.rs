@@ -1,4 +1,4 @@
-//! The demand of a motion on many motors in turn: only the segments that may decide for some rotor are looked at again.
+//! The demand of a motion on many motors in turn: only the segments that can be decisive for some rotor inertia are computed again.
 
 use super::duty::with_pause;
 use super::load::Regeneration;

@@ -13,7 +13,7 @@ use crate::text::catalog::sentence;
 use crate::text::{Citation, Grade};
 use crate::view::{Column, Readout, Sheet, SheetKind, Verdict};
 
-/// Greatest part by which a fact is off.
+/// Greatest relative error of a fact.
 const OFF: f64 = 0.1;
 
 /// Number of draws on the page, few enough for the user to wait for.

@@ -47,7 +47,7 @@ pub enum FileRole {
     Program(CommentCharacters),
     /// A file beside the programs: report, sheet, drawing, the project itself.
     Document {
-        /// Catalog id of the words that say which.
+        /// Catalog id of the words for its kind.
         meaning: &'static str,
     },
 }
@@ -97,7 +97,7 @@ impl Export {
         })
     }
 
-    /// The documents, each with the catalog id of the words that say which it is.
+    /// The documents, each with the catalog id of the words for its kind.
     pub fn documents(&self) -> impl Iterator<Item = (&File, &'static str)> {
         self.files.iter().filter_map(|ExportFile { file, role }| match role {
             FileRole::Program(_) => None,

@@ -1,4 +1,4 @@
-//! A table for people: parameters, interface, ladder list.
+//! A printed table of a project: parameters, interface, ladder list.
 
 use super::field_entry::FieldEntry;
 use crate::text::{Grade, Phrase};
@@ -34,7 +34,7 @@ pub enum SheetKind {
     Parameters,
     /// Bill of materials: rows for purchasing, each with a source.
     Bill,
-    /// What limits the machine as a quantity grows.
+    /// Limits of the machine as a quantity grows.
     Limits,
     /// The worst values of operation: a digest for the page, where documents have every event.
     Worst,

@@ -89,7 +89,7 @@ impl PolygonLathe {
         self.cut_torque(end) + self.params.main.friction
     }
 
-    /// The turned end that asks most of the motor's continuous torque, with the field of its depth.
+    /// The turned end that uses the largest share of the motor's continuous torque, with the field of its depth.
     fn hardest_end(&self) -> Option<(&TurnedEnd, &'static str)> {
         let curve = self.params.main_continuous();
         let share = |end: &TurnedEnd| self.end_torque(end) / curve.torque(end.speed);

@@ -1,4 +1,4 @@
-//! Words and codes of a block that another one of the same block takes the place of.
+//! Words and codes of a block that another one of the same block overrides.
 
 use super::super::ast::{Block, Word};
 use super::context::Lint;
@@ -9,14 +9,14 @@ use crate::text::Fix;
 /// Maximum words reported.
 pub(super) const MOST: usize = 20;
 
-/// Words of a block that may take the place of each other.
+/// Words of a block that may override each other.
 #[derive(Clone, Copy)]
 pub(super) struct Rivals {
     /// Addresses whose values overwrite each other in a block.
     addresses: AddressSet,
     /// Addresses of incremental words beside an absolute one of the same axis: U for X.
     incremental: AddressSet,
-    /// Whether of two codes of one group the later one counts, without an alarm.
+    /// Whether the later of two codes of one group counts, without an alarm.
     codes: bool,
 }
 
@@ -45,7 +45,7 @@ impl Rivals {
         self.addresses.contains(letter)
     }
 
-    /// Whether a block with these letters, and with this number of codes, is to be looked at.
+    /// Whether a block with these letters, and with this number of codes, has to be checked.
     #[inline]
     pub(super) fn may_meet(self, letters: AddressSet, codes: u32) -> bool {
         self.codes && codes > 1 || !letters.and(self.incremental).is_empty()

@@ -1,4 +1,4 @@
-//! Positions of axes as the words of a program say them, for checks that follow the tool through a program.
+//! Axis positions read from the words of a program, for checks that follow the tool through it.
 
 use super::super::ast::{Dimensioning, Stmt, Word};
 use super::context::{Lint, measure};

@@ -123,7 +123,7 @@ impl Reader<'_> {
         let goto = self.take_goto();
         if goto || self.sequence_number_ahead() {
             if !goto {
-                // `IF[…]N10`: a sequence number stands nowhere else in a block.
+                // `IF[…]N10`: a block has a sequence number only at its start.
                 self.cursor.at += 1;
                 let from = if named { then } else { self.cursor.at - 1 };
                 self.report_replaced(Alarm::IfSentence, from, self.cursor.at, msg!("nc.if-without-goto"), "GOTO");

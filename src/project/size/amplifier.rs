@@ -73,7 +73,8 @@ pub struct Resistor {
     pub demand: ResistorLoad,
     /// The resistor; none if the catalogue has none.
     pub part: Option<Part>,
-    /// Whether the catalogue lacks what the amplifier takes by itself: the demand is all of the energy, and its maker has to be asked.
+    /// Whether the catalogue lacks the energy that the amplifier absorbs by itself: the demand is then all of the
+    /// energy, and its maker has to be asked.
     pub is_unknown: bool,
 }
 

@@ -33,13 +33,14 @@ pub struct BillRow {
     pub maker: String,
     /// Order number or type; empty until a part is chosen.
     pub model: String,
-    /// What the part has to be or do, where it is not chosen yet; may be empty.
+    /// Required data or function of a part that is not chosen yet; may be empty.
     pub asked: String,
     /// Whether the part is a proposal for an open choice.
     pub proposed: bool,
     /// Quantity.
     pub quantity: u32,
-    /// Reason of the list of motors why the form's motor does not carry its axis; none if it does, or is not in the list.
+    /// Reason, from the list of motors, why the form's motor does not carry its axis; none if it does, or is not in the
+    /// list.
     pub refusal: Option<Message>,
     /// Open points of the order.
     pub open: Vec<Message>,

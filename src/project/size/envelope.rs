@@ -25,7 +25,7 @@ const SPAN: f64 = 10.0;
 const LONG_SPAN: f64 = 30.0;
 const LONG_SPANS: u32 = 10;
 
-/// Part of a value by which it may change over a long span and still stays.
+/// Relative change of a value over a long span below which it counts as settled.
 const STAYS: f64 = 1e-3;
 
 /// Time (s) from standstill to the next cycle start.
@@ -375,7 +375,7 @@ impl Envelope<'_> {
         self.read_on(&self.present, event, &mut acted(whole, actions), (whole.middle(), whole.middle() + span))
     }
 
-    /// The same, read until the values stay.
+    /// The same, read until the values have settled.
     fn settled(&self, event: OperatingEvent, whole: &WholeRun, actions: Vec<(f64, Action)>) -> Vec<EnvelopeRow> {
         let (at, mut run) = (whole.middle(), acted(whole, actions));
         let mut before: Vec<EnvelopeRow> = Vec::new();
@@ -531,8 +531,8 @@ fn torque_row(event: OperatingEvent, (id, name): (&str, &'static str), torque: f
     }
 }
 
-/// The operating point that asks most of the motor of an axis, with the torque of its work within these spans and without any: a work that
-/// is left out does not help to brake.
+/// The operating point that uses most of the limit of the axis's motor, of two motions: with the torque of its work
+/// within these spans (s), and with none, because work helps to brake.
 fn worst_point(axis: &DrivenAxis, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> OperatingPoint {
     let under = |works| axis.motion(stretches, works).worst_point(&axis.fitted.motor);
     let working = under(works);

@@ -86,7 +86,7 @@ pub struct Fastest {
     pub entry: FieldEntry,
 }
 
-/// Whether the machine stands with its entries, for instance with the knob at 0.
+/// Whether the machine is at rest with its entries, for instance with the knob at 0.
 fn is_at_rest(project: &Project) -> bool {
     let speed = project.machine.info().speed_result;
     speed.is_some_and(|id| project.prepared().results().readouts.iter().any(|row| row.id == id && row.value == 0.0))

@@ -420,7 +420,7 @@ fn ordered_status(of: Option<Status>) -> String {
     }
 }
 
-/// What is to be settled before a part is ordered: the reason against it, what it has to be, and open points.
+/// Questions to settle before a part is ordered: the reason against it, its required data, and open points.
 fn to_settle(of: &BillRow) -> String {
     let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
     let asked = Some(of.asked.clone()).filter(|asked| !asked.is_empty());

@@ -110,7 +110,8 @@ pub(super) fn terminals(prepared: &PreparedMachine, bill: &[BillRow]) -> Vec<Ter
     wires.into_iter().map(numbered).collect()
 }
 
-/// Names of the axes whose drives lose their enable at once at an emergency stop; others keep it until they stand.
+/// Names of the axes whose drives lose their enable at once at an emergency stop; others keep it until they are at
+/// rest.
 fn coasting_axes(prepared: &PreparedMachine) -> impl Iterator<Item = &'static str> {
     let axes = if prepared.coasts_at_emergency_stop() { prepared.driven_axes() } else { Vec::new() };
     axes.into_iter().filter(|axis| matches!(axis.mover, Mover::Turned(_))).map(|axis| axis.name)

@@ -37,7 +37,7 @@ fn plain(message: &Message) -> String {
     out
 }
 
-/// That there are no programs yet because of errors.
+/// Note that errors keep the programs from being written; none without errors.
 fn draft(report: &Report) -> Option<Message> {
     let count = report.diagnostics.iter().filter(|found| found.severity == Severity::Error).count() as u32;
     (count > 0).then(|| msg!("form.report.draft", count))
@@ -85,7 +85,7 @@ fn verdicts(report: &Report) -> Message {
     }
 }
 
-/// How many findings the operating envelope has.
+/// Number of limits that the operating envelope exceeds; none if it exceeds none.
 fn exceeded(report: &Report) -> Option<Message> {
     let count = report.sizing.exceeded.len() as u32;
     (count > 0).then(|| msg!("form.report.exceeded", count))

@@ -100,8 +100,8 @@ impl Reader<'_> {
         found.map(|(_, number)| number)
     }
 
-    /// Adds a fix for `IF … THEN`, from `then` to `after`: a jump over the conditional part, of which each place of `blocks` begins another
-    /// block.
+    /// Adds a fix for `IF … THEN`, from `then` to `after`: a jump over the conditional part, which is split into a new
+    /// block at each place in `blocks`.
     pub(in crate::nc::parse) fn jump_instead(
         &mut self,
         finding: Diagnostic,

@@ -19,7 +19,8 @@ pub fn summary(report: &Report) -> String {
     document(report, "form.summary.about", |writer| writer.summary())
 }
 
-/// A document with the first sheet of a report, below whose title stands `about`, and with `behind` on the sheets behind it.
+/// A document: the first sheet of a report with the catalog text `about` below its title, then the sheets that `behind`
+/// writes.
 fn document(report: &Report, about: &'static str, behind: impl FnOnce(&mut ReportHtml)) -> String {
     let mut writer = ReportHtml { out: String::new(), report, references: References::default() };
     writer.begin();

@@ -1,4 +1,4 @@
-//! The sheets behind the first one of a summary: what the product is, how the machine runs, what limits it and what is to be ordered.
+//! The sheets behind the first one of a summary: product, operation, limits and drives to order.
 
 use super::writer::ReportHtml;
 use crate::view::report::cells::cells_of_input;
