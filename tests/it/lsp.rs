@@ -126,7 +126,7 @@ fn definition_and_references_lead_to_other_open_files() {
 }
 
 #[test]
-fn programs_on_the_disk_are_known_too_and_open_texts_win() {
+fn open_text_replaces_the_program_on_the_disk() {
     let path = folder("beside");
     for (name, text) in [
         ("O9100.nc", "O9100\n#100=#1\nM99\n%\n"),

@@ -561,7 +561,7 @@ fn steps_of_undo_read_back_in_their_order() {
 }
 
 #[test]
-fn steps_behind_one_that_does_not_read_are_left() {
+fn undo_stops_at_a_step_that_does_not_read() {
     let texts = ["a", "b", "c"].map(|name| named(name).to_json());
     let (past, _) =
         steps_from_json(&steps_to_json([("", &*texts[0]), ("", "{"), ("", &texts[1]), ("", &texts[2])], []));

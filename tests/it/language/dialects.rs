@@ -586,7 +586,7 @@ fn comma_corner_words_follow_each_controls_syntax() {
     );
 }
 
-/// AC and IC belong to positions; statements of which no manual at hand tells are warnings, and a run stops there.
+/// AC and IC belong to positions; statements that no manual at hand describes are warnings, and a run stops there.
 #[test]
 fn sinumerik_reads_dimensioning_of_positions_alone() {
     let read = |block: &str| findings(&read_on(controls::find("sinumerik-802d").unwrap(), &format!("{block}\nM30\n")));

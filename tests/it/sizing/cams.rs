@@ -76,7 +76,7 @@ fn cams_of_the_line_are_those_of_the_oracle() {
 }
 
 #[test]
-fn without_a_law_results_and_program_are_those_of_before() {
+fn project_without_cam_law_has_the_same_program_and_results() {
     let (without, with) = (line("none", &[]), line(LAWS[1], &[]));
     let (before, after) = (readouts(&without), readouts(&with));
     assert!(before.iter().all(|row| !row.id.starts_with("cam-")));

@@ -176,7 +176,7 @@ fn billed(project: &Project, axis: &str) -> Vec<(&'static str, String)> {
 fn motor_without_name_is_billed_as_a_proposal_with_figures() {
     let mut project = line();
     assert_eq!(billed(&project, ""), [("Control", project.control.name.to_owned())]);
-    // The design judges 1.3 and 3.8 Nm: a smaller motor that would do as well is proposed, not ordered.
+    // The design judges 1.3 and 3.8 Nm: a smaller motor that also passes is proposed, not ordered.
     let of_pull = billed(&project, "Pull roller");
     let proposed = candidates(&sized(&project), "x").iter().find(|motor| motor.amplifier.is_some()).unwrap().clone();
     let amplifier = proposed.amplifier.unwrap().name();

@@ -68,7 +68,7 @@ fn loop_at_start(project: &Project) -> f64 {
     project.prepared().gauges(&run, (0.0, contact), 400)[0].value
 }
 
-/// The byte of some controls has up to 254 %, of which the ladder of the line passes on 200 %.
+/// The byte of some controls has up to 254 %; the ladder of the line passes on at most 200 %.
 #[test]
 fn envelope_names_positions_of_the_knob_that_the_line_takes() {
     for (control, highest) in [("fanuc-0i-mf", 200.0), ("knd-k2000t", 200.0), ("gsk-980tdc", 120.0)] {
@@ -166,7 +166,7 @@ fn verdicts_follow_the_limits_of_the_machine() {
 }
 
 #[test]
-fn start_and_stops_are_looked_at_with_the_knob_at_its_ends() {
+fn start_and_stops_are_rated_at_both_ends_of_the_knob() {
     use OperatingEvent::{Alarm, EmergencyStop, Hold, PowerFailure, Run, Start};
     let project = line();
     let sizing = sized(&project);

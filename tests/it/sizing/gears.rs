@@ -148,7 +148,8 @@ fn gear_unit_whose_ratings_are_unknown_sets_nothing() {
     assert!(!unknown.is_empty() && unknown.iter().all(|candidate| candidate.entries.is_empty()));
 }
 
-/// Torque at the output is that of the roller: the motor's torque less what its rotor and the gear's input take, through ratio and efficiency.
+/// Torque at the output is that of the roller: the motor's torque, less the torques that accelerate its rotor and the
+/// gear's input, times ratio and efficiency.
 #[test]
 fn torque_at_the_output_agrees_with_that_at_the_motor() {
     let (ratio, efficiency, rotor, input) = (10.0, 0.9, 2e-5, 6e-5);

@@ -272,7 +272,7 @@ fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
 }
 
 #[test]
-fn slot_turned_before_the_polygon_loads_the_slides() {
+fn end_turned_before_the_polygon_loads_the_slides() {
     let threaded = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
     let cut = |depth: &str| {
         let entries = [

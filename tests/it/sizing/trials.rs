@@ -1,4 +1,4 @@
-//! The trial of many motors on one motion: what is left out never decides.
+//! The trial of many motors on one motion: a segment that is left out is never decisive.
 
 use macroline::drives::load::{Load, Regeneration};
 use macroline::drives::motor_trial::MotorTrial;

@@ -1,4 +1,4 @@
-//! Words and codes that another one of their block takes the place of, and words that stand where a call does not want them.
+//! Warnings of words and codes that another one of their block overrides, and of words at a call that it does not take.
 
 use expect_test::expect;
 

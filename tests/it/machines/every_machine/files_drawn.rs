@@ -38,7 +38,8 @@ fn along(line: &Polyline) -> Vec<(f64, f64, f64)> {
         let chord = math::hypot(dx, dy);
         let (radius, angle) = (chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs()), 4.0 * math::atan(*bulge));
         for part in [0.0, 0.1, 0.25, 0.5, 0.75, 0.9] {
-            // The chord of a part of the arc has that part of its angle, and begins turned by half of what is left.
+            // The chord of the first `part` of the arc spans `angle · part`, and is turned back from the whole chord by
+            // half of the rest.
             let turned = math::atan2(dy, dx) - 0.5 * angle * (1.0 - part);
             let length =
                 if *bulge == 0.0 { chord * part } else { 2.0 * radius * math::sin(0.5 * (angle * part).abs()) };

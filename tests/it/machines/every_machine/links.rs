@@ -103,7 +103,7 @@ fn varied_projects() -> Vec<Project> {
 }
 
 #[test]
-fn a_thousand_projects_survive_the_way_through_a_link() {
+fn thousand_projects_read_back_equal_from_their_links() {
     let projects = varied_projects();
     assert!(projects.len() >= 1000, "{}", projects.len());
     for project in projects {
@@ -117,7 +117,7 @@ fn a_thousand_projects_survive_the_way_through_a_link() {
 }
 
 #[test]
-fn all_that_a_project_has_goes_with_the_link() {
+fn link_carries_everything_of_a_project() {
     let mut project = ribbon();
     project.name = "Ordnung № 7 / 订单".to_owned();
     project.title_block.revision = "C".to_owned();
@@ -157,7 +157,7 @@ fn link_of_the_second_form_still_opens() {
 }
 
 #[test]
-fn links_that_open_nothing_say_why() {
+fn corrupted_links_give_their_reason() {
     let link = ribbon().to_link().unwrap();
     check(
         &link[..link.len() - 7],

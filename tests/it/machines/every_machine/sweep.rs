@@ -15,7 +15,8 @@ const RANDOM: usize = 300;
 /// Blocks of a run, and seconds of the machine: enough for every kind of block that a program has.
 const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 
-/// Findings that end or slow a run, by a part of their sentence, each with results of which at least one must have failed in the design.
+/// Findings that end or slow a run, each by words of its sentence, with the results of the design: at least one of them
+/// must have failed.
 const JUDGED: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),

@@ -395,7 +395,7 @@ fn time_of_turning_and_thread_is_that_of_their_ways() {
 }
 
 #[test]
-fn slots_that_take_the_polygon_off_or_do_not_fit_are_refused() {
+fn turned_ends_that_cut_the_polygon_or_do_not_fit_are_refused() {
     let found = |changes: &[(&str, &str)]| {
         let design = project(changes).design();
         let errors = design.diagnostics.iter().filter(|found| found.severity == Severity::Error);

@@ -236,7 +236,7 @@ fn ladder_takes_the_sequence_of_g512_and_g502() {
 }
 
 #[test]
-fn own_code_checks_the_tool_at_its_start_and_after_each_tool() {
+fn own_code_checks_the_tool_after_start_and_tool_change() {
     for example in ["threaded-shaft", "square-and-hexagon"] {
         let sheets = Project::named("polygon-lathe", None, Some(example)).unwrap().prepared().sheets();
         let sheet = sheets.into_iter().find(|sheet| sheet.id == "own-code").unwrap();

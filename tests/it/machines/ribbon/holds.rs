@@ -16,7 +16,7 @@ const EVEN: [(&str, &str); 2] = [("no-load-speed", "1480"), ("rated-load-speed",
 /// Time (s) between two readings of a contact near its limit.
 const READING: f64 = 0.01;
 
-/// Step (s) at which a run is looked at.
+/// Interval (s) between two readings of a run.
 const LOOK: f64 = 0.001;
 
 /// Ribbon (mm) per turn of the unwinder's motor: a roller of 100 mm through a gear of 25 : 1.

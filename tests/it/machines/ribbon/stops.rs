@@ -60,7 +60,7 @@ fn loop_is_judged_by_all_ribbon_that_a_product_lays() {
     assert!((interruption - 251.327412 * (2.05 + 2.0 * 1200.0 / 1480.0 / 4.0)).abs() < 1e-3, "{interruption}");
     assert!(interruption > value("slack-hold") + value("slack-resume"));
     assert!((needed.value - (parts.iter().sum::<f64>() + interruption)).abs() < 1e-9);
-    // The capacity that would do is the result itself.
+    // The required capacity is the result itself.
     for (mm, verdict) in [(needed.value.ceil(), Verdict::Ok), (needed.value.floor(), Verdict::Fail)] {
         let mut other = project.clone();
         other.values.extend(values(&[("loop-capacity", &mm.to_string())]));
@@ -282,7 +282,7 @@ fn hold_during_the_start_stays_within_the_loop() {
     for control in controls() {
         for wait in ["dwell", "fin"] {
             let mut project = line(control.id, &[("wait", wait), ("pitch-count", "20")]);
-            // Its sensor does not hold a product in the loop that would do.
+            // Its sensor does not hold a product in a loop of the required capacity.
             let needed = readout(&project, "loop-needed").value + looks(&project);
             project.values.extend(values(&[("loop-capacity", &needed.ceil().to_string())]));
             for held in [0.01, 0.06, 0.2, 0.8, 1.9] {
@@ -505,7 +505,7 @@ proptest! {
     /// For any machine and control: one product with one interruption at any moment stays within the loop capacity that the design
     /// requires.
     #[test]
-    fn any_interruption_stays_within_the_loop_that_would_do(
+    fn any_interruption_stays_within_the_required_loop(
         control in 0usize..7,
         (speed, ramp, dwell) in (50u32..900, 0.01f64..5.0, 0.0f64..3.0),
         (tau_x, tau_y, gain) in (20u32..400, 20u32..2000, 10u32..80),

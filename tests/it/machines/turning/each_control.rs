@@ -354,7 +354,7 @@ fn spindle_encoder_is_on_the_sheet_with_its_ratio() {
     assert_eq!([of(&[]), of(&half), of(&third)], [[false; 3], [false, true, false], [false, true, true]]);
 }
 
-/// A keyway needs a spindle that a word positions; elsewhere the program goes without it, and says so.
+/// A keyway needs a spindle that a word positions; on other controls the program omits it, and a finding names it.
 #[test]
 fn keyway_that_a_control_cannot_cut_is_named() {
     let keyway = machine().examples().iter().find(|example| example.id == "keyway").unwrap();

@@ -385,7 +385,8 @@ fn code_has_one_function() {
     );
 }
 
-/// Who locks the spindle by hand is told to release it, before the next start drives it against the pin.
+/// The program asks for the release of a spindle that is locked by hand, before the next start drives it against the
+/// pin.
 #[test]
 fn spindle_locked_by_hand_is_released() {
     let files = keyway(&[("lock-code", "0")]).written().files.0;
@@ -395,7 +396,7 @@ fn spindle_locked_by_hand_is_released() {
     assert!(lock < release && text[release..].contains("M30"), "{text}");
 }
 
-/// A tailstock stands in front of the work: the turret turns beside it alone.
+/// A tailstock is in front of the work: the turret may turn only beside the work.
 #[test]
 fn turret_turns_beside_work_that_a_tailstock_holds() {
     let entries = |start, tailstock| {

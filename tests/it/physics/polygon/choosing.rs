@@ -28,7 +28,7 @@ fn find(found: &[Choice], cutter: usize, k: Ratio) -> &Choice {
 }
 
 #[test]
-fn flattest_possible_way_comes_first() {
+fn flattest_possible_choice_comes_first() {
     let found = choices(&HEXAGON, &means(vec![cutter(3, 45.0), cutter(3, 60.0), cutter(2, 45.0), cutter(1, 45.0)]));
     let best = &found[0];
     assert_eq!((best.cutter, best.ratio, best.limits.is_empty()), (1, ratio(2, 1), true));
