@@ -117,7 +117,7 @@ impl Trial {
         Repairs { changes, still_failing: self.faults.failing, errors: self.faults.errors }
     }
 
-    /// Headline results that differ in what is shown of them from those after changes, each before and after.
+    /// Headline results whose shown figures change, each before and after.
     fn differing(&self, after: &Trial) -> Vec<(Readout, Readout)> {
         let pairs = self.readouts.iter().filter(|readout| readout.headline).filter_map(|before| {
             let after = after.readouts.iter().find(|readout| readout.id == before.id)?;

@@ -35,7 +35,7 @@ pub(crate) enum Tone {
     Ok,
     /// Worth knowing.
     Info,
-    /// To be looked at.
+    /// To be checked.
     Warn,
     /// Wrong.
     Fail,

@@ -11,7 +11,7 @@ pub const MOST: usize = 40;
 /// Score from which on a word or title is the query itself.
 const EXACT: u32 = 900;
 
-/// Characters of a query that are looked at.
+/// Characters of a query that are read.
 const QUERY: usize = 100;
 
 /// Characters of the beginning of a word that may be another form of it, or mistyped at its end.
@@ -102,7 +102,7 @@ fn best(mut hits: Vec<(u32, HelpPlace)>) -> Vec<HelpPlace> {
     hits.into_iter().map(|(_, place)| place).collect()
 }
 
-/// The characters of a query that are looked at.
+/// The characters of a query that are read.
 fn readable(query: &str) -> String {
     query.chars().filter(|c| !c.is_control()).take(QUERY).collect()
 }

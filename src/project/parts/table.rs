@@ -7,7 +7,7 @@ use crate::msg;
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 
-/// Cells of a row that are looked at.
+/// Cells of a row that are read.
 const MAX_CELLS: usize = 256;
 
 /// A record with the part of the text it was read from.

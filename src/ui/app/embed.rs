@@ -99,7 +99,7 @@ mod tests {
     use crate::ui::dom::turns;
     use crate::ui::testing::{ViewBench, mount_project, project, settled, until};
 
-    /// The page that an address asks for, in a browser that remembers nothing.
+    /// The page at an address, in a browser with empty storage.
     async fn embedded_by(fragment: &str) -> ViewBench {
         dom::storage().unwrap().clear().unwrap();
         // The test bench can wait only after a first mount, and this may be the first test.

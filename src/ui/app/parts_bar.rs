@@ -1,4 +1,4 @@
-//! Ways to the parts of the page where not all of them are on the first screen.
+//! Links to the parts of the page, on layouts whose first screen does not show all of them.
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;

@@ -22,7 +22,7 @@ impl Delayed {
         self.0.set_value(set_timeout_with_handle(work, delay).ok());
     }
 
-    /// Drops what waits.
+    /// Cancels the waiting call.
     pub(crate) fn cancel(self) {
         self.0.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
     }

@@ -26,7 +26,7 @@ const ARCHIVE: &str = "archive.js";
 struct ExportFile {
     name: String,
     bytes: Vec<u8>,
-    /// What it is, in words.
+    /// Its kind, in words.
     meaning: String,
 }
 

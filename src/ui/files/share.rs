@@ -1,4 +1,4 @@
-//! The link that carries the project, and what happens when the page is opened with one.
+//! The link that carries the project, and the opening of the page with one.
 
 use leptos::html;
 use leptos::prelude::*;

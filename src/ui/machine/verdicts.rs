@@ -9,7 +9,7 @@ use crate::ui::state::Page;
 use crate::ui::words::{Tone, four_digits, limit_sign, t, verdict_words};
 use crate::view::{Readout, Verdict};
 
-/// The results above the drawing: those of the headline, where failing results take the places of such that have no limit.
+/// The results above the drawing: those of the headline, where failing results replace those without a limit.
 fn above_the_drawing(design: &Design) -> Vec<Readout> {
     let (headline, others): (Vec<_>, Vec<_>) = design.readouts.iter().partition(|readout| readout.headline);
     let mut failing = others.into_iter().filter(|readout| readout.verdict == Verdict::Fail);

@@ -79,7 +79,7 @@ fn offered(out: &mut String, sheet: &Sheet, project: &Project) {
     }
 }
 
-/// Writes a bill of materials: each item with its part, what is to be settled, and where its data come from.
+/// Writes a bill of materials: each item with its part, its open questions, and the source of its data.
 fn bill(out: &mut String, sheet: &Sheet) {
     titled(out, "<ul class=\"bill\"", sheet);
     for row in &sheet.rows {

@@ -1,4 +1,4 @@
-//! Messages with what is made of a project to be read: sheets, help, repairs, and the documents of an export.
+//! Messages with the readable results of a project: sheets, help, repairs, and the documents of an export.
 
 use super::findings::Range;
 use serde::{Deserialize, Serialize};
@@ -112,7 +112,7 @@ pub(crate) struct ExportDocuments {
 pub(crate) struct ExportedDocument {
     /// Name of the file.
     pub name: String,
-    /// What it is, in words.
+    /// Its kind, in words.
     pub meaning: String,
     /// The file.
     pub text: String,
