@@ -15,18 +15,26 @@ use crate::msg;
 use crate::view::Limit::AtMost;
 use crate::view::{Advice, Chart, Series};
 
-/// Motor, ramp of the inverter and friction of a main spindle. Units as in the form.
+/// Motor, ramp of the inverter and friction of a main spindle, by the fields of the form.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::machines) struct SpindleDrive {
+    /// Rated power of the motor, kW.
     pub power: f64,
+    /// Base speed of the motor, r/min.
     pub base: f64,
-    /// Speed at 10 V.
+    /// Speed of the motor at 10 V, r/min.
     pub top: f64,
+    /// Whether the motor has a fan with its own drive, not one on its shaft.
     pub forced_cooling: bool,
+    /// Short-time driving torque of the motor, % of its rated torque at the same speed.
     pub peak: f64,
+    /// Short-time braking torque of the motor, % of its rated torque at the same speed.
     pub braking: f64,
+    /// Moment of inertia of the rotor, kg m².
     pub rotor: f64,
+    /// Friction of the spindle, Nm.
     pub friction: f64,
+    /// Time of the inverter's ramp from 0 to the speed at 10 V, s.
     pub ramp: f64,
 }
 

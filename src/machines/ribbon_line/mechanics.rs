@@ -61,17 +61,25 @@ pub(super) struct Mechanics {
     pub unwinder_braking: f64,
 }
 
-/// Data of an axis that do not depend on its motion.
+/// Data of an axis that do not depend on its motion; torques at the roller.
 struct Side {
+    /// Moment of inertia of all parts that turn with the roller, and of the ribbon, kg m².
     turning: f64,
+    /// Ratio of the gear, and its efficiency (0 to 1).
     gear: (f64, f64),
+    /// Moment of inertia of the gear at the motor's shaft, kg cm².
     gear_inertia: f64,
+    /// Torque at steady speed, Nm.
     torque: f64,
-    /// Torque with the ribbon at its tautest.
+    /// Torque with the ribbon at its tautest, Nm.
     taut: f64,
+    /// Torque at standstill, Nm.
     hold: f64,
+    /// Speed of the motor, r/min.
     rpm: f64,
+    /// Time constant of the axis, s.
     time_constant: f64,
+    /// Position gain of the axis, 1/s.
     position_gain: f64,
 }
 
