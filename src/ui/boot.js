@@ -1,11 +1,12 @@
-// Shows the still as the last visit left the page, then loads and starts the page's module in the reader's language. It is a file of its own
-// because the content security policy allows no script inside the page.
+// Shows a still picture of the page with the theme and language of the last visit, then loads and starts the page's
+// module. A file of its own, because the content security policy allows no script inside the page.
 const still = document.getElementById('still');
 const notice = document.getElementById('boot');
 const data = document.querySelector('script[data-wasm]').dataset;
 
-// The parts of the page that are loaded later, for all who ask: they are here where the page is one file (`one_file.js`), else beside the page, by
-// the number of the build, so that neither a cache nor the service worker gives one of another build.
+// The parts of the page that are loaded later. Where the page is one file (`one_file.js`), the part is a `Blob` of this
+// table; else it is a file beside the page, with the number of the build in its address, so that neither a cache nor
+// the service worker gives one of another build.
 const parts = window.macroline?.parts ?? {};
 const addresses = {};
 window.macroline = {
@@ -13,12 +14,12 @@ window.macroline = {
     if (!parts[part]) return new URL(`${part}?${data.build}`, document.baseURI).href;
     return (addresses[part] ??= URL.createObjectURL(parts[part]));
   },
-  // The part itself where it is here, else its address: for the worker.
+  // For the worker: the `Blob` of a part, else its address.
   part: (part) => parts[part] ?? macroline.address(part),
 };
 
 const root = document.documentElement;
-// A file of sentences for each (`text/catalog`). The language that was chosen, or the first of the browser's that there is.
+// Each has a file of sentences (`text/catalog`). The page takes the chosen one, else the browser's first known one.
 const languages = ['en', 'zh'];
 
 // Inside another page the address chooses language and units, and nothing is read from this browser's store (`docs/embedding.md`).
@@ -28,7 +29,7 @@ const wished = (name) => (embedded ? wishes.find((wish) => wish.startsWith(`${na
 root.toggleAttribute('data-embedded', embedded);
 if (embedded) still.replaceChildren(notice);
 
-// A text of an earlier visit: of this tab, which a reload keeps (`dom/tab_entry.rs`), or else of the browser's store.
+// A text stored under a key: by this tab before a reload (`dom/tab_entry.rs`), else in the browser's store.
 function kept(key) {
   if (embedded) return null;
   try {
@@ -52,12 +53,13 @@ data.words = `${root.lang}.properties`;
 // The still shows a fresh project with English names in millimetres. The module draws every other one: a stored or linked project, another language, inches.
 if (kept('project') || location.hash || root.lang !== languages[0] || root.dataset.lengths === 'inch') still.querySelector('.scene')?.remove();
 
-// Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/drawing/scene_view.rs`). Values
-// wait for the page, which finds places for them, and so do names in such a drawing. The drawing is not laid out before its scale is known
-// (`#still` in `app.css`): all its labels would be twice.
+// Labels keep their size: where there is little room, the drawing becomes wider than its room, by the same rule as in
+// `machine/drawing/scene_view.rs`. The still shows no values, because only the page places them, and in such a wide
+// drawing no names. The drawing is laid out only when its scale is known (`#still` in `app.css`).
 const drawing = still.querySelector('.scene');
-// Ratio of the drawing's units per pixel to those its labels are laid out for, above which it becomes wider than its room, and height in pixels
-// of the strip over it then: the same two as in `machine/drawing/scene_view.rs`, held by a test.
+// Ratio of the drawing's units per pixel to those its labels are laid out for, above which the drawing becomes wider
+// than its room; and height in pixels of the strip above such a drawing. A test compares both with
+// `machine/drawing/scene_view.rs`.
 const CROWDED = 1.35;
 const STRIP = 40;
 if (drawing) {

@@ -47,7 +47,7 @@ pub(crate) fn field(id: &str) -> FieldInfo {
     project().machine.fields().into_iter().find(|field| field.id == id).unwrap()
 }
 
-/// Goes on in a new tab, which carries nothing over.
+/// Continues as in a new tab, without the texts of the old tab's history entry.
 pub(crate) fn new_tab() {
     window().history().unwrap().replace_state(&JsValue::NULL, "").unwrap();
 }
@@ -57,7 +57,7 @@ pub(crate) struct WithoutHistory;
 
 impl WithoutHistory {
     pub(crate) fn new() -> WithoutHistory {
-        // Called, it throws: no function.
+        // `null` in place of the function: a call throws.
         script::set(&window().history().unwrap(), "replaceState", &JsValue::NULL);
         WithoutHistory
     }

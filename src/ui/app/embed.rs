@@ -81,7 +81,8 @@ fn reload_on_another_fragment(page: Page) {
 #[component]
 fn Open() -> impl IntoView {
     let page = Page::here();
-    // A project that came by a link also fits one after three values have changed. If it does not fit, the element has no address.
+    // A project opened from a link still fits into a link after a few changes. If it does not fit, the element has no
+    // address.
     let link = move || page.project.with(|project| project.to_link().ok());
     let address = move || link().map(|fragment| format!("{}#{fragment}", dom::address().0));
     view! { <a href=address target="_blank" rel="noopener">{t("page.embed-open")}</a> }

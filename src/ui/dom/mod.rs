@@ -275,7 +275,8 @@ pub(crate) fn all(root: &Element, selector: &str) -> Vec<Element> {
     (0..list.length()).filter_map(|at| list.get(at)?.dyn_into().ok()).collect()
 }
 
-/// The place in the window of a part of an element's text, by UTF-16 units; `None` where the text is shorter.
+/// Rectangle in the window of the characters `from..to` (UTF-16 units) of an element's text; `None` where the text is
+/// shorter.
 pub(crate) fn area_of_text(element: &Element, from: u32, to: u32) -> Option<DomRect> {
     let range = document().create_range().ok()?;
     let (mut done, mut ends) = (0, 0);
@@ -306,8 +307,8 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
-/// Calls `act` at each event of a kind, anywhere on the page. For a paste, before the element that it goes to; a scroll is told to that element
-/// alone.
+/// Calls `act` at each event of a kind on the window. Pastes and scrolls are caught in the capture phase: a paste
+/// before its element handles it, a scroll because it does not bubble.
 pub(crate) fn on_event(event: &str, act: impl Fn(Event) + 'static) {
     let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
     let first = ["paste", "scroll"].contains(&event);

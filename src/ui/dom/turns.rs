@@ -43,10 +43,10 @@ fn next() {
     }
 }
 
-/// Runs `work` once no other work waits, but for such work added later.
+/// Runs `work` after all work of [`in_turn`]; several such pieces run in the order of their calls.
 pub(crate) fn at_last(work: impl FnOnce() + 'static) {
     LAST.with_borrow_mut(|last| last.push_back(Box::new(work)));
-    // Where nothing waits, its turn comes after this.
+    // Starts the queue if it is empty.
     in_turn(|| ());
 }
 

@@ -1,4 +1,4 @@
-// Files as one zip archive, bundled beside the page and loaded only when somebody takes all of them.
+// Files as one zip archive, bundled beside the page and loaded only when all files are saved at once.
 import { zipSync } from 'fflate';
 
 // `files` are pairs of name and bytes.

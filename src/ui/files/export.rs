@@ -123,7 +123,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
     }
 }
 
-/// Why nothing is exported.
+/// The reasons why nothing is exported.
 #[component]
 fn Refused(
     /// The reasons.

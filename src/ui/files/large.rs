@@ -94,7 +94,7 @@ pub(super) fn check(page: Page, large: LargeFile, source: Source) {
     large.0.set(Some(Check { name, progress: (0.0, all), report: None, worker: Rc::new(worker) }));
 }
 
-/// The dialog of a check. Closing gives up the worker, whether it is done or not.
+/// The dialog of a check. Closing it ends the worker.
 #[component]
 pub(crate) fn LargeFileDialog() -> impl IntoView {
     let large = LargeFile::here();

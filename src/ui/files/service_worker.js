@@ -23,8 +23,8 @@ addEventListener('fetch', (event) => {
   }
 });
 
-// All files, or none: a file that does not come, is another one than the list says, or has no room leaves everything as it was. The other
-// files are waited for, so that a failed build neither loads nor writes any more.
+// Stores all files or none: if a file cannot be fetched, has another hash than listed, or does not fit, nothing
+// changes. Even then it waits for the other files, so that a failed build does not go on loading or writing.
 async function install() {
   const cache = await caches.open(OWN);
   const files = await Promise.allSettled(Object.entries(FILES).map(async ([file, hash]) => cache.put(file, (await same(file, hash)) ?? (await fetched(file)))));
@@ -37,7 +37,7 @@ async function install() {
 // The browser itself compares the file with its hash.
 const fetched = (file) => fetch(file, { integrity: `sha256-${FILES[file]}`, cache: 'no-cache', priority: 'low' });
 
-// The file of another build, where it is the same.
+// The stored file of another build, if it has the same content.
 async function same(file, hash) {
   const before = await caches.match(file, { ignoreVary: true });
   if (!before) return null;
@@ -47,15 +47,15 @@ async function same(file, hash) {
 
 const kept = (file, cacheName) => caches.match(file, { cacheName, ignoreVary: true });
 
-// A file for a page of build `build`; without a number the page is of this build, or has just gone over to it. What the browser has dropped
-// comes from the network, unless it is another one by now.
+// A file for a page of build `build`; without a number, for a page of this build. A file that the browser has dropped
+// is fetched from the network; for this build, only with the listed hash.
 async function part(request, file, build) {
   const found = build ? await kept(file, PREFIX + build) : ((await kept(file, OWN)) ?? (await caches.match(request, { ignoreVary: true })));
   if (found) return found;
   return file in FILES && (build || BUILD) === BUILD ? fetched(file) : fetch(request);
 }
 
-// Forgets other builds as soon as no page is open that may be of one of them, and none waits.
+// Deletes the files of other builds when no open page can be of one of them and no build waits to be activated.
 async function forgetOthers() {
   const pages = await clients.matchAll({ includeUncontrolled: true });
   if (registration.installing || registration.waiting || pages.some(({ url }) => url.startsWith(registration.scope))) return;

@@ -1,4 +1,4 @@
-//! States of the project that gave way to another one: kept at once in the browser's store, several of them, until the shelf has them.
+//! States of the project that another one replaced: kept in the browser's store until the shelf has them.
 
 use crate::project::Project;
 use crate::ui::dom;

@@ -119,7 +119,7 @@ fn leads_to_this_disk(address: &str) -> bool {
     address.starts_with("file:")
 }
 
-/// The element that shows a project inside another page. Neither an address nor the fragment of a link has a character that HTML does not take.
+/// The element that shows a project inside another page. Only `&` and `"` of the address need an escape.
 fn frame(address: &str, fragment: &str) -> String {
     let address = address.replace('&', "&amp;").replace('"', "&quot;");
     format!(

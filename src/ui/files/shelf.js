@@ -31,7 +31,7 @@ function base() {
 
 async function change(act) {
   const transaction = (await base()).transaction(STATES, 'readwrite');
-  // All of it or nothing: what fails takes back what was done before it.
+  // All or nothing: a failure undoes the whole transaction.
   const acted = act(transaction.store).catch((error) => {
     try {
       transaction.abort();
@@ -40,7 +40,7 @@ async function change(act) {
     }
     throw error;
   });
-  // Whatever is refused, the transaction says so; without a catcher the browser would report each request too.
+  // `transaction.done` rejects for every refused request.
   const [result] = await Promise.all([acted, transaction.done]);
   return result;
 }
@@ -54,7 +54,7 @@ const state = (row) => ({ id: text(row.id), of: text(row.of), at: number(row.at)
 
 export const all = async () => (await (await base()).getAll(STATES)).map(state).filter(({ id }) => id);
 
-// Keeps a state in place of the one with its id; with `known` only where there is one. One of a newer page is not overwritten.
+// Writes a state over the one with its id; with `known`, only if there is one. A state of a newer build is left alone.
 export const put = (row, known) =>
   change(async (store) => {
     const before = await store.get(row.id);
@@ -75,7 +75,7 @@ export const restore = (rows) =>
     for (const row of rows) await store.put(row);
   });
 
-// All states as an archive: each a file that the page opens, and a list of what goes with it.
+// All states as an archive: each as a file that the page opens, and a list of their other data.
 export async function pack() {
   const states = await all();
   const name = (project) => {
@@ -92,7 +92,7 @@ export async function pack() {
   return zipSync(Object.fromEntries([['shelf.json', strToU8(JSON.stringify({ version: VERSION, states: list }, null, 2))], ...files]), { level: 9 });
 }
 
-// The files of an archive and its list; those that are too large are not read.
+// The files of an archive and its list; files that are too large are not read.
 function archived(bytes) {
   let count = 0;
   try {
@@ -105,7 +105,7 @@ function archived(bytes) {
   throw fault('NoArchive');
 }
 
-// Adds the states of an archive that are not there yet: one whose id is taken by another text gets an id of its own. Returns their count.
+// Adds the states of an archive that are missing: one whose id has another text here gets a new id. Returns the count.
 export async function unpack(bytes) {
   const { files, version, states } = archived(bytes);
   if (version > VERSION) throw fault('VersionError');

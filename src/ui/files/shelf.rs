@@ -73,7 +73,7 @@ pub(super) async fn keep_present(page: Page) -> Result<(), String> {
     ask("put", &[&row(&present(page)), &untouched.into()]).await.map(drop)
 }
 
-/// Keeps a version of a project, unless its last one is the same.
+/// Keeps a version of a project; an automatic one (note `auto:…`) only if it differs from the last version.
 pub(super) async fn keep_version(of: &str, note: &str, text: String) -> Result<(), String> {
     let versions = states().await?;
     let last = versions.iter().filter(|state| state.of == of).max_by(|a, b| a.at.total_cmp(&b.at));
@@ -103,7 +103,7 @@ pub(super) fn warn_refused(page: Page, reason: &str) {
     }
 }
 
-/// Keeps a version of the present project before a change of the whole.
+/// Keeps a version of the present project before another project or program replaces it.
 pub(super) fn version_before(page: Page, note: &'static str) {
     let before = present(page);
     spawn_local(async move {

@@ -29,7 +29,7 @@ const ID: &str = "macroline.id";
 /// Key of the project's steps of undo and redo.
 const STEPS: &str = "macroline.steps";
 
-/// What this tab carries over a reload where the store refuses the project.
+/// Keys of the texts that this tab's history entry carries over a reload where the store refuses the project.
 const CARRIED: [&str; 3] = [PROJECT, ID, STEPS];
 
 /// Key of the place that has the latest state of the project: [`IN_STORE`] or [`ON_SHELF`]. Both words have the same length, so that a full
@@ -187,7 +187,7 @@ thread_local! {
     static REFUSED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Stores the project in the space of its steps, which stay if the space does not suffice.
+/// Stores the project in the space of its stored steps; if even that does not suffice, the steps stay stored.
 fn make_room(text: &str) -> bool {
     let Some(steps) = dom::stored(STEPS) else { return false };
     dom::forget(STEPS);

@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn finished_entry_in_another_unit_is_shown_in_the_field_s() {
+    async fn finished_entry_is_converted_to_the_unit_of_the_field() {
         let bench = mounted("pitch").await;
         bench.type_into("#pitch", "0.5 in").await;
         assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), ("0.5 in", Some(Value::Number(12.7))));

@@ -29,7 +29,7 @@ pub(super) fn decisive_facts() -> RwSignal<Vec<String>> {
                 if let Some(Response::Flips(mut ids)) = response
                     && !found.is_disposed()
                 {
-                    // Product fields are the customer's own, and stand in front.
+                    // Product fields are the customer's own and come first in the form.
                     let fields = page.project.with_untracked(|project| project.machine.fields());
                     ids.retain(|id| !fields.iter().any(|field| field.essential && field.id == *id));
                     put(found, ids);

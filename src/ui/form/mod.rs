@@ -144,7 +144,7 @@ fn Group(
     }
 }
 
-/// Count of wrong fields, for those out of sight; a press leads to the next one.
+/// Count of the wrong fields, some of which may be out of sight; a click leads to the next one.
 #[component]
 fn WrongFields() -> impl IntoView {
     let page = Page::here();

@@ -126,7 +126,7 @@ impl Pair {
     }
 }
 
-/// Two of some projects and variants.
+/// Comparison of two of the projects and variants.
 #[component]
 fn Sides(
     /// All of them, each with its name; the present project first.

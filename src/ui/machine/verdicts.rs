@@ -39,7 +39,7 @@ pub(crate) fn Verdicts() -> impl IntoView {
     }
 }
 
-/// All verdicts in one line of text, for a layout without a list of all results.
+/// The results above the drawing as short lines, for a layout without the list of all results.
 #[component]
 pub(super) fn VerdictList() -> impl IntoView {
     let page = Page::here();
@@ -80,7 +80,7 @@ mod tests {
     async fn failing_result_takes_the_place_of_one_without_a_limit() {
         let bench = mount(|| view! { <Verdicts /> }).await;
         let count = bench.all(".card").len();
-        // A press roller of this size makes the web slip, which no headline says.
+        // So low a pinch force makes the web slip, which no headline result shows.
         let fails = |readout: &&Readout| readout.verdict == Verdict::Fail && !readout.headline;
         bench.page.set("pinch-force", crate::machines::form::Value::Number(1.0));
         settled().await;

@@ -30,7 +30,7 @@ pub(crate) struct Followed<T: Send + Sync + 'static> {
     pub progress: AnswerProgress,
 }
 
-// A derive would ask the same of the answer.
+// A derived impl would require `T: Clone`.
 impl<T: Send + Sync + 'static> Clone for Followed<T> {
     fn clone(&self) -> Followed<T> {
         *self

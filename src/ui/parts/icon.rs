@@ -15,7 +15,7 @@ pub(crate) enum Glyph {
     Play,
     /// Pause.
     Pause,
-    /// Repeat from the begin at the end of the run.
+    /// Repeat from the start at the end of the run.
     Repeat,
     /// Undo.
     Undo,

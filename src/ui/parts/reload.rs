@@ -12,7 +12,7 @@ use crate::ui::words::{Tone, t};
 /// Key in this tab's history entry of what was shown.
 const SHOWN: &str = "macroline.shown";
 
-/// What a reload would otherwise lose.
+/// View state that a reload would otherwise lose.
 #[derive(Serialize, Deserialize)]
 struct Shown {
     tab: Tab,
@@ -37,7 +37,7 @@ pub(super) fn reload_with(page: Page, key: &str, choice: &str) {
     dom::reload();
 }
 
-/// Begins the run, after a reload for a choice where it was.
+/// Begins the run; after a reload for a choice (such as the language), at the play head of before.
 pub(crate) fn begin_run(page: Page) {
     let shown = carried(SHOWN).and_then(|text| serde_json::from_str::<Shown>(&text).ok());
     drop_carried(&[SHOWN]);

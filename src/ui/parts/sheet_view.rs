@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn cancelled_before_it_is_sent_nothing_is_asked() {
+    async fn request_cancelled_during_its_delay_is_not_sent() {
         const REST: Duration = Duration::from_millis(60);
         let bench = mount(|| {
             Client::here().answer_here(|_, _| Some(Response::Html(String::new())));

@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn commands_are_hidden_until_one_steps() {
+    async fn commands_are_hidden_until_stepping_starts() {
         let bench = debugger().await;
         assert!(!bench.has(".stepping") && bench.has(".seen.gone"));
         bench.page.view.stepping.set(true);

@@ -1,5 +1,5 @@
-// The editor of a program, bundled beside the page and loaded only when somebody edits. It lives in a shadow root:
-// there CodeMirror puts its styles into constructed sheets, which the content security policy allows, and not into <style>.
+// The editor of a program, bundled beside the page and loaded at the first edit. It lives in a shadow root: there
+// CodeMirror puts its styles into constructed sheets, which the content security policy allows, and not into <style>.
 import { defaultKeymap, history, historyField, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { unifiedMergeView } from '@codemirror/merge';
 import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from '@codemirror/search';
@@ -16,7 +16,7 @@ import { READ, tellWords } from './editor/words.js';
 // A change that came from the page and not from the keyboard.
 const fromPage = Annotation.define();
 
-// The colours of the lines that are to be seen. `pieces` knows the words of the control: of a line it gives start, end and class of each piece.
+// The colours of the visible lines. `pieces` reads a line as the control does: start, end and class of each piece.
 const colours = (pieces) =>
   ViewPlugin.fromClass(
     class {
@@ -42,10 +42,10 @@ const colours = (pieces) =>
     { decorations: (plugin) => plugin.decorations },
   );
 
-// Pixels at the foot of the window that bars of the page cover, where the window is small.
+// Height in pixels of the bars that cover the foot of a small window.
 const covered = () => parseFloat(getComputedStyle(document.body).paddingBottom) || 0;
 
-// A bar that comes in above the editor makes it lower: the line that is being typed stays in view.
+// A bar that appears above the editor reduces its height: scrolls so that the edited line stays in view.
 const staysInView = EditorView.updateListener.of(({ geometryChanged, view }) => {
   const height = view.scrollDOM.clientHeight;
   const lower = height < view.heightBefore;
@@ -54,7 +54,7 @@ const staysInView = EditorView.updateListener.of(({ geometryChanged, view }) => 
   requestAnimationFrame(() => view.dom.isConnected && view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main.head) }));
 });
 
-// The cursor and what belongs to it stay clear of them.
+// Keeps the cursor and its tooltips clear of the bars.
 const inSight = [
   staysInView,
   EditorView.scrollMargins.of(() => ({ bottom: covered() })),
@@ -85,7 +85,8 @@ function stateOf(file, text, extensions) {
   return before?.doc.toString() === doc ? EditorState.fromJSON(before.toJSON(KEPT), { extensions }, KEPT) : EditorState.create({ doc, extensions });
 }
 
-// Requests of keys, buttons and presses to the page about a place of its text. `list` promises the list of a name at a place, `define` shows what is named at a place.
+// Requests of keys, buttons and clicks to the page, each for an offset of its text. `list` promises the places of the
+// name there, `define` shows the definition of that name.
 function commandsOf(host, { list: ask, define, toggle }, show, toPage) {
   const head = ({ state }) => toPage(state.selection.main.head);
   const offer = (name) => (view) => {
@@ -112,7 +113,7 @@ function commandsOf(host, { list: ask, define, toggle }, show, toPage) {
   };
 }
 
-// A press with Ctrl, on a Mac with Command, leads to the definition.
+// A click with Ctrl, on a Mac with Command, leads to the definition.
 const press = (define) =>
   EditorView.domEventHandlers({
     mousedown(event, view) {
@@ -126,8 +127,9 @@ const press = (define) =>
     },
   });
 
-// Opens an editor of a file in `host`, called `label`. `changed` gets the number of the file and its text after each edit, `fix` the numbers of a
-// finding and of its fix, `choose` that of a row of a list, `toggle` the line of a breakpoint; `complete` promises proposals at a place.
+// Opens an editor of a file in `host`, named `label` for screen readers. `changed` gets the number of the file and its
+// text after each edit, `fix` the numbers of a finding and of its fix, `choose` the number of a row of a list, `toggle`
+// the line of a breakpoint; `complete` promises proposals at an offset.
 export function open(host, number, text, options) {
   let file = number;
   let ways = waysOf(text);
@@ -159,7 +161,7 @@ export function open(host, number, text, options) {
   let all;
   const begin = (extensions) => stateOf(file, text, (all = extensions));
   const editor = openView(host, begin, options, [parts, lists.extension, press(commands.define), keys, listener]);
-  // Whoever has gone elsewhere while it was loaded stays there.
+  // Takes the focus only if the user has not moved it elsewhere during loading.
   const here = document.activeElement;
   if (here === document.body || here.closest('.tools')) editor.focus();
   editor.dispatch({ scrollIntoView: true });
@@ -177,7 +179,7 @@ export function open(host, number, text, options) {
       const head = Math.min(editor.state.selection.main.head, next.length);
       editor.dispatch({ changes: { from: 0, to: last.length, insert: next }, selection: { anchor: head }, annotations: fromPage.of(true) });
     },
-    // What the control says about the text.
+    // Marks the findings in the text.
     mark: (found) => showFindings(editor, found.map((one) => ({ ...one, from: ways.toEditor(one.from), to: ways.toEditor(one.to) })), options.fix),
     // The lines with breakpoints.
     points: (lines) => showPoints(editor, lines),
@@ -186,7 +188,7 @@ export function open(host, number, text, options) {
       this.reveal(at);
       editor.focus();
     },
-    // The cursor and the view there, the focus where it is.
+    // Moves the cursor and scrolls to an offset; the focus does not move.
     reveal(at) {
       const anchor = Math.min(ways.toEditor(at), editor.state.doc.length);
       editor.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
@@ -200,7 +202,7 @@ export function open(host, number, text, options) {
   };
 }
 
-// Shows in `host` what differs between two texts.
+// Shows in `host` the differences between two texts.
 export function difference(host, before, after, options) {
   const merge = unifiedMergeView({ original: before, mergeControls: false, collapseUnchanged: { margin: 4, minSize: 8 } });
   const begin = (extensions) => EditorState.create({ doc: after, extensions });

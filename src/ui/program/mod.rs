@@ -70,7 +70,7 @@ pub(crate) fn ProgramTab() -> impl IntoView {
             <Show when=move || page.view.program.get() == ProgramView::Listing><BlockTimes /><Seen /></Show>
             <Now />
         </div>
-        // Below the text, so that no line moves under the hand at the first edit.
+        // Below the text, so that no line moves at the first edit.
         <Show when=move || page.program.edited.get()><Detached /></Show>
     }
 }

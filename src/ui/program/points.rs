@@ -27,7 +27,8 @@ pub(super) fn lines(page: Page, file: usize, all: &[(Place, String)]) -> JsValue
     table(here().map(|(place, condition)| vec![lines.line_of(place.span.start).into(), condition.into()]))
 }
 
-/// The function for the editor that sets or removes a breakpoint at a line of the chosen file, and returns which of both it did.
+/// The function for the editor that sets or removes a breakpoint at a line of the chosen file, and announces which
+/// of both it did.
 pub(super) fn toggle(page: Page) -> JsValue {
     let toggle = move |line: JsValue| {
         page.take_typed();

@@ -1,4 +1,4 @@
-//! Marks of fields that something else than their own entry has changed: a button, another control, undo.
+//! Marks of fields changed by something other than their own input: a button, another control, undo.
 
 use std::time::Duration;
 

@@ -13,7 +13,7 @@ const CONFIRMED: Duration = Duration::from_secs(8);
 /// A button of a notice: catalog id of its words, and its action.
 pub(crate) type NoticeAction = (&'static str, Callback<()>);
 
-/// A message that stays until it is dismissed.
+/// A message to the user.
 #[derive(Debug, Clone)]
 pub(crate) struct Notice {
     /// Weight.
@@ -50,7 +50,7 @@ impl Notice {
 /// The messages. A handle: copies share its state.
 #[derive(Clone, Copy)]
 pub(crate) struct Notices {
-    /// Shown until they are dismissed; a confirmation goes by itself.
+    /// Messages shown: each until the user dismisses it; a confirmation disappears by itself.
     pub list: RwSignal<Vec<Notice>>,
     /// The last sentence for screen readers.
     pub announcement: RwSignal<String>,

@@ -467,7 +467,7 @@ impl Page {
         self.set_below_text(id, value);
     }
 
-    /// Sets a field whose entry turns out to be no value to the one before it; the text stays as it is typed.
+    /// Sets a field whose typed text is no value back to the value before the entry; the text stays as typed.
     pub(crate) fn set_below_text(self, id: &'static str, value: Value) {
         self.edit_in(Some(id), Some(EditKey::Field(id)), |project| {
             project.values.insert(id.to_owned(), value);
@@ -542,7 +542,7 @@ impl Page {
         self.entries.invalid.with(|invalid| !invalid.is_empty())
     }
 
-    /// Goes to the field that is wrong, to the next one from there.
+    /// Focuses the next wrong field after the focused one, else the first.
     pub(crate) fn show_wrong_field(self) {
         let fields: Vec<_> = untrack(|| self.wrong_fields()).iter().filter_map(|found| found.field).collect();
         let here = document().active_element().map(|element| element.id()).unwrap_or_default();

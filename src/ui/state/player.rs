@@ -392,7 +392,7 @@ impl Player {
                 if !waits && self.repeat.get_untracked() && self.planned.get_untracked().end > 0.0 {
                     self.seek(0.0);
                 } else {
-                    // What the operator does next counts from here: the run does not begin anew by itself.
+                    // The operator's next actions take effect at this time, so the run does not begin anew by itself.
                     self.playing.set(false);
                     self.state.update_value(|state| state.waits = waits);
                 }
@@ -406,8 +406,8 @@ impl Player {
         }
     }
 
-    /// Machine seconds per second at the play head. Automatic: as slow as the motion is visible while the machine begins its work, and fast
-    /// when that has been seen, and while it approaches, returns or waits.
+    /// Machine seconds per second at the play head. Automatic speed is slow enough to see the motion when the machine
+    /// begins its work, and fast later and while the machine approaches, returns or waits.
     fn speed_now(self) -> f64 {
         let chosen = self.speed.get_untracked();
         if chosen > 0.0 {
@@ -448,7 +448,7 @@ impl Player {
         let planned = self.planned.get_untracked().end;
         let playing = self.playing.get_untracked();
         let speed = self.speed_now();
-        // A machine that stands on the page is sharp.
+        // A paused drawing has no motion blur.
         let step = if playing { speed / 60.0 } else { 0.0 };
         let frame = Frame { step, drawing_option: self.drawing_option.get_untracked() };
         let plans = self.plans.get_untracked();

@@ -96,7 +96,7 @@ pub(crate) struct View {
     pub tab: RwSignal<Tab>,
     /// The program file, by its place in the list.
     pub file: RwSignal<usize>,
-    /// A place of the program that listing or editor are to show.
+    /// A place of the program that the listing or the editor scrolls to.
     pub sought: RwSignal<Option<Place>>,
     /// How the program file is shown.
     pub program: RwSignal<ProgramView>,
@@ -106,7 +106,7 @@ pub(crate) struct View {
     pub panel: RwSignal<bool>,
     /// Whether the open panel shows the list of the operator's actions in place of its knobs.
     pub actions: RwSignal<bool>,
-    /// The row of that list that is to have the focus, by its place in the list.
+    /// Index of the row of that list that gets the focus.
     pub action: RwSignal<Option<usize>>,
     /// Ids of the fields that the chosen result depends on.
     pub causes: RwSignal<Vec<&'static str>>,

@@ -1,12 +1,12 @@
-//! The parts of a run in which the machine works: the automatic speed is slow at the begin of each, and fast elsewhere.
+//! The spans of a run in which the machine works: automatic speed is slow at the start of each, and fast elsewhere.
 
 use crate::machines::PreparedMachine;
 use crate::project::run::Run;
 
-/// Seconds of the viewer's time before the work, in which automatic speed is slow already.
+/// Seconds of the viewer's time before the work in which automatic speed is already slow.
 const LEAD: f64 = 1.0;
 
-/// Seconds of the viewer's time from the begin of the work, in which it is slow: a line that prints for a minute is seen in half a minute.
+/// Seconds of the viewer's time from the start of the work in which automatic speed is slow; later it is fast.
 const SEEN: f64 = 15.0;
 
 /// Spans (s) of the planned run in which the machine works, in their order.

@@ -22,7 +22,7 @@ pub(super) fn section_html(section: &SizingSection, project: &Project) -> String
     out
 }
 
-/// Rows of a list that repeats a drawing above which it is folded.
+/// Number of rows above which a list that repeats a drawing is folded.
 const FOLDED: usize = 12;
 
 /// Products of a choice that are shown, suitable ones first; more than one below them are folded.
@@ -183,7 +183,7 @@ fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_sentenc
             out.push_str("</td>");
         }
         Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
-        // No head over nothing.
+        // An empty cell needs no head.
         _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
         Some(column) if has_sentences => {
             out.push_str("<td>");
@@ -212,7 +212,7 @@ fn graded(out: &mut String, tag: &str, row: &Row) {
 /// Letters of a first cell that stays on one line: a register, a parameter, a short block.
 const ONE_LINE: usize = 20;
 
-/// Characters from which on a cell is a sentence.
+/// Number of characters from which a cell counts as a sentence.
 const SENTENCE: usize = 24;
 
 /// Characters of the longest cell of a column.

@@ -1,6 +1,6 @@
-// Starts the worker's module with the page's units and sentences. The first message has units, module, wasm, sentences and texts of help: their addresses, or
-// where the page is one file themselves, for a worker from a disk reads no address within its page. No module itself, which Chromium does not
-// start from there.
+// Starts the worker's module with the page's units and sentences. The first message holds the units and the addresses
+// of module, wasm, sentences and texts of help. Where the page is one file it holds `Blob`s instead, because a worker of a
+// page from disk cannot read addresses of its page. A classic script: Chromium starts no module worker from disk.
 addEventListener('message', start, { once: true });
 
 async function start({ data }) {
@@ -12,7 +12,7 @@ async function start({ data }) {
     // Help is loaded when it is first asked for.
     work(await sentences, lengths, () => Promise.all(help.map(text)));
   } catch (error) {
-    // The page hears of it.
+    // Fires `onerror` on the page's side.
     reportError(error);
   }
 }

@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn run_that_moves_has_nothing_to_say() {
+    async fn moving_run_shows_no_alarm_screen() {
         assert!(!screen("mitsubishi-e60").await.has(".alarm-screen"));
     }
 

@@ -14,7 +14,7 @@ use crate::ui::state::Page;
 pub(super) const SECONDS: f64 = 8.0;
 /// Pixels of the clip per pixel of the drawing.
 const FINE: f64 = 1.5;
-/// Format, and its ending.
+/// MIME type of the clip.
 const KIND: &str = "video/webm";
 
 /// Whether the browser can record a canvas.

@@ -18,7 +18,7 @@ const PIECE: f64 = 6.0;
 const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0, 52.0, -52.0, 68.0, -68.0];
 const UP_OR_DOWN: [f64; 7] = [0.0, 9.0, -9.0, 18.0, -18.0, 28.0, -28.0];
 const OUT_OF_ROW: f64 = 2.5;
-/// Pixels that a label goes at most to leave a drawn part: where it touches the part, and more by the share of a line on it.
+/// Cost of a label on a drawn part, in pixels of shift: for touching it, and on top for the covered share of a line.
 const OFF_PART: (f64, f64) = (12.0, 90.0);
 
 /// Greatest shift in pixels of a label without a hairline: further away it would seem to name another part.

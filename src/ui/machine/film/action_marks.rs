@@ -101,7 +101,7 @@ fn marked(events: &[Event], axis: impl FnOnce() -> (f64, f64)) -> Vec<usize> {
     clear.map(|(at, _)| at).collect()
 }
 
-/// A mark. It belongs to a place in the list, whichever action is there.
+/// The mark of the action at one index of the list.
 #[component]
 fn Mark(
     /// The place.

@@ -73,7 +73,8 @@ impl Charts {
         self.chart().filter(|chart| chart.over_time()).map_or(&[], |chart| &chart.series)
     }
 
-    /// Name, value and unit of each line over time, from all charts at one moment: a line between two of its points would say neither.
+    /// Name, value and unit of each line over time, from all charts computed at one moment: interpolation between the
+    /// drawn points would not give the exact value.
     fn values(&self, at: Vec<Chart>) -> Vec<(&'static str, f64, &'static str)> {
         let chosen = self.chart().filter(|chart| chart.over_time()).map(|chart| chart.id);
         let chart = at.into_iter().find(|chart| Some(chart.id) == chosen).map(Chart::shown);

@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    fn names_lie_neither_on_another_nor_beyond_the_axis() {
+    fn names_overlap_neither_each_other_nor_the_axis_ends() {
         let found = rows(&[
             (0.0, "M3", 2),
             (0.1, "dwell", 0),

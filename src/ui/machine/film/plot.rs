@@ -34,7 +34,7 @@ impl Fingers {
         })
     }
 
-    /// Notes a finger that is down or lifted; of two that are down, by which factor they have come together.
+    /// Records a finger as down or lifted; with two fingers down, returns the ratio of their old to their new distance.
     fn touch(self, event: &PointerEvent, down: bool) -> Option<f64> {
         if event.pointer_type() != "touch" {
             return None;

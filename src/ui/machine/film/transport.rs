@@ -98,7 +98,7 @@ fn RunningBlock() -> impl IntoView {
     view! { <code class="where">{parts}</code> }
 }
 
-/// A time to go to.
+/// Input of a time (s) to which the play head goes.
 #[component]
 fn GoTo() -> impl IntoView {
     let player = Page::here().player;
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn clock_shows_the_time_that_one_goes_to() {
+    async fn clock_shows_the_entered_time() {
         let bench = transport().await;
         shows(&bench, "00:00.0000").await;
         bench.choose("#go-to", "2,5").await;

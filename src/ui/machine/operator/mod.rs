@@ -1,4 +1,4 @@
-//! The hand of the operator: the panel, and the list of the actions on it.
+//! The operator's panel, and the list of the actions on it.
 
 mod list;
 pub(crate) mod panel;

@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn cycle_start_promises_nothing_where_the_run_stops_at_once() {
+    async fn cycle_start_is_disabled_where_the_run_stops_at_once() {
         let project = crate::project::Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
         let bench = mount_project(project, || view! { <OperatorPanel /> }).await;
         bench.run().await;

@@ -23,11 +23,11 @@ use crate::ui::words::{sentence, t};
 /// Pixels of a row, as in the style sheet.
 pub(super) const ROW: f64 = 40.0;
 
-/// Rows that are built for a list of any length, and the number of them above the first one in sight.
+/// Rows that are built, whatever the length of the list, and how many of them are above the first one in sight.
 const BUILT: usize = 32;
 const ABOVE: usize = 8;
 
-/// Turns of the page's tasks within which a row is built.
+/// Ticks of the event loop within which a row is built.
 const TURNS: usize = 8;
 
 /// Id of the choice of the action to add.
@@ -66,7 +66,7 @@ pub(in crate::ui::machine) fn title(action: &Action, project: &Project) -> Strin
     meaning.map_or(kind.clone(), |row| format!("{kind} {}", t(row.label)))
 }
 
-/// A row. It belongs to a place in the list, whichever action is there.
+/// The row of the action at one index of the list.
 #[component]
 pub(in crate::ui::machine) fn Row(
     /// The place.
@@ -343,7 +343,8 @@ impl RowList {
         }
     }
 
-    /// Brings a row into sight and gives the focus to one of its columns, or to its time where it lacks that; without a row, to the choice.
+    /// Scrolls to a row and focuses one of its columns, or its time if it lacks that column; without rows, focuses the
+    /// choice.
     pub(in crate::ui::machine) fn focus(self, at: usize, column: &str) {
         let (Some(scroller), Some(last)) = (self.scroller.get_untracked(), self.count.get_untracked().checked_sub(1))
         else {

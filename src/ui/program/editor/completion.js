@@ -1,4 +1,4 @@
-// Proposals for what is typed, each with the line of its meaning.
+// Proposals for the typed word, each with one line of meaning.
 import { acceptCompletion, autocompletion, closeCompletion, completionKeymap, selectedCompletion } from '@codemirror/autocomplete';
 import { Prec } from '@codemirror/state';
 import { keymap } from '@codemirror/view';
@@ -19,7 +19,7 @@ function enter(view) {
 
 const tab = (view) => (isTyped(view) ? closeCompletion(view) : acceptCompletion(view));
 
-// What is proposed depends on all that is typed, so each character asks anew. `complete` promises the proposals at a place.
+// Proposals depend on the whole word, so each character requests them again. `complete` promises those at an offset.
 const source = (complete) => async ({ explicit, pos, state }) => {
   const found = await complete(pos);
   if (!found?.rows.length || (!explicit && !found.few && found.from === pos)) return null;

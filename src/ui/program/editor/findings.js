@@ -1,4 +1,4 @@
-// What the control says about the text: marks with the sentence and its fixes, and the way from one to the next.
+// Findings in the text: a mark each, with its sentence and its fixes, and commands that go to the next or previous one.
 import { forEachDiagnostic, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { EditorView } from '@codemirror/view';
 
@@ -41,7 +41,7 @@ export function findingsAt(state, at) {
   return found;
 }
 
-// Goes on to a finding and reads it to whoever does not see its tooltip.
+// Goes to a finding and announces it to screen readers.
 const go = (step) => (view) => {
   if (!step(view)) return false;
   const said = findingsAt(view.state, view.state.selection.main.from);

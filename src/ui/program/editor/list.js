@@ -11,7 +11,7 @@ function element(name, attributes, ...children) {
   return made;
 }
 
-// The panel of a list: `rows` have a name, a text and whether they belong to the row above them; `at` is chosen first.
+// The panel of a list: each of `rows` has a name, a text and whether it belongs to the row above; `at` is chosen first.
 function panel(view, { title, rows, at }, choose, words) {
   const attributes = { class: 'cm-textfield', type: 'text', role: 'combobox', autocomplete: 'off', spellcheck: 'false', placeholder: words.find };
   const input = element('input', { ...attributes, 'aria-label': title, 'aria-expanded': 'true', 'aria-controls': 'list', 'aria-autocomplete': 'list' });

@@ -1,4 +1,4 @@
-// Breakpoints beside the lines: those of the debugger.
+// The debugger's breakpoints, in a gutter beside the lines.
 import { RangeSet, StateEffect, StateField } from '@codemirror/state';
 import { GutterMarker, gutter, lineNumbers } from '@codemirror/view';
 

@@ -10,7 +10,7 @@ function lineAt({ state }, at) {
   return at - from < READ ? [text.slice(0, READ), at - from, from] : null;
 }
 
-// Gives the element of a view its functions for words.
+// Adds the page's functions about words to the element of an editor.
 export function tellWords(host, view) {
   // The line at a point of the window. A finding has a tooltip of its own.
   host.lineAtPoint = (x, y) => {

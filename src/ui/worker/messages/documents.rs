@@ -10,7 +10,7 @@ use crate::ui::words::Tone;
 pub(crate) struct FoundRepairs {
     /// The changes in words.
     pub changes: Vec<String>,
-    /// What becomes of the headline results that differ: `Line speed 7578 → 3789 mm/min`.
+    /// Headline results that differ, before and after: `Line speed 7578 → 3789 mm/min`.
     pub consequences: Vec<String>,
     /// Id of each field and its new text, in the order in which they are taken.
     pub entries: Vec<(String, String)>,
