@@ -52,7 +52,7 @@ pub(super) struct ModalCall {
     pub(super) arguments: CallArguments,
     /// G66.1: each block is only a call.
     pub(super) each_block: bool,
-    /// What set it.
+    /// Origin of the modal call: a word or a code.
     pub(super) called_by: CalledBy,
     /// The preceding modal call: in force within the macro, and again when this one ends.
     pub(super) outer: Option<Rc<ModalCall>>,

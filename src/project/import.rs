@@ -13,7 +13,7 @@ pub use super::saved::{MAX_PROGRAM, MAX_PROGRAMS};
 
 /// Result of an import.
 pub struct Opened {
-    /// The project to go on with; `None` where nothing could be made of the text.
+    /// The project opened; `None` if the text is neither a project nor a program.
     pub project: Option<Project>,
     /// Reasons of a refusal, and parts that were left out.
     pub diagnostics: Vec<Diagnostic>,

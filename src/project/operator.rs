@@ -137,7 +137,8 @@ fn range(action: &Action, control: &Control) -> (f64, f64) {
     number.and_then(|number| control.var(number)?.input_range(number)).unwrap_or(HALF_RANGE)
 }
 
-/// The action with a typed number; an empty text makes a variable vacant, or 0 where the control has no vacant ones. Else the values allowed.
+/// The action with a typed number; an empty text makes a variable vacant, or 0 where the control has no vacant ones.
+/// `Err` holds the allowed values.
 pub fn read_value(action: &Action, text: &str, control: &Control) -> Result<Action, Message> {
     let text = text.replace(['\u{202f}', ' '], "");
     let variable = matches!(action, Action::Variable(..));

@@ -31,7 +31,7 @@ const SLICE: usize = 4096;
 /// Points of a chart.
 const POINTS: usize = 400;
 
-/// Part of the run after which the machine is drawn, or at the work that is nearest to it.
+/// Fraction of the run (0 to 1) at which the machine is drawn, moved to the nearest work.
 const SHOWN: f64 = 0.6;
 
 /// The middle of the work nearest to a time, of these spans (s); the time itself without any.

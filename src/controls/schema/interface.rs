@@ -39,8 +39,8 @@ pub enum SignalRole {
     FeedOverride,
     /// 1 fixes the cutting feed override at 100 %, PLC to control.
     FeedOverrideOff,
-    /// 1 makes the cutting feed override valid, PLC to control; without it the control takes 100 %, but at the lowest position of the switch
-    /// that position.
+    /// 1 makes the cutting feed override valid, PLC to control; without it the control takes 100 %, except
+    /// at the lowest position of the switch, which it takes.
     FeedOverrideValid,
     /// Low word of a macro input, PLC to control, with the number of its variable.
     MacroInputLow(u32),

@@ -2,7 +2,7 @@
 
 use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 
-/// CRC-32 of bytes. Without a table, which would weigh more in the browser than the time that it saves: files are short.
+/// CRC-32 of bytes, computed without a table: files are short, and a table would enlarge the module.
 pub(in crate::project) fn crc32(bytes: &[u8]) -> u32 {
     Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC).checksum(bytes)
 }

@@ -14,7 +14,7 @@ const EXACT: u32 = 900;
 /// Characters of a query that are read.
 const QUERY: usize = 100;
 
-/// Characters of the beginning of a word that may be another form of it, or mistyped at its end.
+/// Length of the prefix by which words with another or a mistyped ending are found.
 const BEGIN: usize = 4;
 
 impl Help {

@@ -22,7 +22,7 @@ impl Project {
     }
 
     /// Keeps the present settings as a variant, in place of one with this name where there is one. Without a name it gets the next free letter.
-    /// Gives its place; `None` where there are [`MAX_VARIANTS`] already.
+    /// Returns its index; `None` where there are [`MAX_VARIANTS`] already.
     pub fn keep_variant(&mut self, name: &str) -> Option<usize> {
         let name = variant_name(name).unwrap_or_else(|| self.free_variant_name());
         let at = self.variants.iter().position(|variant| variant.name == name).unwrap_or(self.variants.len());
