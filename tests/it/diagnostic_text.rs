@@ -283,7 +283,7 @@ fn percent_behind_a_block_goes_to_its_own_line() {
 }
 
 #[test]
-fn fix_in_a_file_of_windows_shows_no_line_end() {
+fn fix_in_a_file_with_crlf_shows_no_line_end() {
     check(
         "mitsubishi-e60",
         "%\r\nO1\r\nG00 X1..\r\nM30\r\n%\r\n",

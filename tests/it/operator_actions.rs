@@ -262,7 +262,7 @@ fn other_texts_are_no_panel_files() {
 }
 
 #[test]
-fn knob_that_is_turned_on_at_one_time_is_one_action() {
+fn turns_of_a_knob_at_one_time_are_one_action() {
     let mut panel = Panel::default();
     for percent in [90.0, 80.0, 70.0] {
         panel.act(Event { t: 2.0, action: Action::SpindleOverride(percent) });

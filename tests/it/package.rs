@@ -1,4 +1,4 @@
-//! The interface of the package: it answers like the command line, and answers any text.
+//! The functions of the package: the same answers as the command line, and an answer to any text.
 
 use macroline::project::Project;
 use macroline::project::package::{StepAnswers, answer};

@@ -1,6 +1,6 @@
 //! Rows that contradict each other or their family: a wrong row that compiles still fails here.
 //!
-//! A misspelled switch or option needs no test: rows name them by type. That each option acts is held by `programs/options_act.rs`. Each law
+//! A misspelled switch or option needs no test: rows name them by type. `programs/options_act.rs` tests that each option acts. Each law
 //! is a function over one control, so that a second test can plant a mistake and check that it is found.
 
 use std::collections::BTreeSet;

@@ -1,4 +1,4 @@
-//! The operator's hand, budgets, the log.
+//! Actions of the operator, budgets, the log.
 
 use super::*;
 

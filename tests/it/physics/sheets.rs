@@ -11,7 +11,7 @@ use macroline::text::Severity;
 use super::*;
 use crate::queries::first_at;
 
-/// A program on a control: switches, hand, plant (changed from a lathe without inertia) and the builder's PLC.
+/// A program on a control: switches, operator, plant (changed from a lathe without inertia) and the builder's PLC.
 struct Lathe {
     control: &'static Control,
     switches: Switches,

@@ -6,7 +6,7 @@ use macroline::controls::{ALL, Alarm, Code, CodeDef, Control, VarKind};
 
 use super::{comment, fixtures};
 
-/// The good programs of a control, as one text per file, comments left out but for settings.
+/// The good programs of a control, one text per file.
 fn good(control: &Control) -> Vec<String> {
     fixtures(control, "ok").into_iter().map(|(_, source)| source).collect()
 }

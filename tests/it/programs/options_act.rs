@@ -1,4 +1,4 @@
-//! Each option of a switch makes a difference that a person sees: in alarms, in the canonical log, or in a run.
+//! Each option of a switch makes a visible difference: in alarms, in the canonical log, or in a run.
 
 use std::rc::Rc;
 

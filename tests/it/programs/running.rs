@@ -1,4 +1,4 @@
-//! How a run goes on, stops and begins again: ways out of alarms, switches, steps, resets, copies, and the paper's formulas.
+//! Continuing, stopping and restarting a run: alarms, switches, steps, resets, copies, and the paper's formulas.
 
 use std::fmt::Write as _;
 use std::rc::Rc;

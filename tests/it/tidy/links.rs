@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::hold;
 use super::source::Source;
 
-/// The pages that are held: all of `docs/`, and the pages beside the sources.
+/// The checked pages: all of `docs/`, and the pages beside the sources.
 fn pages() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut pages: Vec<PathBuf> = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "src/README.md", "tests/README.md"]

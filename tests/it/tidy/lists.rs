@@ -1,4 +1,4 @@
-//! Laws: a page that lists all of a kind leaves none out.
+//! Laws: a page that lists all commands, tests, machines or controls omits none.
 
 use std::path::Path;
 

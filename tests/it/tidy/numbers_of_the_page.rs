@@ -1,4 +1,4 @@
-//! Laws: a number that the page needs in several languages is the same in all of them.
+//! Laws: a number that the page has in Rust, JavaScript and CSS is the same in all of them.
 
 use std::path::Path;
 

@@ -197,7 +197,7 @@ fn no_texts_overlap_in_exported_drawings() {
     }
     let mut seen = 0;
     for (name, project) in projects {
-        // The drawing of the machine has groups of its own: its labels and balloons are held by `drawn` and `parts`.
+        // `drawn` and `parts` test the labels and balloons of the drawing of the machine, which has groups of its own.
         for (file, svg) in exported(&project, ".svg").into_iter().filter(|(file, _)| file != "drawing.svg") {
             let labels = labels(&svg);
             seen += labels.len();

@@ -87,7 +87,7 @@ fn larger_stock_is_offered_a_start_outside_it() {
             let entries: Vec<_> = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
             let project = Project::named(machine, Some(control), None).unwrap().with_entries(&entries).unwrap();
             if !stops_at_once(&project) {
-                // A control without alarms of a program: the form tells.
+                // A control without alarms of a program: the form reports it.
                 assert!(project.design().diagnostics.iter().any(|found| found.field == Some("start-x")), "{control}");
                 continue;
             }

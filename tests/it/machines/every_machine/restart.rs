@@ -1,6 +1,6 @@
 //! Hold, reset and emergency stop at any moment of every machine on every control.
 //!
-//! No motion from a place that is not known to be clear, and no other product without an alarm.
+//! No motion starts from a position that is not known to be clear, and no different product is made without an alarm.
 
 use macroline::controls::{Address, CodeId};
 use macroline::interp::{Canon, Interp};

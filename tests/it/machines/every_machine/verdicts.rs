@@ -51,9 +51,9 @@ const RARE: &[Entered] = &[
             ("dwell", "0"),
         ],
     ),
-    // A listing that is in time but while the knob turns, where the ready-made program is always in time.
+    // A listing that is late only while the knob turns; the ready-made program never is.
     ("ribbon-line", "mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12")]),
-    // A knob that turns the unwinder alone, which the axes could follow.
+    // A knob that acts on the unwinder alone, although the axes could follow it.
     (
         "ribbon-line",
         "sinumerik-802d",
@@ -65,13 +65,13 @@ const RARE: &[Entered] = &[
             ("dwell", "0"),
         ],
     ),
-    // A gear by which the unwinder feeds more in a turn than the control takes.
+    // A gear ratio at which a turn of the unwinder feeds more than the control accepts.
     (
         "ribbon-line",
         "gsk-980tdc",
         &[("reduction-ratio", "0.01"), ("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")],
     ),
-    // Friction that the motor overcomes at the fixed speed, and no more where the knob lifts it.
+    // Friction that the motor overcomes at the fixed speed, but not at the speed to which the knob raises it.
     (
         "turning-spindle",
         "gsk-980tdc",
@@ -90,7 +90,7 @@ const RARE: &[Entered] = &[
     ("ribbon-line", "mitsubishi-e60", &[("friction-y", "9.2")]),
     // A dot roller far from its match, with a contact too short to smear.
     ("ribbon-line", "mitsubishi-e60", &[("contact-length", "0.04")]),
-    // A contact that leaves a cam no time.
+    // A contact so long that it leaves a cam no time.
     ("ribbon-line", "mitsubishi-e60", &[("contact-length", "8"), ("cam-law", "modified-sine")]),
     // Cams whose roller turns back, and whose motor is too weak.
     ("ribbon-line", "mitsubishi-e60", &[("heads", "100"), ("cam-law", "modified-sine")]),
@@ -102,8 +102,8 @@ const RARE: &[Entered] = &[
     // A tool that turns against its work, and a ratio that leaves the sides hollow.
     ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "-2")]),
     ("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("tool-ratio", "3"), ("sides", "6")]),
-    // A slow cut that a motor with a shaft fan carries in a stage in which it turns faster, and one that it carries but for the slow end of
-    // the knob.
+    // A slow cut for which a motor with a shaft fan suffices only in a stage in which the motor turns faster, and one for
+    // which it suffices except at the slow end of the knob.
     (
         "turning-spindle",
         "gsk-980tdc",
@@ -174,7 +174,7 @@ const RARE: &[Entered] = &[
         "knd-k2000t",
         &[("from-face", "30"), ("before", "true"), ("before-pitch", "1"), ("before-thread-length", "10")],
     ),
-    // Cuts that the drives carry but for the feed override at its highest position.
+    // Cuts for which the drives suffice except with the feed override at its highest position.
     ("polygon-lathe", "knd-k2000t", &[("feed", "0.95"), ("tool-power", "5.5")]),
     ("polygon-lathe", "knd-k2000t", &[("feed", "0.5"), ("tool-power", "2")]),
     // A fixed speed beyond the only stage.

@@ -15,8 +15,8 @@ fn changed(project: &Project, at: f64, settings: &[(u32, f64)]) -> (Option<RunEn
     (run.ended, run.log.into_iter().map(|(_, canon)| canon).collect())
 }
 
-/// What the checks of the start refuse, set in the middle of a part: a cut into the chuck, no depth, no clearance, a part as thick as its
-/// stock, no feed.
+/// Entries that the checks at the start refuse, set in the middle of a part: a cut into the chuck, no depth, no
+/// clearance, a part as thick as its stock, no feed.
 #[test]
 fn entries_changed_in_a_cut_leave_the_part_as_it_is() {
     let settings =

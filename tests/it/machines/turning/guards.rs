@@ -55,7 +55,8 @@ fn no_cut_goes_into_the_chuck() {
     );
 }
 
-/// What the form refuses of a keyway, the program refuses of the operator's variables: beyond the shoulder, shorter than its tool, to the centre.
+/// A keyway that the form refuses is refused in the operator's variables by the program: beyond the shoulder, shorter
+/// than its tool, to the centre.
 #[test]
 fn program_refuses_a_keyway_that_the_form_refuses() {
     let example = keyway(&[]);
@@ -343,7 +344,7 @@ fn cone_bends_by_its_slices() {
     assert!((0.001..0.003).contains(&stout) && stout < slim, "{stout}");
 }
 
-/// What the jaws hold does not bend: with 45 of 60 mm in them, 10 mm of Ø 6 and 5 mm of Ø 8 are free.
+/// The part of the work in the jaws does not bend: with 45 of 60 mm in them, 10 mm of Ø 6 and 5 mm of Ø 8 are free.
 #[test]
 fn work_bends_in_front_of_the_jaws() {
     let bending = |grip| {

@@ -121,7 +121,7 @@ fn friction_above_the_torque_of_the_motor_has_no_ramp() {
     assert_eq!((judged.value, judged.verdict), (f64::INFINITY, Verdict::Fail));
     assert!(judged.advice.iter().all(|advice| advice.entries.is_empty()));
     assert_eq!(value(&lathe, "run-up-time"), f64::INFINITY);
-    // Braking is all the sooner.
+    // Friction shortens the braking.
     assert!(value(&lathe, "braking-time") < value(&shaft("gsk-980tdc", &[]), "braking-time"));
 }
 
