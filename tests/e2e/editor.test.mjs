@@ -40,7 +40,7 @@ async function newLine(page, content, text) {
   await page.keyboard.type(text);
 }
 
-// Begins to note what the editor announces, and gives it all when asked: an announcement stands for a fifth of a second.
+// Records the announcements of the editor from now on; the result returns them. Each lasts a fifth of a second.
 async function announcements(page) {
   const noted = await page.locator('.editor .cm-announced').evaluateHandle((place) => {
     const all = [];

@@ -56,7 +56,7 @@ test('page opens playing, or at rest if motion is reduced', { skip: FIREFOX }, a
   });
 });
 
-test('nothing that is said moves a control', () =>
+test('no message moves a control', () =>
   withPage(app, {}, async ({ page }) => {
     await openPanel(page);
     const next = '.field:has(#spindle-speed) + .field';
@@ -80,7 +80,7 @@ test('nothing that is said moves a control', () =>
     assert.ok(!(await page.locator('#spindle-speed-note').isVisible()));
   }));
 
-test('click on a block tells its time, second click goes there', () =>
+test('click on a block shows its time, second click goes there', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'O9101.nc' }).click();
     await page.locator('.listing li[data-l]', { hasText: 'N44 G01' }).click();

@@ -41,7 +41,7 @@ test('a character that is typed and deleted is no edit', () =>
     await page.getByText('Edited program.').waitFor({ state: 'detached' });
   }));
 
-test('second tab is told, watches, and may take over', () =>
+test('second tab warns, only watches, and may take over', () =>
   withPage(app, {}, async ({ page, context }) => {
     await field(page, 'pitch').fill('9.5');
     await page.locator('.kept', { hasText: /^Saved$/ }).waitFor();
@@ -141,7 +141,7 @@ test('line of 100,000 characters shows its start, quickly', () =>
     assert.ok((await spent()) - begin < 10, 'the page works for seconds on one line');
   }));
 
-test('a browser that keeps nothing loses nothing by another language', () =>
+test('change of language without a store loses nothing', () =>
   withPage(app, {}, async ({ page, context }) => {
     await context.addInitScript(() => {
       const denied = () => {

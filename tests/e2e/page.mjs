@@ -124,7 +124,7 @@ export async function enter(input, text) {
   await input.press('Enter');
 }
 
-// Begins anew with an example of the gallery, by its name.
+// Replaces the project by an example of the gallery, by its name.
 export async function takeExample(page, name) {
   await page.getByRole('button', { name: 'New', exact: true }).click();
   await page.getByRole('dialog').getByRole('button', { name, exact: true }).click();
@@ -178,7 +178,7 @@ export async function openPanel(page) {
   if ((await page.locator('#panel-fold').getAttribute('aria-expanded')) === 'false') await page.click('#panel-fold');
 }
 
-// Waits for the sizing of the present project, and opens its sections, but for the draw of machines.
+// Waits for the sizing of the present project, and opens its sections except the draw of machines.
 export async function openSizing(page) {
   await page.locator('#tab-sizing').click();
   await page.locator('.sizing[aria-busy="false"] .section').first().waitFor();

@@ -189,7 +189,7 @@ test('archive is added whole or not at all', () =>
     await item(page, 'Good');
   }));
 
-test('a browser that keeps no database loses nothing and says so', () =>
+test('without a database nothing is lost and a notice shows it', () =>
   withPage(app, {}, async ({ page, context }) => {
     await context.addInitScript(() => {
       IDBFactory.prototype.open = () => {
@@ -271,7 +271,7 @@ test('two projects compare in five clicks: motion, results, text', () =>
     assert.equal(await name(page).inputValue(), 'Order 2');
   }));
 
-test('a file is compared too, and one that is no project says so', () =>
+test('a file is compared, one without a project is refused', () =>
   withPage(app, {}, async ({ page }) => {
     await project(page, 'Order 1', '9.5');
     const file = await saved(page, () => page.getByRole('button', { name: 'Save', exact: true }).click());

@@ -102,7 +102,7 @@ test('action added, edited, removed at the play head, a step each', () =>
     await modeAt(page, 7, 'Feed hold');
   }));
 
-test('the steps of the list are told in words', () =>
+test('steps of undo name the changed actions', () =>
   withPage(app, {}, async ({ page }) => {
     await withActions(page);
     await openList(page);

@@ -88,7 +88,7 @@ test('a link beside an open tab touches nothing of that tab', async () => {
   });
 });
 
-test('a link that was cut is told and changes nothing', async () => {
+test('truncated link is reported and changes nothing', async () => {
   const link = (await linkWith('9.5')).slice(0, -9);
   await withPage(app, {}, async ({ page }) => {
     await openOver(page, link);

@@ -28,7 +28,7 @@ test('a line of the torque chart leads to its moment', () =>
     await page.waitForFunction((ms) => Math.abs(Number(document.getElementById('head').value) - ms) < 2, 1000 * at);
   }));
 
-test('table parts join the choice, wrong row is told with line', () =>
+test('table parts join the choice, wrong row shows its line', () =>
   withPage(app, {}, async ({ page }) => {
     const rows = [
       'kind,maker,model,rated_speed_rpm,max_speed_rpm,stall_torque_nm,peak_torque_nm,inertia_kgm2,grade',

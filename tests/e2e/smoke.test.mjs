@@ -22,7 +22,7 @@ test('first load is what scripts/sizes.mjs counts, each file once', () =>
     assert.deepEqual(requests.map((name) => name || 'index.html').filter(asked).sort(), firstLoad(DIST).filter(asked));
   }));
 
-test('a host without the type of wasm will do', async () => {
+test('page opens from a host without the content type of wasm', async () => {
   const foreign = async ({ page }) => {
     await page.route(/\.wasm/, async (route) => {
       const answer = await route.fetch();
@@ -52,7 +52,7 @@ for (const colorScheme of ['light', 'dark']) {
   test(`the page is accessible (${colorScheme})`, () => withPage(app, { colorScheme }, ({ page }) => accessible(page)));
 }
 
-test('whatever the browser complains about fails a test', async () => {
+test('every complaint of the browser fails a test', async () => {
   const faults = {
     'console error: no': () => console.error('no'),
     'uncaught: no': () => setTimeout(() => { throw new Error('no'); }),

@@ -1,4 +1,4 @@
-// The sentences of a language by their ids, as the page has them: `const say = words('zh'); say('page.new')`.
+// The sentences of a language by their ids, from its catalog: `const say = words('zh'); say('page.new')`.
 import { readFileSync } from 'node:fs';
 
 export function words(code) {

@@ -34,7 +34,7 @@ test('what is typed stays as it is typed, and counts as it reads', () =>
     await page.getByText('#107=1.5').first().waitFor();
   }));
 
-test('wrong field tells limits, keeps last results, bars export', () =>
+test('wrong field shows limits, keeps results, bars export', () =>
   withPage(app, {}, async ({ page }) => {
     const good = await card(page, 'Line speed').textContent();
     const speed = field(page, 'spindle-speed');
@@ -137,7 +137,7 @@ test('run plays, steps by block, marks the running block', () =>
     await page.waitForFunction(() => document.querySelector('#clock').textContent === '00:00.0000');
   }));
 
-test('operator acts at the play head and is told the change', () =>
+test('operator acts at the play head, the change is announced', () =>
   withPage(app, {}, async ({ page }) => {
     await goTo(page, 4);
     await openPanel(page);
