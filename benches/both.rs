@@ -1,4 +1,4 @@
-//! What is as fast in the browser: the same programs natively and in wasm under Node (`scripts/both.mjs` compares).
+//! Speed of the same programs natively and in wasm under Node (`scripts/both.mjs` compares).
 #![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
@@ -42,7 +42,7 @@ fn section() -> Vec<f64> {
     Section::new(black_box(&setup), 10.2).unwrap().radii(ANGLES as usize)
 }
 
-/// The first machine: design, choice of motors, sensitivities and inverse, by runs that are there.
+/// The first machine: design, choice of motors, sensitivities and inverse, by runs that are already planned.
 fn sized(project: &Project, runs: &SizingRuns) -> usize {
     project.design().readouts.len() + size_without_envelope(project, runs).axes.len()
 }

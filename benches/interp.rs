@@ -1,4 +1,4 @@
-//! How fast programs run: text to canonical commands, nothing printed.
+//! Speed of running programs: from text to canonical commands, nothing printed.
 #![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;

@@ -1,4 +1,4 @@
-// How quickly the page is there, and whether it stays smooth: `node benches/load.mjs` on the dist/ that is there, in the system's Chromium with
+// Time until the page is usable, and its smoothness: `node benches/load.mjs` on the existing dist/, in the system's Chromium with
 // the processor slowed four times and a line of 10 Mbit/s. Each figure is a line `summary: …`. `RUNS=9` takes more loads, `PARTS=load,minute`
 // only some parts of load, path, minute, lighthouse.
 import { readFileSync } from 'node:fs';
@@ -119,7 +119,7 @@ async function load(app) {
   summary('blocking time while loading, processor time', median(figures.blocked), ' ms', 300);
 }
 
-// What moves while a person looks at everything, and the frames of that time.
+// Tour of all views of the page, and the frames during it.
 async function path(app) {
   await slowly(app, { reducedMotion: 'reduce' }, [watch], async (page, tasks) => {
     await page.waitForTimeout(1000);

@@ -1,4 +1,4 @@
-// Speed of the page in Chromium, medians of 50: `node benches/page.mjs` on the dist/ that is there. Each figure is a line `summary: …`.
+// Speed of the page in Chromium, medians of 50: `node benches/page.mjs` on the existing dist/. Each figure is a line `summary: …`.
 import { openGroups, openPanel, processorTime, start, withPage } from '../tests/e2e/page.mjs';
 
 const app = await start();

@@ -1,4 +1,4 @@
-//! How fast programs are read, reviewed and written.
+//! Speed of reading, reviewing and writing programs.
 #![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;

@@ -1,4 +1,4 @@
-//! How fast time is planned and asked: blocks, moments, a knob after an hour.
+//! Speed of planning runs over time and of their snapshots: blocks, moments, a knob turned after an hour.
 #![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
@@ -105,6 +105,6 @@ fn main() {
     summary::line("ten minutes of the ribbon line, planned", read, "blocks", None, || whole(Retention::Timeline));
     let mut hour = ribbon(3600.0, Retention::Timeline);
     hour.advance(f64::INFINITY, usize::MAX);
-    // Within 50 ms is asked for; the page needs the rest of it to draw.
+    // The target is 50 ms in all; the page needs the rest to draw.
     summary::line("a knob turned after an hour", 1, "answers", Some(20.0), || knob(&mut hour));
 }

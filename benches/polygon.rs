@@ -1,4 +1,4 @@
-//! How fast the section of a polygon is found.
+//! Speed of computing the section of a polygon.
 #![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;

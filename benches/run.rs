@@ -1,4 +1,4 @@
-//! How fast `macroline run` is, as a user meets it: the binary, its log read from a pipe; planning beside it, and memory of a long run.
+//! Speed of the binary `macroline run`, its log read from a pipe; beside it planning, and the memory of a long run.
 #![allow(clippy::unwrap_used, reason = "a bench stops at a fault")]
 
 mod summary;
@@ -40,7 +40,7 @@ fn run(path: &Path, more: &[&str], mut watch: impl FnMut(u32, usize)) {
     assert!(child.wait().unwrap().success());
 }
 
-/// The most memory that a process has had, in KB; 0 where the system does not tell.
+/// The most memory that a process has had, in KB; 0 where the system does not report it.
 fn peak(process: u32) -> u64 {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -1,5 +1,5 @@
 // Speed of the wasm as the page ships it, beside native code: one bench (benches/both.rs), built for both, run in turns. The best round of
-// each counts: other load of the machine only slows, on a shared core by half. `node scripts/both.mjs`; its last lines are the figures.
+// each counts, because other load of the machine only slows, on a shared core by half. `node scripts/both.mjs`; its last lines are the figures.
 import { spawnSync } from 'node:child_process';
 
 const ROUNDS = 6;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [editor] [other_browsers] [bench] [fuzz]`.
+# Installs the missing tools and packages: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [editor] [other_browsers] [bench] [fuzz]`.
 #
 # Each version is in one place, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
 # (Trunk and the test runner refuse any other), the npm packages' in package-lock.json (those of the benches in benches/). Only the version of cargo-fuzz is here.
@@ -16,8 +16,8 @@ fail() {
 wasm_bindgen_version() { awk '/^name = "wasm-bindgen"$/ { getline; gsub(/[^0-9.]/, ""); print }' Cargo.lock; }
 trunk_version() { sed -nE 's/^trunk-version *= *"=?([0-9.]+)"/\1/p' Trunk.toml; }
 
-# The tools work for seconds and take minutes to build: without link-time optimisation, optimisation and debug information they are there
-# in a third of the time.
+# The tools run for seconds and take minutes to build: without link-time optimisation, optimisation and debug
+# information the build takes a third of the time.
 export CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_CODEGEN_UNITS=256
 export CARGO_PROFILE_RELEASE_DEBUG=false CARGO_PROFILE_RELEASE_STRIP=none
 

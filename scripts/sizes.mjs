@@ -1,5 +1,5 @@
 // Sizes of the files that the browser loads, compressed with brotli, against the limit of the first load: `node scripts/sizes.mjs
-// [folder]`. A size over the limit is reported; one over the ceiling fails, so that nothing large comes in unseen.
+// [folder]`. A size over the limit is reported; one over the ceiling fails, so that no large file is added unnoticed.
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';

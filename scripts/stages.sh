@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs make targets one after the other, all of them even when one fails, then says what each took and what it counted. A target with an `&`
+# Runs make targets one after the other, all of them even when one fails, then prints the time and the counts of each. A target with an `&`
 # behind it runs beside those that follow, up to `wait`.
 set -uo pipefail
 export LC_NUMERIC=C
