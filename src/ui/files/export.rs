@@ -26,7 +26,7 @@ const ARCHIVE: &str = "archive.js";
 struct ExportFile {
     name: String,
     bytes: Vec<u8>,
-    /// Its kind, in words.
+    /// Kind of the file, in words.
     meaning: String,
 }
 

@@ -91,7 +91,7 @@ fn Gallery() -> impl IntoView {
 fn ExampleCard(
     /// The machine.
     machine: &'static dyn AnyMachine,
-    /// Its example.
+    /// The example.
     example: &'static Example,
     /// Address of its picture; empty until it is drawn.
     picture: Signal<String>,

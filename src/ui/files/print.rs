@@ -22,7 +22,7 @@ extern "C" {
 /// A button that shows a document in a tab of its own, for print.
 #[component]
 pub(super) fn PrintButton(
-    /// Its id.
+    /// Id of the button.
     id: &'static str,
     /// Catalog id of its words.
     words: &'static str,

@@ -51,7 +51,7 @@ impl SetAsideReason {
 /// A state that was set aside.
 #[derive(Clone, PartialEq)]
 pub(super) struct SetAsideState {
-    /// Its key in the store.
+    /// Key of the state in the store.
     pub key: String,
     /// Milliseconds since 1970; 0 where it is not known.
     pub at: f64,

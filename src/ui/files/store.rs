@@ -69,7 +69,7 @@ const PATIENCE: (f64, f64) = (4000.0, 1000.0);
 
 /// The state of the last visit.
 pub(crate) struct LastVisit {
-    /// Its project, or a fresh one. `None` only if no machine has a control.
+    /// The stored project, or a fresh one. `None` only if no machine has a control.
     pub project: Option<Project>,
     /// Notices about it.
     pub notices: Vec<Notice>,
@@ -291,7 +291,7 @@ fn has_latest() -> bool {
     }
 }
 
-/// Notes the project with which this tab began to watch, and puts a project that gives way to another one on the shelf.
+/// Notes the project with which this tab began to watch, and puts a project that another one replaces on the shelf.
 fn note_projects(page: Page, [shown, watched]: [StoredValue<Option<Project>, LocalStorage>; 2]) {
     Effect::new(move |before: Option<bool>| {
         let watches = page.view.kept.try_get() == Some(Kept::Elsewhere);

@@ -52,7 +52,7 @@ pub(super) fn TitleBlockFields() -> impl IntoView {
 fn TitleBlockEntry(
     /// Catalog id of its label.
     label: &'static str,
-    /// Its text.
+    /// Text of the entry.
     value: impl Fn() -> String + Send + 'static,
     /// Takes another text.
     change: impl Fn(String) + 'static,

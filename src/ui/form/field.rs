@@ -20,7 +20,7 @@ use crate::ui::words::{sentence_with_hints, t};
 /// A field with label, unit, error, help and the origin of its value; a product field also with a slider.
 #[component]
 pub(super) fn FormField(
-    /// Its row in the form.
+    /// Row of the field in the form.
     info: FieldInfo,
 ) -> impl IntoView {
     let page = Page::here();

@@ -58,7 +58,7 @@ pub(crate) fn Form() -> impl IntoView {
 /// The first fields of the product, for a page with little room.
 #[component]
 pub(crate) fn FirstFields(
-    /// How many.
+    /// Number of fields.
     count: usize,
 ) -> impl IntoView {
     let page = Page::here();

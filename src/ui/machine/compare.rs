@@ -110,7 +110,7 @@ impl Pair {
         })
     }
 
-    /// Their names.
+    /// Names of the left and of the right project.
     fn names(self) -> [String; 2] {
         self.each(|name, _| name.to_owned()).unwrap_or_default()
     }

@@ -52,7 +52,7 @@ pub(crate) fn ContrastButton() -> impl IntoView {
 fn CycleButton(
     /// Classes.
     class: &'static str,
-    /// Its sign.
+    /// Icon of the button.
     glyph: Glyph,
     /// The present choice, counted from 0.
     at: RwSignal<usize>,

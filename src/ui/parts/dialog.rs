@@ -23,7 +23,7 @@ pub(crate) fn Dialog(
     /// Further classes.
     #[prop(optional)]
     class: &'static str,
-    /// Its content.
+    /// Content of the dialog.
     children: Children,
 ) -> impl IntoView {
     let frame: NodeRef<html::Dialog> = NodeRef::new();
@@ -49,7 +49,7 @@ pub(crate) fn Dialog(
 /// A button of the header that opens a dialog.
 #[component]
 pub(crate) fn DialogButton(
-    /// Its id.
+    /// Id of the button.
     id: &'static str,
     /// Catalog id of its name.
     label: &'static str,

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::ui::dom::turns::in_turn;
 
 /// Builds its content in a task of its own, after all waiting tasks, so that no part of the page delays another.
-/// Its place must not depend on its content, or `meanwhile` keeps it.
+/// The content must not move its surroundings, unless `meanwhile` keeps the space for it.
 #[component]
 pub(crate) fn Later(
     /// Placeholder until the content is built.

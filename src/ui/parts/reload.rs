@@ -21,7 +21,8 @@ struct Shown {
     plays: bool,
 }
 
-/// Keeps a choice and reloads the page. The project returns from the store or from this tab; where neither keeps it, the user is told.
+/// Stores a choice and reloads the page. The project returns from the store or from this tab; where neither keeps it, a
+/// warning appears in place of the reload.
 pub(super) fn reload_with(page: Page, key: &str, choice: &str) {
     let shown = Shown {
         tab: page.view.tab.get_untracked(),

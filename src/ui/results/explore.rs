@@ -125,7 +125,7 @@ fn Slider(
     draft: RwSignal<Option<Values>, LocalStorage>,
     /// The consequences, with the present sliders.
     seen: RwSignal<Explorer, LocalStorage>,
-    /// Its place among the sliders.
+    /// Index among the sliders.
     at: usize,
     /// The slider at first.
     first: Knob,

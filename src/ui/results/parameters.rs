@@ -73,7 +73,7 @@ fn CommentLanguage() -> impl IntoView {
 /// One open point.
 #[component]
 fn SwitchRow(
-    /// Its row.
+    /// Row of the switch.
     switch: &'static Switch,
 ) -> impl IntoView {
     let page = Page::here();

@@ -38,11 +38,11 @@ pub(crate) fn VariablesTab() -> impl IntoView {
 /// A variable.
 #[component]
 fn Row(
-    /// Its number.
+    /// Number of the variable.
     number: u32,
     /// Catalog id of its meaning.
     meaning: &'static str,
-    /// Its unit.
+    /// Unit of the variable.
     unit: &'static str,
 ) -> impl IntoView {
     let page = Page::here();

@@ -24,9 +24,9 @@ pub(crate) struct Notice {
     pub file: Option<(&'static str, String)>,
     /// Action that the notice offers.
     pub offer: Option<NoticeAction>,
-    /// Whether it is about the present project, and gone with it.
+    /// Whether the notice is about the present project, and disappears with it.
     pub of_project: bool,
-    /// Whether it only confirms an action: the next confirmation takes its place, and the next change takes it away.
+    /// Whether the notice only confirms an action: the next confirmation replaces it, the next change removes it.
     pub confirms: bool,
 }
 
@@ -36,7 +36,7 @@ impl Notice {
         Notice { tone, text, file: None, offer: None, of_project: false, confirms: false }
     }
 
-    /// Whether it only confirms, with nothing to press or to keep.
+    /// Whether the notice only confirms, without action and file.
     fn goes_by_itself(&self) -> bool {
         self.confirms && self.offer.is_none() && self.file.is_none()
     }

@@ -95,7 +95,7 @@ pub(crate) struct Player {
 /// The part of a run that is planned.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct PlannedPart {
-    /// Its end, in seconds.
+    /// End of the plan (s).
     pub end: f64,
     /// Whether the run is over there.
     pub is_over: bool,
@@ -104,7 +104,7 @@ pub(crate) struct PlannedPart {
 /// A chosen part of the time axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Zoom {
-    /// Its begin and length, in seconds.
+    /// Start and length (s) of the part.
     from: f64,
     span: f64,
     /// Position of the play head at the choice: when it moves, the part follows it.
@@ -256,12 +256,12 @@ impl Player {
         }
     }
 
-    /// Pauses at the begin of the next block.
+    /// Pauses at the start of the next block.
     pub(crate) fn pause_at_next_block(self) {
         self.pause_at(|timeline, head| timeline.next_block(head));
     }
 
-    /// Pauses at the begin of the previous block.
+    /// Pauses at the start of the previous block.
     pub(crate) fn pause_at_block_before(self) {
         self.pause_at(|timeline, head| Some(timeline.block_before(head)));
     }

@@ -27,7 +27,7 @@ pub(crate) enum Tab {
 /// A view of the program file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ProgramView {
-    /// Its lines.
+    /// The lines of the file.
     Listing,
     /// The editor.
     Editor,

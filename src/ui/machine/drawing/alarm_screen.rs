@@ -136,7 +136,7 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
 /// The screen; empty while there is no alarm and no message.
 #[component]
 pub(super) fn AlarmScreen(
-    /// Its content at the play head.
+    /// Content of the screen at the play head.
     text: Memo<Option<ScreenText>>,
 ) -> impl IntoView {
     let page = Page::here();

@@ -13,9 +13,9 @@ use crate::ui::state::{Page, put};
 #[derive(Clone, Copy)]
 pub(super) struct FittedDrawing {
     page: Page,
-    /// Its room.
+    /// Element that the drawing fits into.
     pub host: NodeRef<html::Div>,
-    /// Its parts.
+    /// Elements of the drawing; `None` before it is drawn.
     pub drawn: StoredValue<Option<Drawn>, LocalStorage>,
     /// Whether the drawing is wider than its room, so that it pans.
     pub pans: RwSignal<bool>,

@@ -45,13 +45,13 @@ type Obstacle = (Area, f64);
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Label {
     lines: Vec<Area>,
-    /// Whether it belongs to a part that a hairline leads to, or keeps its place.
+    /// Whether the label belongs to a part that a hairline leads to, or keeps its place.
     leads: bool,
     /// Start, as it was laid out, and end of its hairline.
     hairline: Option<[Place; 2]>,
     /// The lens around it, in which it stays.
     lens: Option<Area>,
-    /// Whether it belongs on a part: letters in the colour for dark parts, figures that move with a part.
+    /// Whether the label belongs on a part: letters in the colour for dark parts, figures that move with a part.
     on_part: bool,
 }
 

@@ -34,28 +34,28 @@ pub(crate) struct Sheets {
 /// A section of a sizing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct ShownSection {
-    /// Its id.
+    /// Id of the section.
     pub id: String,
-    /// Its title.
+    /// Title of the section.
     pub title: String,
     /// Tone of its answer.
     pub tone: Tone,
     /// The answer in a line.
     pub answer: String,
-    /// Its sheets as HTML.
+    /// Sheets of the section as HTML.
     pub html: String,
 }
 
 /// A page of help.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct HelpPageHtml {
-    /// Its id.
+    /// Id of the page of help.
     pub page: String,
-    /// Its title.
+    /// Title of the page of help.
     pub title: String,
     /// `id` of the element that was asked for; empty for the page as a whole.
     pub anchor: String,
-    /// Its content; elements with `data-help` lead to the id that they name.
+    /// Content as HTML; elements with `data-help` lead to the id that they name.
     pub html: String,
     /// Id and title of every page.
     pub pages: Vec<(String, String)>,
@@ -73,7 +73,7 @@ pub(crate) struct FoundHelp {
 /// A place in the help that a search has found.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Hit {
-    /// Its id.
+    /// Id of the place.
     pub id: String,
     /// Word and title.
     pub title: String,
@@ -112,7 +112,7 @@ pub(crate) struct ExportDocuments {
 pub(crate) struct ExportedDocument {
     /// Name of the file.
     pub name: String,
-    /// Its kind, in words.
+    /// Kind of the document, in words.
     pub meaning: String,
     /// The file.
     pub text: String,

@@ -26,7 +26,7 @@ pub(super) enum SentTheme {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct ShelfState {
-    /// Its id.
+    /// Id of the state.
     pub id: String,
     /// Id of the project that it is a version of; empty for a project.
     pub of: String,
@@ -73,9 +73,9 @@ pub(crate) enum ShelfPlace {
 pub(crate) struct ListedProject {
     /// Id of its state.
     pub id: String,
-    /// Its store.
+    /// Store that keeps the project.
     pub place: ShelfPlace,
-    /// Its name; empty where it has none.
+    /// Name of the project; empty where it has none.
     pub name: String,
     /// The reason why its text is no project; none for a project.
     pub unread: Option<String>,
@@ -85,7 +85,7 @@ pub(crate) struct ListedProject {
     pub kept: String,
     /// Address of its picture; empty where it has none.
     pub picture: String,
-    /// Its versions, the last kept first.
+    /// Versions of the project, the last kept first.
     pub versions: Vec<ListedVersion>,
     /// Steps of undo and redo of the present project, the last one first; none where nothing was changed.
     pub steps: Vec<ListedStep>,
@@ -96,7 +96,7 @@ pub(crate) struct ListedProject {
 pub(crate) struct ListedVersion {
     /// Id of its state.
     pub id: String,
-    /// Its note, or the day where it has none.
+    /// Note of the version, or the day where it has none.
     pub name: String,
     /// The day; empty where the name is the day.
     pub kept: String,
