@@ -148,7 +148,7 @@ pub enum Canon {
     Output {
         /// Variable number.
         variable: u32,
-        /// Its value.
+        /// Value of the variable.
         value: f64,
     },
     /// Feed hold, cutting override and exact stop check switched off by the program (`#3004`).

@@ -61,7 +61,7 @@ pub enum ChangeSubject {
 }
 
 impl ChangeSubject {
-    /// Its name on the control: `#105`, `G`, `F`.
+    /// Name on the control: `#105`, `G`, `F`.
     pub fn name(self, control: &Control) -> String {
         match self {
             ChangeSubject::Variable(number) | ChangeSubject::Local(number) => control.variable(number),

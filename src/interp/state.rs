@@ -31,7 +31,7 @@ pub(super) struct ArcGeometry {
 pub(super) struct LastMotion {
     /// Start in command increments, machine frame.
     pub(super) from: [i64; AXES],
-    /// Its geometry if it was an arc.
+    /// Geometry of the motion if it was an arc.
     pub(super) arc: Option<ArcGeometry>,
 }
 

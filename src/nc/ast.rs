@@ -115,7 +115,7 @@ pub enum Stmt {
     Assign {
         /// The variable.
         to: ExprId,
-        /// Its new value.
+        /// New value of the variable.
         value: ExprId,
     },
     /// Several assignments `assignments[first..first + count]`, executed from left to right.
@@ -149,7 +149,7 @@ pub enum Stmt {
         cond: ExprId,
         /// The variable.
         to: ExprId,
-        /// Its new value.
+        /// New value of the variable.
         value: ExprId,
     },
     /// `GOTO target`.
@@ -261,7 +261,7 @@ impl JumpDirection {
 pub struct Assignment {
     /// The variable: [`Expr::Var`] or [`Expr::Indirect`].
     pub to: ExprId,
-    /// Its new value.
+    /// New value of the variable.
     pub value: ExprId,
 }
 

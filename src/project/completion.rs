@@ -34,7 +34,7 @@ pub struct Proposal {
     pub kind: ProposalKind,
     /// Title of a program, text of a block; else empty.
     pub detail: String,
-    /// Its meaning, if it has a row.
+    /// Meaning of the proposal, if it has a row.
     pub meaning: Option<Meaning>,
 }
 

@@ -34,9 +34,9 @@ pub struct ExportOptions<'a> {
 /// A file of an export.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExportFile {
-    /// Its name and text.
+    /// Name and text of the file.
     pub file: File,
-    /// Its role.
+    /// Role of the file in the export.
     pub role: FileRole,
 }
 

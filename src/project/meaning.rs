@@ -69,7 +69,7 @@ pub struct Meaning {
 pub struct Live {
     /// The value; `None` is vacant.
     pub value: Option<f64>,
-    /// Its unit, or empty.
+    /// Unit of the value; empty if it has none.
     pub unit: &'static str,
 }
 
@@ -429,7 +429,7 @@ impl Meaning {
         headed(&self.word, sentences(self.says.iter().map(sentence)))
     }
 
-    /// Its first sentence.
+    /// First sentence of the meaning.
     pub fn first(&self) -> Option<String> {
         self.says.first().map(sentence)
     }

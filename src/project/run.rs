@@ -238,7 +238,7 @@ pub struct RunSummary {
 /// An axis that the PLC turns, at the end of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurnedAxis {
-    /// Its name, for instance `work`.
+    /// Name of the axis, for instance `work`.
     pub name: &'static str,
     /// Speed in r/min, signed.
     pub rpm: f64,

@@ -9,7 +9,7 @@ use crate::motion::Action;
 pub struct Setting {
     /// `#107`, or the name of a PLC input.
     pub name: String,
-    /// Its value.
+    /// Value that the variable gets.
     pub value: f64,
 }
 

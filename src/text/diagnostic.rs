@@ -56,7 +56,7 @@ pub enum DiagnosticKind {
     RefusedBlock,
     /// A WHILE without its DO, which belongs at the end of its place.
     WhileWithoutDo,
-    /// Its fix is a guess, which is only made on request.
+    /// The fix is a guess, applied only on request.
     GuessedFix,
     /// An auxiliary function is put out in each pass of a loop.
     AuxiliaryInLoop,
@@ -74,7 +74,7 @@ pub enum DiagnosticKind {
 }
 
 impl DiagnosticKind {
-    /// Whether it is a warning about a program that parses; the help explains each of them.
+    /// Whether the diagnostic is a warning about a program that parses; the help explains each such kind.
     pub fn is_lint(self) -> bool {
         use DiagnosticKind::{AuxiliaryInLoop, Lint, ShortBlocks, SpindleInLoop};
         matches!(self, Lint | AuxiliaryInLoop | SpindleInLoop | ShortBlocks)

@@ -137,7 +137,7 @@ struct Taken {
 }
 
 impl Taken {
-    /// Whether its circle is within the drawing and covers nothing.
+    /// Whether the circle of a balloon is within the drawing and covers nothing.
     fn has_room(&self, balloon: &Balloon) -> bool {
         let (own, gap) = (balloon.area(), GAP * self.letter);
         let within = own[0] > self.view[0] && own[1] > self.view[1] && own[2] < self.view[2] && own[3] < self.view[3];
@@ -150,19 +150,19 @@ impl Taken {
             && !self.balloons.iter().any(|other| crosses(other.edge(), other.part, grown(own, gap)))
     }
 
-    /// Whether its leader crosses no other balloon.
+    /// Whether the leader of a balloon crosses no other balloon.
     fn leads_past(&self, balloon: &Balloon) -> bool {
         !self.balloons.iter().any(|other| crosses(balloon.edge(), balloon.part, other.area()))
     }
 
-    /// Whether its leader crosses no label and no other leader.
+    /// Whether the leader of a balloon crosses no label and no other leader.
     fn leads_clear(&self, balloon: &Balloon) -> bool {
         let (from, to) = (balloon.edge(), balloon.part);
         !self.texts.iter().any(|text| crosses(from, to, *text))
             && !self.balloons.iter().any(|other| cross((from, to), (other.edge(), other.part)))
     }
 
-    /// Whether it covers no solid shape.
+    /// Whether a balloon covers no solid shape.
     fn lies_beside(&self, balloon: &Balloon) -> bool {
         !self.solids.iter().any(|solid| overlap(*solid, balloon.area()))
     }

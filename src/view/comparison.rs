@@ -10,7 +10,7 @@ pub type VariantCell = (String, Verdict);
 pub struct ComparedRow {
     /// Id of the field, of the result or of the switch.
     pub id: &'static str,
-    /// Its name.
+    /// Name of the row.
     pub label: String,
     /// Unit.
     pub unit: &'static str,
@@ -41,7 +41,7 @@ impl ComparedRow {
 /// Variants side by side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
-    /// Their names.
+    /// Names of the variants.
     pub names: Vec<String>,
     /// Entries with differences, in the order of the form.
     pub entries: Vec<ComparedRow>,

@@ -206,6 +206,6 @@ pub struct Readout {
     pub formula: Phrase,
     /// Source of formula and limit.
     pub cite: Citation,
-    /// Whether it is a headline result, shown above the drawing.
+    /// Whether the result is a headline result, shown above the drawing.
     pub headline: bool,
 }

@@ -99,7 +99,7 @@ pub struct Node {
 pub struct SceneGroup {
     /// The parent group; 0 is the drawing.
     pub parent: u16,
-    /// Its origin in the parent.
+    /// Origin of the group in the parent.
     pub at: (f64, f64),
     /// Units of the parent per unit of the group.
     pub scale: f64,

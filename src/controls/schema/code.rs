@@ -368,7 +368,7 @@ pub struct CodeDef {
     pub id: CodeId,
     /// Meaning for the interpreter.
     pub code: Code,
-    /// Its modal group.
+    /// Modal group of the code.
     pub group: Group,
     /// Description, in the words of the control's manual.
     pub text: Phrase,

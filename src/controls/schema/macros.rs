@@ -10,7 +10,7 @@ use crate::text::Citation;
 pub enum VacantWord {
     /// The word is ignored.
     Dropped,
-    /// Its value is 0.
+    /// The word has the value 0.
     Zero,
 }
 

@@ -14,7 +14,7 @@ const SEARCHED: usize = 10_000;
 /// A loop without its END so far.
 struct OpenLoop {
     label: u16,
-    /// Its DO.
+    /// The DO.
     head: Span,
     /// The error of the block of its DO, if it does not parse.
     unread: Option<Span>,

@@ -35,7 +35,7 @@ pub(super) struct ProgramFacts {
 }
 
 impl ProgramFacts {
-    /// Whether its jumps are followed: it has jumps and no errors.
+    /// Whether the jumps of the program are followed: it has jumps and no errors.
     pub(super) fn follows(&self) -> bool {
         self.bends && !self.faulty
     }

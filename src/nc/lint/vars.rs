@@ -66,7 +66,7 @@ pub(super) struct Var {
     pub(super) copies: CopySource,
     /// First and last block of a comparison.
     pub(super) compared: Option<(u32, u32)>,
-    /// It is compared with the vacant variable.
+    /// The variable is compared with the vacant variable.
     pub(super) vacancy: bool,
     /// First read, comparisons with the vacant variable excepted.
     pub(super) read: Option<(u32, ExprId)>,

@@ -40,9 +40,9 @@ enum Level {
 /// Side of an assignment that a variable is on.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum VariableAccess {
-    /// Its value is used.
+    /// The value of the variable is used.
     Read,
-    /// It is assigned.
+    /// The variable is assigned.
     Write,
 }
 

@@ -321,7 +321,7 @@ impl Reader<'_> {
         let to = self.ended_at();
         let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
         if self.next_byte() == b']' {
-            // Its closing bracket is present.
+            // The closing bracket is present.
             self.cursor.at += 1;
             self.report_replacing(alarm, finding, from, from, "[");
         } else {

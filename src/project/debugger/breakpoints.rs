@@ -134,7 +134,7 @@ impl Line {
 pub struct Breakpoint {
     /// Number, from 1; never reused.
     pub number: u32,
-    /// Its place as set.
+    /// Location as set.
     pub location: Location,
     /// Condition for a stop; empty for none.
     pub condition: String,
@@ -144,7 +144,7 @@ pub struct Breakpoint {
     pub hits: u32,
     /// The block, if the program has it.
     pub place: Option<Place>,
-    /// Its line, to find it again in a changed text.
+    /// Line of the breakpoint, to find it again in a changed text.
     line: Option<Line>,
     formula: Result<Option<ParsedFormula>, Box<Diagnostic>>,
 }

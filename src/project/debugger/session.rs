@@ -16,7 +16,7 @@ const SLICE: usize = 4096;
 /// A stop of a session.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SessionStop {
-    /// Its reason.
+    /// Reason of the stop.
     pub stop: Stop,
     /// Whether the run was at this end before the command.
     pub again: bool,

@@ -43,7 +43,7 @@ pub enum Encoding {
 pub struct Decoded {
     /// The text; bytes that are no text have become U+FFFD.
     pub text: String,
-    /// Its encoding.
+    /// Encoding of the file.
     pub encoding: Encoding,
     /// Sentence that names the kind of a file that is no text; the text is empty then.
     pub other: Option<Message>,

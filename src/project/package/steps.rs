@@ -117,7 +117,7 @@ impl StepAnswers {
 
     /// An expression that does not parse.
     fn wrong(&self, why: &Diagnostic) -> Json {
-        // Its place is within the expression, which is no file.
+        // The place is within the expression, which is no file.
         let found = Diagnostic { place: None, ..why.clone() };
         let mut answer = error(&found.message);
         answer["diagnostics"] = json!([self.sources.renderer().json(&found)]);

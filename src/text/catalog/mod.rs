@@ -128,9 +128,9 @@ pub fn place(id: &'static str, name: &str) -> Option<&'static str> {
 /// A piece of a message's sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SentencePiece<'m> {
-    /// Its text.
+    /// Text of the piece.
     pub text: Cow<'m, str>,
-    /// It is a value, and not words of the catalog.
+    /// Whether the piece is a value, and not words of the catalog.
     pub is_value: bool,
 }
 

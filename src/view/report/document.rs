@@ -20,7 +20,7 @@ pub struct Input {
     pub unit: &'static str,
     /// Origin of a fact; `None` for a choice.
     pub origin: Option<Provenance>,
-    /// Whether it is one of the product, shown first.
+    /// Whether the input is one of the product, shown first.
     pub essential: bool,
 }
 
@@ -62,7 +62,7 @@ pub struct ListedPart {
     pub name: &'static str,
     /// Number of pieces.
     pub quantity: u32,
-    /// Its data as shown.
+    /// Data of the part as shown.
     pub data: String,
     /// Catalog id of the origin of the data; `None` without data.
     pub origin: Option<&'static str>,

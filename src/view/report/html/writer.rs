@@ -1,4 +1,4 @@
-//! Writing the HTML of a report: its begin with styles, and the elements that sheets and sections are made of.
+//! Writing the HTML of a report: the head with styles, and the elements of which sheets and sections consist.
 
 use crate::text::Grade;
 use crate::text::catalog::{spoken, words};
@@ -12,7 +12,7 @@ const STYLE: &str = include_str!("../../../../style/report.css");
 
 /// The HTML of a report while it is written.
 pub(super) struct ReportHtml<'r> {
-    /// Its HTML so far.
+    /// HTML written so far.
     pub(super) out: String,
     /// The report.
     pub(super) report: &'r Report,
