@@ -27,7 +27,7 @@ function summary(what, value, unit, asked, least = false) {
   console.log(`summary: ${what}: ${shown}${unit}, ${asked} asked: ${met ? 'met' : 'MISSED'}`);
 }
 
-// Runs in the page before anything of it: notes what the browser tells and when the drawing of the machine is first painted.
+// Runs before any script of the page: records performance entries, and when the drawing of the machine is first painted.
 function watch() {
   const seen = { first: 0, picture: 0, answered: 0, shifts: [], frames: [] };
   window.seen = seen;
@@ -45,7 +45,7 @@ function watch() {
   requestAnimationFrame(look);
 }
 
-// Runs in the page before anything of it: types into the form as soon as it is there, and notes when the answer of the verdicts is painted.
+// Runs before any script of the page: types into the form as soon as it exists, and records the paint of the new verdicts.
 function type() {
   const timer = setInterval(() => {
     const [input, verdicts] = [document.querySelector('input#pitch'), document.querySelector('main .cards')];

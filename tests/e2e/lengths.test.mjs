@@ -20,7 +20,7 @@ async function turnTo(page, name) {
 // A header that has room for the choice of units; in a shorter one it is in help.
 const WIDE = { width: 1600, height: 900 };
 
-// Texts on the page with a number of millimetres or metres, except in programs and in values of the control, of which the positions name theirs.
+// Texts on the page with a number of millimetres or metres, except in programs and in values of the control (positions name their unit).
 const metric = (page) =>
   page.evaluate(() => {
     const found = new Set();

@@ -103,7 +103,7 @@ test('sheets, ladder, native part are shown; export has drawings', () =>
   lathe(async (page) => {
     await page.click('#tab-plc');
     for (const text of ['G360.6', 'Sequence from G512 to G502', 'G51.2']) await page.locator('#side', { hasText: text }).waitFor();
-    // The drawings stand above their lists.
+    // The drawings are above their lists.
     for (const name of [/Sequence from G512 .* reconstructed/, /PMC program .* reconstructed/]) {
       const drawn = page.getByRole('img', { name });
       await drawn.waitFor();

@@ -105,7 +105,7 @@ fn volts(control: &Control, changes: &[(&str, &str)], event: Option<Action>) -> 
     rounded(planner.timeline().at(planner.timeline().end() + 9.0).spindle.volts_command)
 }
 
-/// Seconds from the begin to the first cut, with a ramp of three seconds.
+/// Seconds from the start of the run to the first cut, with a ramp of three seconds.
 fn waits(control: &Control) -> String {
     let project = project(control.id, &[&TIMES[..], &[("stage-2", "0"), ("stage-1", "3000")]].concat());
     let planner = over_time(&project);
