@@ -46,7 +46,7 @@ pub(crate) fn measure(name: &str, from: &str, to: &str) {
     }
 }
 
-/// Calls `tick` with the time of each frame that [`frame`] asks for.
+/// Calls `tick` with the time (ms) of each frame that [`ask`](Frames::ask) requests.
 pub(crate) struct Frames(Closure<dyn FnMut(f64)>);
 
 impl Frames {
@@ -54,7 +54,7 @@ impl Frames {
         Frames(Closure::new(tick))
     }
 
-    /// Asks for one frame.
+    /// Requests one frame.
     pub(crate) fn ask(&self) {
         if let Some(window) = web_sys::window() {
             let _ = window.request_animation_frame(self.0.as_ref().unchecked_ref());
