@@ -1,10 +1,8 @@
 //! The customer: the full name for the report's title block, and its beginning, as far as a comment takes it, in the form for the program.
 
 use super::Project;
+use super::name::NAME_LENGTH;
 use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
-
-/// Characters of the full name, as of other entries of the title block.
-const FULL: usize = 120;
 
 /// The part of a name that a field takes.
 fn shortened(name: &str, most: usize) -> String {
@@ -46,7 +44,7 @@ impl Project {
     /// Takes the full name of the customer for the title block, and its beginning into the form.
     pub fn set_customer(&mut self, name: &str) {
         let Some((field, most)) = self.customer_field() else { return };
-        let full = shortened(name.trim(), FULL);
+        let full = shortened(name.trim(), NAME_LENGTH);
         let own = shortened(&full, most);
         self.title_block.customer = if own == full { String::new() } else { full };
         self.values.insert(field.id.to_owned(), Value::Text(own));

@@ -17,6 +17,7 @@ pub mod import;
 mod io_names;
 pub mod list;
 pub mod meaning;
+pub mod name;
 pub mod operator;
 pub mod origins;
 pub mod package;

@@ -16,6 +16,17 @@ pub(crate) fn t(id: &'static str) -> &'static str {
     catalog::words(id)
 }
 
+/// Name of a project, or the word for one without a name.
+pub(crate) fn shown_name(name: &str) -> &str {
+    if name.trim().is_empty() { t("page.untitled") } else { name }
+}
+
+/// Whether a text has all words of a search, in upper or lower case.
+pub(crate) fn has_all_words(text: &str, search: &str) -> bool {
+    let text = text.to_lowercase();
+    search.to_lowercase().split_whitespace().all(|word| text.contains(word))
+}
+
 /// A message as a sentence.
 pub(crate) fn sentence(message: &Message) -> String {
     catalog::sentence(message)

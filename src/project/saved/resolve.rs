@@ -14,20 +14,13 @@ use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::files::json::{JsonMember, JsonMembers, Located, kind_word};
 use crate::project::findings::project_file::Findings;
+use crate::project::name::clean_name;
 use crate::project::variants::variant::{MAX_VARIANTS, Variant, variant_name};
 use crate::project::{Project, parts};
 use crate::text::catalog::Language;
 use crate::text::escape::clip;
 use crate::text::{Diagnostic, listed};
 use crate::view::report::TitleBlock;
-
-/// Characters of a project's name, and of an entry of its title block, at most.
-const NAME: usize = 120;
-
-/// A text of one line.
-fn line(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).take(NAME).collect()
-}
 
 /// The project that a file describes.
 pub(super) fn project<'t>(
@@ -56,12 +49,12 @@ pub(super) fn project<'t>(
         return Loaded::refused(found);
     }
     let mut project = Project::of_form(machine, control);
-    project.name = line(&saved.name);
+    project.name = clean_name(&saved.name);
     project.title_block = TitleBlock {
-        customer: line(&saved.title_block.customer),
-        author: line(&saved.title_block.author),
-        number: line(&saved.title_block.number),
-        revision: line(&saved.title_block.revision),
+        customer: clean_name(&saved.title_block.customer),
+        author: clean_name(&saved.title_block.author),
+        number: clean_name(&saved.title_block.number),
+        revision: clean_name(&saved.title_block.revision),
     };
     values(saved_values, machine, &mut project.values, &mut found);
     origins(&saved.provenance, machine, &mut project, &mut found);

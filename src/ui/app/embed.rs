@@ -60,7 +60,7 @@ pub fn EmbeddedApp(
         <main class="embed" aria-busy=move || busy.get().to_string()>
             <EmbeddedMachine />
             <FirstFields count=FIELDS />
-            <footer><h1>{t(page.project.with_untracked(|project| project.machine.name()))}</h1><Open /></footer>
+            <footer><h1>{t(page.project.with_untracked(|project| project.machine.name()))}</h1><WholePageLink /></footer>
         </main>
         <div class="hidden" role="status">{page.notices.announcement}</div>
     }
@@ -71,7 +71,7 @@ fn reload_on_another_fragment(page: Page) {
     let shown = dom::address().1;
     dom::on_event("hashchange", move |_| {
         // The page may be gone.
-        if !page.view.kept.is_disposed() && dom::address().1 != shown {
+        if !page.is_gone() && dom::address().1 != shown {
             dom::reload();
         }
     });
@@ -79,7 +79,7 @@ fn reload_on_another_fragment(page: Page) {
 
 /// The link to the whole page with the present project.
 #[component]
-fn Open() -> impl IntoView {
+fn WholePageLink() -> impl IntoView {
     let page = Page::here();
     // A project opened from a link still fits into a link after a few changes. If it does not fit, the element has no
     // address.

@@ -1,8 +1,6 @@
 //! Links to the parts of the page, on layouts whose first screen does not show all of them.
 
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
 
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, Icon};
@@ -29,7 +27,7 @@ pub(super) fn PartsBar() -> impl IntoView {
     let current = RwSignal::new(0);
     // The window scrolls on a phone, the page within it on a wider screen; the listing scrolls too, at every block of a run.
     dom::on_event("scroll", move |event| {
-        let scrolled = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let scrolled = dom::target(&event);
         if scrolled.is_some_and(|element| element.tag_name() != "MAIN") {
             return;
         }

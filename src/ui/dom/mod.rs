@@ -214,6 +214,16 @@ pub(crate) fn set(element: &Element, name: &str, value: &str) {
     let _ = element.set_attribute(name, value);
 }
 
+/// The element at which an event happened.
+pub(crate) fn target(event: &Event) -> Option<Element> {
+    event.target()?.dyn_into().ok()
+}
+
+/// The element of a selector that holds the place of an event.
+pub(crate) fn closest(event: &Event, selector: &str) -> Option<Element> {
+    target(event)?.closest(selector).ok()?
+}
+
 /// Sets the text of an element without other content. Its text node stays: another one would cost the styles around it at every frame.
 pub(crate) fn set_text(element: &Element, text: &str) {
     match element.first_child().filter(|node| node.node_type() == Node::TEXT_NODE) {
@@ -307,20 +317,29 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
-/// Calls `act` at each event of a kind on the window. Pastes and scrolls are caught in the capture phase: a paste
-/// before its element handles it, a scroll because it does not bubble.
-pub(crate) fn on_event(event: &str, act: impl Fn(Event) + 'static) {
-    let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
+/// Calls `act` at each event of a kind on the window, until the component is removed. Pastes and scrolls are caught in
+/// the capture phase: a paste before its element handles it, a scroll because it does not bubble.
+pub(crate) fn on_event(event: &'static str, act: impl Fn(Event) + 'static) {
+    let act = StoredValue::new_local(Closure::<dyn Fn(Event)>::new(act));
     let first = ["paste", "scroll"].contains(&event);
-    let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), first);
+    act.with_value(|act| {
+        let _ = window().add_event_listener_with_callback_and_bool(event, act.as_ref().unchecked_ref(), first);
+    });
+    on_cleanup(move || {
+        act.with_value(|act| {
+            let _ = window().remove_event_listener_with_callback_and_bool(event, act.as_ref().unchecked_ref(), first);
+        });
+    });
 }
 
-/// Calls `act` whenever the browser has given an element a size, also the first time. The size can be read then without another layout.
+/// Calls `act` whenever the browser has given an element a size, also the first time, until the component is removed.
+/// The size can be read then without another layout.
 pub(crate) fn on_resize(element: &Element, act: impl Fn() + 'static) {
-    let act = Closure::<dyn Fn()>::new(act).into_js_value();
-    if let Ok(observer) = ResizeObserver::new(act.unchecked_ref()) {
-        observer.observe(element);
-    }
+    let act = Closure::<dyn Fn()>::new(act);
+    let Ok(observer) = ResizeObserver::new(act.as_ref().unchecked_ref()) else { return };
+    observer.observe(element);
+    let observed = StoredValue::new_local((observer, act));
+    on_cleanup(move || observed.with_value(|(observer, _)| observer.disconnect()));
 }
 
 /// Whether keys pressed in this element are text.
@@ -375,6 +394,23 @@ mod tests {
         go_to_field("deep");
         assert_eq!(bench.all("details[open]").len(), 2);
         assert_eq!(document().active_element().unwrap().id(), "deep");
+    }
+
+    #[wasm_bindgen_test]
+    async fn removed_component_hears_no_event_of_the_window() {
+        let heard = ArcStoredValue::new(0);
+        let own = heard.clone();
+        let listen = move || on_event("online", move |_| own.update_value(|count| *count += 1));
+        let bench = mount(move || {
+            listen();
+            view! { <p></p> }
+        });
+        let bench = bench.await;
+        let announce = || window().dispatch_event(&Event::new("online").unwrap()).unwrap();
+        announce();
+        drop(bench);
+        announce();
+        assert_eq!(heard.get_value(), 1);
     }
 
     #[wasm_bindgen_test]

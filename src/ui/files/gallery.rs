@@ -8,7 +8,7 @@ use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
-use crate::ui::words::{Tone, sentence, t};
+use crate::ui::words::{Tone, has_all_words, sentence, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 use crate::view::Readout;
@@ -60,8 +60,8 @@ fn Gallery() -> impl IntoView {
     page.project.with_untracked(|project| Client::here().ask(project, Request::Gallery { theme: dom::theme() }, show));
     let group = move |(machine, examples): Group| {
         let found = move |example: &Example| {
-            let text = [machine.name(), example.name, example.about].map(t).join(" ").to_lowercase();
-            search.with(|search| search.to_lowercase().split_whitespace().all(|word| text.contains(word)))
+            let text = [machine.name(), example.name, example.about].map(t).join(" ");
+            search.with(|search| has_all_words(&text, search))
         };
         let any = examples.clone();
         let cards = examples.into_iter().map(|(at, example)| {

@@ -10,6 +10,7 @@ use super::share::{self, ShareButton};
 use super::store;
 use crate::controls;
 use crate::machines;
+use crate::project::name::{NAME_LENGTH, clean_name};
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::{ContrastButton, Glyph, IconButton, LanguageButtons, Later, LengthsButton, ThemeButton};
 use crate::ui::state::view::Kept;
@@ -130,14 +131,14 @@ fn ControlPicker() -> impl IntoView {
 fn ProjectName() -> impl IntoView {
     let page = Page::here();
     let take = move |event| {
-        let name: String = event_target_value(&event).chars().filter(|c| !c.is_control()).take(120).collect();
+        let name = clean_name(&event_target_value(&event));
         page.edit_merged(EditKey::Name, |project| project.name = name);
     };
     let kept = move || t(page.view.kept.get().words());
     view! {
         <div class="project">
             <input
-                class="name" type="text" maxlength="120" placeholder=t("page.untitled") aria-label=t("page.name")
+                class="name" type="text" maxlength=NAME_LENGTH.to_string() placeholder=t("page.untitled") aria-label=t("page.name")
                 prop:value=move || page.project.with(|project| project.name.clone())
                 on:input=take
             />

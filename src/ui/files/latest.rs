@@ -9,7 +9,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::ui::state::Page;
 use crate::ui::state::notices::Notice;
-use crate::ui::words::{Tone, sentence, t};
+use crate::ui::words::{Tone, sentence, shown_name};
 
 /// Offers the latest project of the shelf where the page began with another one. The shelf has more room than the browser's other store, and
 /// may be allowed where that is denied.
@@ -19,14 +19,14 @@ pub(super) fn offer(page: Page) {
         let states = shelf::states().await.unwrap_or_default();
         let projects = states.into_iter().filter(|state| state.of.is_empty() && state.note.is_empty());
         let Some(latest) = projects.max_by(|a, b| a.at.total_cmp(&b.at)) else { return };
-        if page.view.kept.is_disposed() || latest.text == shelf::present(page).text {
+        if page.is_gone() || latest.text == shelf::present(page).text {
             return;
         }
         let Some(project) = Project::from_json(&latest.text).project.map(|project| project.with_id(Some(latest.id)))
         else {
             return;
         };
-        let name = if project.name.is_empty() { t("page.untitled") } else { project.name.as_str() };
+        let name = shown_name(&project.name);
         let text = sentence(&msg!("projects.latest", name));
         let act = Callback::new(move |()| show(page, project.clone()));
         page.notices.show(Notice {

@@ -23,7 +23,7 @@ pub(crate) fn keep(page: Page) {
         let Ok(module) = script::load(MODULE).await else { return };
         let announce = Closure::<dyn Fn()>::new(move || {
             // The page may be gone.
-            if !page.view.kept.is_disposed() {
+            if !page.is_gone() {
                 announce(page, take);
             }
         });

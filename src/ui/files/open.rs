@@ -4,7 +4,7 @@ use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, FileList};
+use web_sys::{ClipboardEvent, DataTransfer, DragEvent, File, FileList};
 
 use super::large::{LargeFile, Source, check};
 use super::parts;
@@ -189,7 +189,7 @@ pub(crate) fn listen(page: Page, large: LargeFile, worker: Client) {
     // Handled before any text field, because many megabytes must not be pasted into one.
     dom::on_event("paste", move |event| {
         let Some(data) = event.unchecked_ref::<ClipboardEvent>().clipboard_data() else { return };
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let target = dom::target(&event);
         let in_text = target.is_some_and(|target| dom::takes_text(&target));
         if in_text && (data.get_data("text").map_or(0, |text| text.len()) as f64) < BIG {
             return;

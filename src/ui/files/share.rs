@@ -40,7 +40,7 @@ pub(super) fn notices(linked: &Loaded) -> Vec<Notice> {
 pub(crate) fn listen(page: Page) {
     dom::on_event("hashchange", move |_| {
         // The page may be gone.
-        if !page.view.kept.is_disposed() {
+        if !page.is_gone() {
             open(page);
         }
     });

@@ -98,7 +98,7 @@ pub(super) async fn states() -> Result<Vec<ShelfState>, String> {
 
 /// Reports that the shelf refuses a project. It is in the browser's other store, so it is not lost.
 pub(super) fn warn_refused(page: Page, reason: &str) {
-    if !page.view.kept.is_disposed() {
+    if !page.is_gone() {
         page.notices.notify(Tone::Warn, sentence(&msg!("projects.refused", reason)));
     }
 }
@@ -117,7 +117,7 @@ pub(super) fn version_before(page: Page, note: &'static str) {
 /// stay there.
 pub(super) async fn take_in(page: Page) -> Result<(), String> {
     for state in set_aside::list() {
-        if state.reason == SetAsideReason::Unread || page.view.kept.is_disposed() {
+        if state.reason == SetAsideReason::Unread || page.is_gone() {
             continue;
         }
         let now = present(page);

@@ -244,7 +244,7 @@ fn watch(page: Page, words: &'static str) {
 fn follow(page: Page) {
     let wait = PATIENCE.0 + PATIENCE.1 * js_sys::Math::random();
     let take = move || {
-        let watches = !page.view.kept.is_disposed() && page.view.kept.get_untracked() == Kept::Elsewhere;
+        let watches = !page.is_gone() && page.view.kept.get_untracked() == Kept::Elsewhere;
         if watches && dom::stored(TABS).is_some_and(|last| last.starts_with(LEAVES)) {
             take_over(page);
         }
@@ -371,7 +371,7 @@ pub(crate) fn keep(page: Page, Stored { occupied, replaced }: Stored) {
     dom::on_event("storage", move |event| {
         let event: &StorageEvent = event.unchecked_ref();
         // The page may be gone.
-        if let (Some(key), Some(value), false) = (event.key(), event.new_value(), page.view.kept.is_disposed()) {
+        if let (Some(key), Some(value), false) = (event.key(), event.new_value(), page.is_gone()) {
             receive(page, by_link, (&key, &value), shown);
         }
     });

@@ -2,15 +2,13 @@
 
 use leptos::prelude::*;
 
+use crate::project::name::NAME_LENGTH;
 use crate::ui::state::Page;
 use crate::ui::words::{sentence, t};
 use crate::view::report::TitleBlock;
 
 /// Reads and writes an entry of the title block.
 type Entry = fn(&mut TitleBlock) -> &mut String;
-
-/// Characters that an entry of the title block takes.
-const ENTRY_LENGTH: usize = 120;
 
 /// The entries of the report's title block, which are saved with the project. A change makes the documents again.
 #[component]
@@ -62,5 +60,5 @@ fn TitleBlockEntry(
         change(event_target_value(&event));
         page.view.exporting.set(true);
     };
-    view! { <label>{t(label)}<input type="text" maxlength=ENTRY_LENGTH.to_string() prop:value=value on:change=change /></label> }
+    view! { <label>{t(label)}<input type="text" maxlength=NAME_LENGTH.to_string() prop:value=value on:change=change /></label> }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use leptos::ev::PointerEvent;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{Element, HtmlElement, HtmlInputElement, MouseEvent};
+use web_sys::{HtmlElement, HtmlInputElement, MouseEvent};
 
 use super::value::value_of;
 use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
@@ -62,7 +62,7 @@ impl Drag {
     }
 
     pub(super) fn press(&self, event: &PointerEvent) {
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let target = dom::target(event);
         // In a focused number the pointer selects text.
         let focused = document().active_element();
         let held = target.filter(|target| {

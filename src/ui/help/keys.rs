@@ -36,7 +36,7 @@ pub(crate) fn listen(page: Page) {
 }
 
 fn press(page: Page, event: &KeyboardEvent) -> bool {
-    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    let target = dom::target(event);
     let tag = target.as_ref().map(Element::tag_name).unwrap_or_default();
     let dialog = document().query_selector("dialog[open]").ok().flatten().is_some();
     // The usual key for help, in text fields too: at a field of the form it leads to that field's place.

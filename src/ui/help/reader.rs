@@ -3,7 +3,7 @@
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{Element, Event};
+use web_sys::Event;
 
 use crate::msg;
 use crate::ui::dom;
@@ -169,8 +169,7 @@ pub(super) fn Reader() -> impl IntoView {
         }
     });
     let follow = move |event: Event| {
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        let link = target.and_then(|target| target.closest("[data-help]").ok().flatten());
+        let link = dom::closest(&event, "[data-help]");
         if let Some(id) = link.and_then(|link| link.get_attribute("data-help")) {
             reading.go(id);
         }
@@ -316,6 +315,7 @@ fn Shortcuts() -> impl IntoView {
 #[cfg(test)]
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
+    use web_sys::Element;
 
     use super::*;
     use crate::project::Project;

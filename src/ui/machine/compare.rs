@@ -25,7 +25,7 @@ use crate::ui::parts::{Dialog, Glyph, IconButton};
 use crate::ui::state::planning::begin;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{Tone, clock, sentence, t};
+use crate::ui::words::{Tone, clock, sentence, shown_name, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Request, Response};
 
@@ -74,7 +74,7 @@ pub(crate) fn CompareDialog() -> impl IntoView {
     let open = Signal::derive(move || other.with(Option::is_some));
     let content = move || {
         let present = page.project.get_untracked();
-        let name = if present.name.is_empty() { t("page.untitled") } else { present.name.as_str() };
+        let name = shown_name(&present.name);
         let mut all = vec![(sentence(&msg!("compare.present", name)), present.clone())];
         all.extend(present.each_variant());
         let right = match other.get()? {

@@ -125,7 +125,7 @@ pub(crate) fn follow<T: Send + Sync + 'static>(
 
 /// Progress bar of a slow answer, with a button that cancels it.
 #[component]
-pub(crate) fn Working(
+pub(crate) fn ProgressBar(
     /// Id of the words for the work.
     work: &'static str,
     /// The progress.

@@ -36,7 +36,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::parts::followed::{Working, follow, follow_sheets};
+    use crate::ui::parts::followed::{ProgressBar, follow, follow_sheets};
     use crate::ui::testing::{mount, pause, settled};
     use crate::ui::worker::client::Client;
     use crate::ui::worker::messages::{Request, Response, Sheets};
@@ -74,7 +74,7 @@ mod tests {
             Client::here().answer_here(|_, _| Some(Response::Html(String::new())));
             let read = |response| if let Response::Html(html) = response { Some(html) } else { None };
             let sheets = follow(|| Request::Chance, REST, read);
-            view! { <Working work="page.runs-work" progress=sheets.progress /> <SheetView sheets=sheets /> }
+            view! { <ProgressBar work="page.runs-work" progress=sheets.progress /> <SheetView sheets=sheets /> }
         })
         .await;
         bench.press(".working button").await;

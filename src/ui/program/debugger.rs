@@ -138,7 +138,7 @@ fn points(stepper: &Stepper, written: &Written) -> Vec<(u32, Row)> {
 
 /// The state at the stop: reason of the stop, changes, call levels, breakpoints, watches.
 #[component]
-pub(super) fn Seen() -> impl IntoView {
+pub(super) fn StopState() -> impl IntoView {
     let page = Page::here();
     let stepper = page.player.stepper;
     let why = move || {
@@ -215,7 +215,7 @@ mod tests {
     use crate::ui::testing::{ViewBench, mount, settled, until};
 
     async fn debugger() -> ViewBench {
-        let bench = mount(|| view! { <DebuggerBar /> <Seen /> }).await;
+        let bench = mount(|| view! { <DebuggerBar /> <StopState /> }).await;
         bench.run().await;
         bench
     }

@@ -5,12 +5,11 @@ mod debugger;
 mod editor;
 mod listing_view;
 mod navigation;
-mod now;
 mod points;
+mod positions;
 
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::{Element, MouseEvent};
+use web_sys::MouseEvent;
 
 use crate::project::findings::check::{FixChoice, fixes};
 use crate::text::{Diagnostic, FileId, Severity};
@@ -24,10 +23,10 @@ use crate::ui::state::view::ProgramView;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{Tone, counts, sentence, t};
 use block_times::BlockTimes;
-use debugger::{DebuggerBar, Seen};
+use debugger::{DebuggerBar, StopState};
 use editor::{Difference, Editor};
 use listing_view::Listing;
-use now::Now;
+use positions::Positions;
 
 /// Width in pixels of the line number at the left of a line.
 const NUMBER: f64 = 46.0;
@@ -67,11 +66,11 @@ pub(crate) fn ProgramTab() -> impl IntoView {
         <div class="fill" on:click=move |event| press(page, &event) on:dblclick=move |event| show_line(page, &event)>
             <Show when=move || page.view.program.get() == ProgramView::Listing><DebuggerBar /></Show>
             {body}
-            <Show when=move || page.view.program.get() == ProgramView::Listing><BlockTimes /><Seen /></Show>
-            <Now />
+            <Show when=move || page.view.program.get() == ProgramView::Listing><BlockTimes /><StopState /></Show>
+            <Positions />
         </div>
         // Below the text, so that no line moves at the first edit.
-        <Show when=move || page.program.edited.get()><Detached /></Show>
+        <Show when=move || page.program.edited.get()><EditedBar /></Show>
     }
 }
 
@@ -97,14 +96,14 @@ fn FileChips() -> impl IntoView {
                     </button>
                 </For>
             </div>
-            <Found />
+            <FindingCounts />
         </div>
     }
 }
 
 /// The counts of findings, a press on one leads to the next finding of its kind, and the button that applies every fix without a choice.
 #[component]
-fn Found() -> impl IntoView {
+fn FindingCounts() -> impl IntoView {
     let page = Page::here();
     let found = page.program.findings;
     // Number of the finding that was shown last.
@@ -247,7 +246,7 @@ fn ViewToggle(
 
 /// The bar of an edited program: which text runs, the differences, and the way back to the form's program.
 #[component]
-fn Detached() -> impl IntoView {
+fn EditedBar() -> impl IntoView {
     let page = Page::here();
     let kept = RwSignal::new(false);
     let again = move |_| {
@@ -289,15 +288,14 @@ fn Silenced() -> impl IntoView {
 
 /// A double click on a line shows the machine when the block of the line runs next. The first click has set the cursor.
 fn show_line(page: Page, event: &MouseEvent) {
-    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    if target.is_some_and(|target| target.closest("[data-l]").is_ok_and(|row| row.is_some())) {
+    if dom::closest(event, "[data-l]").is_some() {
         stepping::show_block(page);
     }
 }
 
 /// A press in the listing or around it: a fix, a command or a watch of the debugger; a line sets the cursor, its number a breakpoint.
 fn press(page: Page, event: &MouseEvent) {
-    let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else { return };
+    let Some(target) = dom::target(event) else { return };
     let attribute = |name: &str| target.closest(&format!("[{name}]")).ok()??.get_attribute(name);
     let number = |name: &str| attribute(name)?.parse::<usize>().ok();
     if let (Some(diagnostic), Some(fix)) = (number("data-d"), number("data-fix")) {

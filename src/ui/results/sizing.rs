@@ -5,14 +5,13 @@ use std::time::Duration;
 
 use leptos::ev::MouseEvent;
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
 
 use super::take::{listed, take};
 use super::variants::Variants;
 use crate::msg;
 use crate::project::chance;
-use crate::ui::parts::followed::{Answered, Working, follow};
+use crate::ui::dom;
+use crate::ui::parts::followed::{Answered, ProgressBar, follow};
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{sentence, t};
@@ -66,7 +65,7 @@ pub(crate) fn SizingTab() -> impl IntoView {
     view! {
         <div class="sizing" aria-busy=move || sizing.progress.outdated.get().to_string() on:click=choose>
             <p class="lead">{lead}</p>
-            <Working work="page.runs-work" progress=sizing.progress />
+            <ProgressBar work="page.runs-work" progress=sizing.progress />
             <For each=ids key=Clone::clone let:place>
                 <Section section=shown(place.0) />
             </For>
@@ -129,12 +128,12 @@ fn ChanceSheet() -> impl IntoView {
             _ => None,
         },
     );
-    view! { <Working work="page.chance-work" progress=sheet.progress /> <SheetView sheets=sheet /> }
+    view! { <ProgressBar work="page.chance-work" progress=sheet.progress /> <SheetView sheets=sheet /> }
 }
 
 /// Time (s) of the part of the run whose line in a chart was clicked.
 fn moment(event: &MouseEvent) -> Option<f64> {
-    let line = event.target()?.dyn_into::<Element>().ok()?.closest("[data-at]").ok().flatten()?;
+    let line = dom::closest(event, "[data-at]")?;
     line.get_attribute("data-at")?.parse().ok()
 }
 

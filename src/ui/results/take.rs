@@ -2,11 +2,10 @@
 
 use leptos::ev::MouseEvent;
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
 
 use crate::machines::form::{FieldInfo, Values};
 use crate::project::Project;
+use crate::ui::dom;
 use crate::ui::state::{EditKey, Page};
 
 /// Sets fields from their texts.
@@ -32,8 +31,7 @@ pub(super) fn take(page: Page, key: Option<EditKey>, values: Values) {
 
 /// Values of the form with those of the clicked row; `None` if the click hit no such row.
 pub(super) fn listed(page: Page, event: &MouseEvent) -> Option<Values> {
-    let target = event.target()?.dyn_into::<Element>().ok()?;
-    let row = target.closest("[data-entries]").ok().flatten()?;
+    let row = dom::closest(event, "[data-entries]")?;
     let entries = row.get_attribute("data-entries")?;
     let entries = entries.split('\n').filter_map(|entry| entry.split_once('='));
     page.project.with_untracked(|project| {

@@ -4,8 +4,6 @@ use std::time::Duration;
 
 use leptos::ev::{KeyboardEvent, MouseEvent};
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
 
 use crate::msg;
 use crate::project::Project;
@@ -161,7 +159,7 @@ fn keep(page: Page, name: &str) {
 /// Carries out the clicked button: keeps a variant under the typed name, takes one, shows one in motion beside the present settings,
 /// removes one.
 fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
-    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    let target = dom::target(event);
     let place = |act| target.as_ref()?.get_attribute(act)?.parse::<usize>().ok();
     if target.as_ref().is_some_and(|target| target.has_attribute("data-keep")) {
         keep(page, &typed.get_untracked());
@@ -185,6 +183,7 @@ fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
 
 #[cfg(test)]
 mod tests {
+    use leptos::wasm_bindgen::JsCast;
     use wasm_bindgen_test::wasm_bindgen_test;
     use web_sys::HtmlElement;
 

@@ -97,6 +97,11 @@ pub(crate) struct Page {
 }
 
 impl Page {
+    /// Whether this page has been replaced by another one, for instance in another language: for answers that come later.
+    pub(crate) fn is_gone(self) -> bool {
+        self.view.kept.is_disposed()
+    }
+
     /// Begins with a project, and hands the state to every component below.
     pub(crate) fn provide(start: ProjectStart, notices: Vec<Notice>) -> Page {
         let ProjectStart { project, design, scene, written, run } = start;

@@ -9,10 +9,11 @@ use super::super::open::show;
 use super::super::{set_aside, shelf};
 use crate::msg;
 use crate::project::Project;
+use crate::project::name::clean_name;
 use crate::ui::dom;
 use crate::ui::state::view::Compared;
 use crate::ui::state::{EditKey, Page};
-use crate::ui::words::{Tone, sentence, t};
+use crate::ui::words::{Tone, has_all_words, sentence, shown_name, t};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{BEFORE_VERSION, ListedProject, Request, Response, Shelf, ShelfState};
 
@@ -60,11 +61,7 @@ impl ProjectActions {
 
     /// Ids of the listed projects whose name, machine and control have all words of a search.
     pub(super) fn found(self, search: &str) -> Vec<String> {
-        let search = search.to_lowercase();
-        let has_all = |item: &&ListedProject| {
-            let text = [item.name.as_str(), &item.kind].join(" ").to_lowercase();
-            search.split_whitespace().all(|word| text.contains(word))
-        };
+        let has_all = |item: &&ListedProject| has_all_words(&[item.name.as_str(), &item.kind].join(" "), search);
         self.listed.with(|listed| listed.iter().filter(has_all).map(|item| item.id.clone()).collect())
     }
 
@@ -206,7 +203,7 @@ impl ProjectActions {
         let name = Project::from_json(&state.text).project.map(|project| project.name).unwrap_or_default();
         let called = if state.of.is_empty() { name } else { [name, crate::ui::words::day(state.at)].join(" ") };
         self.page.view.projects.set(false);
-        let name = if called.trim().is_empty() { t("page.untitled").to_owned() } else { called };
+        let name = shown_name(&called).to_owned();
         self.page.view.compared.set(Some(Compared::Project(name, state.text)));
     }
 
@@ -216,7 +213,7 @@ impl ProjectActions {
             let name = file.name();
             let text = JsFuture::from(file.text()).await.ok().and_then(|text| text.as_string()).unwrap_or_default();
             match Project::from_json(&text).project {
-                Some(_) if !self.page.view.kept.is_disposed() => {
+                Some(_) if !self.page.is_gone() => {
                     self.page.view.projects.set(false);
                     self.page.view.compared.set(Some(Compared::Project(name, text)));
                 }
@@ -228,7 +225,7 @@ impl ProjectActions {
     /// Puts a copy of a project on the shelf.
     pub(super) fn duplicate(self, state: ShelfState) {
         let Some(project) = Project::from_json(&state.text).project else { return };
-        let name = if project.name.is_empty() { t("page.untitled") } else { project.name.as_str() };
+        let name = shown_name(&project.name);
         let copy = sentence(&msg!("projects.copy-of", name));
         let state = ShelfState {
             id: dom::fresh_id(),
@@ -245,7 +242,7 @@ impl ProjectActions {
     /// Gives a project another name.
     pub(super) fn rename(self, id: &str, typed: &str) {
         let Some(state) = self.state(id) else { return };
-        let name: String = typed.chars().filter(|c| !c.is_control()).take(120).collect();
+        let name = clean_name(typed);
         if self.page.project.with_untracked(|present| present.id.as_ref() == Some(&state.id)) {
             self.page.edit_merged(EditKey::Name, |project| project.name = name);
             return self.show();
@@ -257,8 +254,8 @@ impl ProjectActions {
 
     /// Deletes a project with its versions, or a version; can be undone until the next deletion or the end of the page.
     pub(super) fn delete(self, state: ShelfState) {
-        let name = Project::from_json(&state.text).project.map(|project| project.name).filter(|name| !name.is_empty());
-        let name = name.unwrap_or_else(|| t("page.untitled").to_owned());
+        let name = Project::from_json(&state.text).project.map(|project| project.name).unwrap_or_default();
+        let name = shown_name(&name).to_owned();
         let message =
             if state.of.is_empty() { msg!("projects.deleted", name) } else { msg!("projects.version-deleted") };
         spawn_local(async move {
@@ -315,7 +312,7 @@ impl ProjectActions {
                 Ok(count) => Ok(sentence(&msg!("projects.unpacked", count = count.as_f64().unwrap_or_default()))),
                 Err(reason) => {
                     // The list itself is unchanged, and stays.
-                    if !self.page.view.kept.is_disposed() {
+                    if !self.page.is_gone() {
                         let text = sentence(&msg!("projects.not-unpacked", file = name, reason));
                         self.page.notices.notify(Tone::Fail, text);
                     }

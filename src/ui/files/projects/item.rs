@@ -4,11 +4,9 @@ use leptos::prelude::*;
 
 use super::actions::ProjectActions;
 use crate::msg;
-use crate::ui::words::{sentence, t};
+use crate::project::name::NAME_LENGTH;
+use crate::ui::words::{sentence, shown_name, t};
 use crate::ui::worker::messages::{ListedProject, ListedStep, ListedVersion, ShelfPlace, ShelfState};
-
-/// Longest name and note, in characters.
-const LONGEST: &str = "120";
 
 /// One project of the list.
 #[component]
@@ -36,7 +34,7 @@ pub(super) fn ProjectItem(
                     fallback=move || view! { <b>{move || item.with(title)}</b> }
                 >
                     <input
-                        type="text" maxlength=LONGEST autocomplete="off" aria-label=t("page.name") placeholder=t("page.untitled")
+                        type="text" maxlength=NAME_LENGTH.to_string() autocomplete="off" aria-label=t("page.name") placeholder=t("page.untitled")
                         prop:value=move || item.with(|item| item.name.clone())
                         on:change=move |event| id.with_value(|id| actions.rename(id, &event_target_value(&event)))
                     />
@@ -75,8 +73,7 @@ pub(super) fn ProjectItem(
 fn title(item: &ListedProject) -> String {
     let name = match (&item.unread, item.name.as_str()) {
         (Some(_), _) => t("page.aside-unread"),
-        (None, "") => t("page.untitled"),
-        (None, name) => name,
+        (None, name) => shown_name(name),
     };
     name.to_owned()
 }
@@ -116,7 +113,7 @@ fn Versions(
             <Show when=move || item.with(|item| item.place == ShelfPlace::Present)>
                 <div class="keep">
                     <input
-                        type="text" maxlength=LONGEST autocomplete="off" aria-label=t("projects.note") placeholder=t("projects.note")
+                        type="text" maxlength=NAME_LENGTH.to_string() autocomplete="off" aria-label=t("projects.note") placeholder=t("projects.note")
                         prop:value=note on:input=move |event| note.set(event_target_value(&event))
                     />
                     <button type="button" on:click=keep>{t("projects.keep")}</button>

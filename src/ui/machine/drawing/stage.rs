@@ -3,8 +3,6 @@
 use leptos::ev::MouseEvent;
 use leptos::html;
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
 
 use super::alarm_screen::{AlarmScreen, screen_text};
 use super::fitted::FittedDrawing;
@@ -100,8 +98,7 @@ pub(crate) fn Stage() -> impl IntoView {
 
 /// Goes to the field of the part of the drawing that is clicked.
 fn open_field(event: MouseEvent) {
-    let part = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    let part = part.and_then(|part| part.closest("[data-field]").ok().flatten());
+    let part = dom::closest(&event, "[data-field]");
     if let Some(field) = part.and_then(|part| part.get_attribute("data-field")) {
         dom::go_to_field(&field);
     }

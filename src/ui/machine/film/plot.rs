@@ -3,7 +3,6 @@
 use leptos::ev::PointerEvent;
 use leptos::html;
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
 use web_sys::{DomRect, Element, WheelEvent};
 
 use super::charts::Charts;
@@ -53,7 +52,7 @@ impl Fingers {
 /// Keys zoom where the pointer is over the chart or the focus in the film: about the pointer, or about the play head.
 fn keys(player: Player, film: NodeRef<html::Section>, pointed: impl Fn() -> Option<f64> + 'static) {
     let keys = window_event_listener(leptos::ev::keydown, move |event| {
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let target = dom::target(&event);
         let within = |target: &Element| film.get_untracked().is_some_and(|film| film.contains(Some(target)));
         let Some(target) = target.filter(|target| !dom::takes_text(target)) else { return };
         let pointed = pointed();
@@ -99,8 +98,7 @@ pub(super) fn Plot(
         }
     };
     let point = move |event: PointerEvent| {
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        let over = target.and_then(|target| target.closest(".over").ok().flatten());
+        let over = dom::closest(&event, ".over");
         let area = over.map(|over| over.get_bounding_client_rect());
         let share = |area: DomRect| (f64::from(event.client_x()) - area.left()) / area.width();
         let part = area.map(|area| math::clamp(share(area), 0.0, 1.0));

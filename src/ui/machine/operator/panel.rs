@@ -89,8 +89,8 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
                 <div class="plate" class:gone=listed>
                     <Knob id="spindle-knob" label="page.spindle-override" value=spindle step=step action=Action::SpindleOverride />
                     <Knob id="feed-knob" label="page.feed-override" value=feed step=Signal::stored(10.0) action=Action::FeedOverride />
-                    <Presses />
-                    <Told />
+                    <LampButtons />
+                    <LastEffect />
                 </div>
                 {move || listed().then(|| view! { <OperatorList /> })}
             </div>
@@ -146,7 +146,7 @@ fn Knob(
 
 /// The lamp buttons.
 #[component]
-fn Presses() -> impl IntoView {
+fn LampButtons() -> impl IntoView {
     let page = Page::here();
     let waits = move || matches!(page.player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
     let runs = move || page.player.now.with(|now| now.mode) == Mode::Running;
@@ -213,7 +213,7 @@ fn Presses() -> impl IntoView {
 
 /// Program zero return on controls that have it, the effect of the last action, and the button that removes all actions.
 #[component]
-fn Told() -> impl IntoView {
+fn LastEffect() -> impl IntoView {
     let page = Page::here();
     let told = move || match page.player.changed.get() {
         told if told.is_empty() => t("page.operator-panel-hint").to_owned(),

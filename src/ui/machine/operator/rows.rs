@@ -103,7 +103,7 @@ pub(in crate::ui::machine) fn Row(
             "ArrowDown" => Some(at + 1).filter(|to| *to < list.count.get_untracked()),
             _ => return,
         };
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let target = dom::target(&event);
         // A list uses these keys itself.
         let column = target.filter(|target| target.tag_name() != "SELECT").and_then(|target| column_of(&target));
         if let (Some(to), Some(column)) = (to, column) {

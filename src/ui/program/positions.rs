@@ -32,7 +32,7 @@ fn cell(letter: String, mark: &'static str, value: impl Fn() -> Option<String> +
 
 /// Axes and spindle.
 #[component]
-pub(super) fn Now() -> impl IntoView {
+pub(super) fn Positions() -> impl IntoView {
     let page = Page::here();
     let axes = Memo::new(move |_| fitted(page));
     let now = page.player.now;
@@ -65,13 +65,13 @@ mod tests {
     async fn positions_have_the_axes_of_the_machine_and_the_spindle() {
         let names =
             |bench: &ViewBench| -> Vec<_> { bench.all("dt").iter().filter_map(|name| name.text_content()).collect() };
-        let bench = mount(|| view! { <Now /> }).await;
+        let bench = mount(|| view! { <Positions /> }).await;
         bench.run().await;
         // The E60 has Z and A too, the ribbon line has not.
         assert_eq!(names(&bench), ["X", "Y", "S"]);
         assert_eq!(bench.text("dd"), "0.000");
         let lathe = crate::project::Project::of("turning-spindle", Some("gsk-980tdc")).unwrap();
-        let bench = mount_project(lathe, || view! { <Now /> }).await;
+        let bench = mount_project(lathe, || view! { <Positions /> }).await;
         bench.run().await;
         assert_eq!(names(&bench), ["X Ø", "Z", "S"]);
     }
@@ -79,7 +79,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn work_that_the_plc_turns_has_its_speed() {
         let lathe = crate::project::Project::of("polygon-lathe", Some("knd-k2000t")).unwrap();
-        let bench = mount_project(lathe, || view! { <Now /> }).await;
+        let bench = mount_project(lathe, || view! { <Positions /> }).await;
         bench.run().await;
         bench.seek(8.0).await;
         settled().await;
@@ -89,7 +89,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn position_of_a_lathe_is_a_diameter() {
         let lathe = crate::project::Project::of("turning-spindle", Some("gsk-980tdc")).unwrap();
-        let bench = mount_project(lathe, || view! { <Now /> }).await;
+        let bench = mount_project(lathe, || view! { <Positions /> }).await;
         bench.run().await;
         bench.seek(0.0).await;
         settled().await;
@@ -100,7 +100,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn positions_follow_the_head() {
-        let bench = mount(|| view! { <Now /> }).await;
+        let bench = mount(|| view! { <Positions /> }).await;
         bench.run().await;
         bench.seek(3.5).await;
         settled().await;
