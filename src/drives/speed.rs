@@ -185,6 +185,13 @@ impl Steps {
         KnobEnds { higher: (percent < highest).then_some(highest), lower: (lowest < percent).then_some(lowest) }
     }
 
+    /// The lowest position that is at least a percentage; the highest where all are lower.
+    pub fn at_least(&self, percent: f64) -> f64 {
+        let steps =
+            if self.step > 0.0 { ((percent - self.low) / self.step).ceil() * self.step } else { percent - self.low };
+        crate::math::clamp(self.low + steps, self.low, self.high)
+    }
+
     /// The position nearest to a percentage.
     pub fn nearest(&self, percent: f64) -> f64 {
         let steps =

@@ -76,7 +76,7 @@ fn exported_text_reproduces_the_override_table() {
     for (percent, rpm, v314, f314, t314, v, f, t, volts) in table {
         let forms = [("3.14", v314, f314, t314), ("exact", v, f, t)];
         for (control, (pi, speed, feed, time)) in controls().iter().flat_map(|id| forms.map(|form| (id, form))) {
-            let mut project = ribbon_on(control, &[("pitch-count", 3.0), ("override", percent)]);
+            let mut project = ribbon_on(control, &[("pitch-count", 3.0), ("override", percent), ("knob-lowest", 10.0)]);
             if switched(&project, percent) != percent {
                 continue;
             }
@@ -216,7 +216,7 @@ proptest! {
         let mut project = ribbon_on(control, &[
             ("spindle-speed", f64::from(speed)), ("reduction-ratio", round(ratio)), ("press-roller-diameter", press), ("pitch", pitch),
             ("heads", f64::from(heads)), ("print-roller-diameter", roller), ("pitch-count", f64::from(count)),
-            ("pitches-per-block", f64::from(per_block)), ("override", f64::from(percent)),
+            ("pitches-per-block", f64::from(per_block)), ("override", f64::from(percent)), ("knob-lowest", 10.0),
             ("clamp-x", 1e6), ("clamp-y", 1e6), ("rapid-x", 1e6), ("rapid-y", 1e6), ("loop-capacity", 1e5), ("pinch-force", 2000.0),
         ]);
         choose(&mut project, "y-unit", if degrees { "degrees" } else { "mm" });

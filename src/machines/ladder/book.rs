@@ -128,6 +128,11 @@ impl<'a> Book<'a> {
         self.rung(Book::always(), RungAction::Compute { operator, left, right, to, width }, note);
     }
 
+    /// Compares a number with a constant in every scan.
+    pub fn below(&mut self, number: PlcNumber, than: i32, coil: Bit, note: &'static str) {
+        self.rung(Book::always(), RungAction::Below { number, than, coil }, note);
+    }
+
     /// Copies in every scan the entry of a table at the place of a number.
     pub fn convert(&mut self, from: PlcNumber, to: PlcNumber, table: [u8; PLACES], note: &'static str) {
         self.rung(Book::always(), RungAction::Convert { from, to, table }, note);

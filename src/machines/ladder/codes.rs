@@ -156,7 +156,7 @@ impl Book<'_> {
     /// The knob of the spindle override to the control.
     pub fn spindle_override(&mut self) {
         if self.has(SignalRole::SpindleOverrideCode) {
-            self.override_code();
+            self.override_code(0.0);
         } else {
             let register = PlcNumber::Signal(SignalRole::SpindleOverride);
             self.copy(PlcNumber::Knob, register, Book::always(), "turning.ladder.override");
@@ -164,8 +164,8 @@ impl Book<'_> {
         self.override_valid();
     }
 
-    /// The knob as the code of its nearest position, at most the highest and at least the lowest; returns the knob in tens of percent.
-    pub fn override_code(&mut self) -> PlcNumber {
+    /// The knob as the code of its nearest position from `lowest` (%) on, at most the highest; returns the knob in tens of percent.
+    pub fn override_code(&mut self, lowest: f64) -> PlcNumber {
         let [half, tens] = ["half", "tens"].map(PlcNumber::Data);
         self.compute(
             Operator::Add,
@@ -175,15 +175,15 @@ impl Book<'_> {
         );
         self.compute(Operator::Divide, [half, PlcNumber::Constant(10), tens], PlcWidth::Word, "plc.rung.override-tens");
         let rules = self.spindle_rules();
-        let code = override_table(&rules, |at| rules.override_codes.get(at).copied().unwrap_or(0));
+        let code = override_table(&rules, lowest, |at| rules.override_codes.get(at).copied().unwrap_or(0));
         self.convert(tens, PlcNumber::Signal(SignalRole::SpindleOverrideCode), code, "plc.rung.override-code");
         tens
     }
 
     /// The percentage that belongs to the code of [`override_code`](Book::override_code), from the same tens.
-    pub fn override_of_code(&mut self, tens: PlcNumber) -> PlcNumber {
+    pub fn override_of_code(&mut self, tens: PlcNumber, lowest: f64) -> PlcNumber {
         let (percent, knob) = (PlcNumber::Data("percent"), self.spindle_rules().knob);
-        let table = override_table(&self.spindle_rules(), |at| (knob.low + knob.step * at as f64) as u8);
+        let table = override_table(&self.spindle_rules(), lowest, |at| (knob.low + knob.step * at as f64) as u8);
         self.convert(tens, percent, table, "plc.rung.override-percent");
         percent
     }
@@ -399,8 +399,9 @@ impl Book<'_> {
     }
 }
 
-/// A table by tens of percent: the entry of the knob's position that is nearest to each.
-fn override_table(rules: &SpindleRules, entry: impl Fn(usize) -> u8) -> [u8; PLACES] {
+/// A table by tens of percent: the entry of the knob's position that is nearest to each, from `lowest` (%) on.
+fn override_table(rules: &SpindleRules, lowest: f64, entry: impl Fn(usize) -> u8) -> [u8; PLACES] {
     let knob = &rules.knob;
-    core::array::from_fn(|tens| entry(((knob.nearest(10.0 * tens as f64) - knob.low) / knob.step) as usize))
+    let position = |tens: usize| knob.nearest((10.0 * tens as f64).max(lowest));
+    core::array::from_fn(|tens| entry(((position(tens) - knob.low) / knob.step) as usize))
 }

@@ -266,6 +266,15 @@ pub enum RungAction {
         /// Entries.
         table: [u8; PLACES],
     },
+    /// The coil is on while the condition holds and the number is smaller than the constant.
+    Below {
+        /// The number.
+        number: PlcNumber,
+        /// The constant.
+        than: i32,
+        /// The coil.
+        coil: Bit,
+    },
     /// M functions `first` to `first + 7` follow the M code while the condition holds; all are off while it does not.
     Decode {
         /// The first of eight M functions.
@@ -362,7 +371,7 @@ impl Rung {
     /// The coil of the rung.
     pub fn coil(&self) -> Option<Bit> {
         match self.action {
-            RungAction::Coil(bit) => Some(bit),
+            RungAction::Coil(bit) | RungAction::Below { coil: bit, .. } => Some(bit),
             _ => None,
         }
     }
@@ -380,6 +389,7 @@ impl Rung {
         match self.action {
             RungAction::Move { from, .. } | RungAction::Convert { from, .. } => vec![from],
             RungAction::Compute { left, right, .. } => vec![left, right],
+            RungAction::Below { number, .. } => vec![number],
             RungAction::Decode { .. } => vec![PlcNumber::Signal(SignalRole::MCode)],
             _ => Vec::new(),
         }
@@ -389,7 +399,7 @@ impl Rung {
     pub fn bits(&self) -> Vec<Bit> {
         let mut all: Vec<Bit> = self.when.iter().flatten().map(|contact| contact.bit).collect();
         match self.action {
-            RungAction::Coil(bit) => all.push(bit),
+            RungAction::Coil(bit) | RungAction::Below { coil: bit, .. } => all.push(bit),
             RungAction::Timer(name, _) => all.push(Bit::Timer(name)),
             _ => {}
         }

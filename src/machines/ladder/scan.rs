@@ -75,6 +75,10 @@ impl Ladder {
             let holds = rung.holds(image);
             match rung.action {
                 RungAction::Coil(bit) => image.set(bit, holds),
+                RungAction::Below { number, than, coil } => {
+                    let is_below = image.number(number) < f64::from(than);
+                    image.set(coil, holds && is_below);
+                }
                 RungAction::Timer(name, ms) => {
                     let since = image.time(name, t, holds);
                     image.set(Bit::Timer(name), since.is_some_and(|since| t >= since + seconds(ms)));

@@ -83,6 +83,10 @@ impl Ladder {
                 self.computed(operator, [left, right, to], width)
             }
             RungAction::Convert { from, to, table } => vec![self.converted(from, to, &table)],
+            RungAction::Below { number, than, coil: to } => {
+                let compared = self.compared(number, than);
+                compared.into_iter().chain([coil(to)]).collect()
+            }
             RungAction::Decode { first } => self.decoded(rung, first),
         }
     }
@@ -157,6 +161,25 @@ impl Ladder {
                 let kind = if width == PlcWidth::DoubleWord { 'D' } else { 'I' };
                 vec![self.moved(words[0], words[2], width), format!("{sign}{kind} {right}, {to}")]
             }
+        }
+    }
+
+    /// Contacts that close while a number is smaller than a constant. Source: `reference/plc.md`, section 4.
+    fn compared(&self, number: PlcNumber, than: i32) -> Vec<String> {
+        let (left, right) = (self.operand(number), self.operand(PlcNumber::Constant(than)));
+        match self.language {
+            // The comparison sets a bit of the register for results, where the first number is the smaller one.
+            PlcLanguage::Pmc | PlcLanguage::Gsk => {
+                let sub = if self.language == PlcLanguage::Pmc { "SUB 32 " } else { "" };
+                let load = words(self.language).load[0];
+                vec![
+                    format!("{sub}COMPB {} {left} {right}", self.bytes(number, PlcWidth::Word)),
+                    format!("{load} R9000.1"),
+                ]
+            }
+            PlcLanguage::Melsec => vec![format!("AND< {left} {right}")],
+            // Numbers are whole: smaller than 50 is at most 49.
+            PlcLanguage::Step7 => vec![format!("AW<= {left}, {}", self.operand(PlcNumber::Constant(than - 1)))],
         }
     }
 

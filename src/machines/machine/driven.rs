@@ -72,6 +72,10 @@ pub trait DrivenMachine {
     fn highest_knob(&self) -> f64 {
         f64::INFINITY
     }
+    /// Lowest position (%) of the spindle override at which the machine is operated.
+    fn lowest_knob(&self) -> f64 {
+        LOWEST_KNOB
+    }
     /// Mean time (s) of changes of material that a part takes beside the pause.
     fn change_time(&self) -> f64 {
         0.0

@@ -132,8 +132,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         rotor: 0.0,
         gear: is_geared(line.params.reduction_ratio).then(|| unwinder_gear(line)),
         full: Some(FullSignal { frequency: line.params.frequency_at_10v, no_load: line.params.no_load_speed }),
-        cooled_at: (!line.params.unwinding.forced_cooling)
-            .then_some(line.slow.unwinder.actual.min(line.derived.unwinder.actual)),
+        cooled_at: (!line.params.unwinding.forced_cooling).then_some(line.slow.unwinder.actual),
         fields: Some(&UNWINDER),
     }
 }

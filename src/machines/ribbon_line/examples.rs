@@ -51,8 +51,8 @@ pub(super) const EXAMPLES: &[Example] = &[
         id: "matched",
         name: "ribbon.example.matched",
         about: "ribbon.example.matched.about",
-        // The blocks read ahead lay 540 mm when the knob goes from 10 % to 100 %.
-        // A turn back to 50 % takes 36 mm, which the ribbon stretches before the nip has half of what it holds.
+        // The blocks read ahead lay 88 mm when the knob goes from 50 % to its highest position.
+        // A turn back takes 36 mm, which the ribbon stretches before the nip has half of what it holds.
         entries: matched![("dancer", "true"), ("dwell", "0.7"), ("loop-capacity", "600"), ("pinch-force", "200")],
         faults: &[],
     },

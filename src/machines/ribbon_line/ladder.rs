@@ -54,9 +54,9 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     book.override_valid();
     if book.has(SignalRole::SpindleOverrideCode) {
         // A code has steps of 10 %, which the program gets, too.
-        let tens = book.override_code();
+        let tens = book.override_code(line.lowest_position());
         if line.override_macro_input().is_some() {
-            knob = book.override_of_code(tens);
+            knob = book.override_of_code(tens, line.lowest_position());
         }
     } else {
         let step = p.knob_step.percent();
@@ -69,6 +69,9 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
             book.compute(Operator::Divide, [half, step, steps], PlcWidth::Word, "ribbon.ladder.divide");
             book.compute(Operator::Multiply, [steps, step, percent], PlcWidth::Word, "ribbon.ladder.multiply");
             knob = percent;
+        }
+        if !p.knob_is_locked() {
+            knob = from_the_lowest(book, line, knob);
         }
         if p.knob_is_locked() {
             book.copy(knob, register, vec![vec![off(STARTED)]], "ribbon.ladder.override");
@@ -103,6 +106,19 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     if book.has(high) {
         book.copy(PlcNumber::Constant(0), PlcNumber::Signal(high), Book::always(), "ribbon.ladder.high");
     }
+}
+
+/// The knob from the lowest position of the line on: a lower one is raised to it, 0 stops the line.
+fn from_the_lowest(book: &mut Book, line: &RibbonLine, knob: PlcNumber) -> PlcNumber {
+    let [low, zero, raised] = ["knob-low", "knob-zero", "knob-raised"].map(Bit::Relay);
+    let limited = PlcNumber::Data("limited");
+    let lowest = line.lowest_position() as i32;
+    book.below(knob, lowest, low, "ribbon.ladder.knob-low");
+    book.below(knob, 1, zero, "ribbon.ladder.knob-zero");
+    book.coil(raised, vec![vec![on(low), off(zero)]], "ribbon.ladder.knob-raised");
+    book.copy(knob, limited, vec![vec![off(raised)]], "ribbon.ladder.knob-free");
+    book.copy(PlcNumber::Constant(lowest), limited, vec![vec![on(raised)]], "ribbon.ladder.knob-lowest");
+    limited
 }
 
 /// M3 and M4 are done when the inverter reports the speed; it may report speed 0 as reached until it sees the new one.

@@ -139,7 +139,7 @@ impl Prepared for RibbonLine {
     }
 
     fn panel(&self) -> PanelSetup {
-        let percent = if self.params.knob_is_locked() { 100.0 } else { self.form.override_percent };
+        let percent = if self.params.knob_is_locked() { 100.0 } else { self.start_position() };
         PanelSetup { spindle_override: Some(percent), override_step: self.form.knob_step.percent() }
     }
 
@@ -215,6 +215,10 @@ impl DrivenMachine for RibbonLine {
 
     fn highest_knob(&self) -> f64 {
         self.highest_position()
+    }
+
+    fn lowest_knob(&self) -> f64 {
+        self.lowest_position()
     }
 
     fn change_time(&self) -> f64 {

@@ -8,6 +8,7 @@ use crate::machines::driven::site;
 use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, pause, text};
+use crate::machines::machine::LOWEST_KNOB;
 use crate::{member, options};
 
 /// The axis that pulls the ribbon.
@@ -210,6 +211,7 @@ pub(crate) struct Params {
     pub override_percent: f64,
     pub override_form: OverrideForm,
     pub knob_step: KnobStep,
+    pub knob_lowest: f64,
     pub knob_use: KnobUse,
     /// Whether the override is typed, because the control has no macro input with the knob. Not a field: it follows
     /// from the control.
@@ -414,6 +416,11 @@ impl Params {
         override_input(control).is_none()
     }
 
+    /// The knob acts in automatic: the PLC does not lock it at 100 %.
+    pub(super) fn has_live_knob(&self, control: &Control) -> bool {
+        !self.types_override(control) || self.knob_use == KnobUse::Free
+    }
+
     /// A block can end in an exact stop.
     pub(super) fn stops_exactly(&self, control: &Control) -> bool {
         control.can(Code::ExactStop) || control.can(Code::ExactStopOnce)
@@ -451,6 +458,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
         .when(Params::has_final_speed_signal),
     choice("knob-step", member!(Params.knob_step: KnobStep)).group("ribbon.group.unwinder").label("ribbon.knob-step").help("ribbon.knob-step.help"),
+    number("knob-lowest", member!(Params.knob_lowest)).group("ribbon.group.unwinder").label("ribbon.knob-lowest").help("ribbon.knob-lowest.help")
+        .unit("%").range(LOWEST_KNOB..=100.0).default(50.0).decimals(0).step(10.0).setting()
+        .when(Params::has_live_knob),
     choice("knob-use", member!(Params.knob_use: KnobUse)).group("ribbon.group.unwinder").label("ribbon.knob-use").help("ribbon.knob-use.help")
         .when(Params::types_override),
     number("manual-speed", member!(Params.manual_speed)).group("ribbon.group.unwinder").label("ribbon.manual-speed").help("ribbon.manual-speed.help").symbol("S")

@@ -34,7 +34,7 @@ pub(crate) struct RibbonLine {
     pub(super) derived: Derived,
     /// Results with the override knob at its highest position; equal to `derived` if the line is at rest.
     pub(super) fast: Derived,
-    /// Results with the override knob at its lowest position; equal to `derived` if the line does not run there.
+    /// Results with the override knob at the lowest position of the line; equal to `derived` if the line is at rest.
     pub(super) slow: Derived,
     /// Mechanics of the drives, and the same with the knob at its highest position.
     pub(super) mechanics: Mechanics,
@@ -65,9 +65,11 @@ impl RibbonLine {
         }
         params.typed_override = form.types_override(control);
         let knob = dialect.spindle().knob;
+        params.knob_lowest = params.knob_lowest.max(knob.low);
         if dialect.device(control, SignalRole::SpindleOverrideCode).is_some() {
             // An override code has fixed positions; no other value reaches spindle or program.
             (params.override_percent, params.knob_step) = (knob.nearest(params.override_percent), KnobStep::Ten);
+            params.knob_lowest = knob.at_least(params.knob_lowest);
         }
         let [derived, fast, slow] = derive_over_knob(&params, knob, &control.analog_output);
         let tautest = greatest([&derived, &fast, &slow], |at| at.tension.greatest(&params));
@@ -108,14 +110,15 @@ impl RibbonLine {
         highest(self.dialect.spindle().knob)
     }
 
-    /// Frequency (Hz) of the unwinder's motor at the lowest position of the knob at which it turns, at most the present one.
-    pub(super) fn lowest_frequency(&self) -> f64 {
-        let (params, now) = (&self.params, self.derived.unwinder.frequency);
-        if now <= 0.0 || params.knob_is_locked() {
-            return now;
-        }
-        let lowest = self.dialect.spindle().knob.lowest_turning() / 100.0;
-        now.min(params.frequency_at_10v * params.spindle_speed * lowest / params.speed_at_10v)
+    /// Lowest position (%) of the knob at which the line runs.
+    pub(super) fn lowest_position(&self) -> f64 {
+        self.params.knob_lowest
+    }
+
+    /// Position (%) to which the knob is set at the start: the form's, from the lowest one of the line on.
+    pub(super) fn start_position(&self) -> f64 {
+        let percent = self.form.override_percent;
+        if percent > 0.0 { percent.max(self.lowest_position()) } else { percent }
     }
 
     /// Positions and sizes in the drawing.
@@ -253,7 +256,7 @@ fn highest(knob: Steps) -> f64 {
 }
 
 /// Results of the formulas with the knob as it is, at its highest and at its lowest position. A locked knob has no other position, a line
-/// at standstill neither; at a lowest position of 0 % the line is at rest, and the present results are used.
+/// at standstill neither.
 fn derive_over_knob(params: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..params.clone() }, output);
     let now = Derived::new(params, output);
@@ -261,6 +264,7 @@ fn derive_over_knob(params: &Params, knob: Steps, output: &AnalogOutput) -> [Der
         return [now.clone(), now.clone(), now];
     }
     let fast = at(highest(knob).max(params.override_percent));
-    let slow = if knob.low > 0.0 { at(knob.low.min(params.override_percent)) } else { now.clone() };
+    // The PLC raises one step of the knob to the lowest position, which may be between two steps.
+    let slow = at(params.knob_step.percent());
     [now, fast, slow]
 }

@@ -4,7 +4,7 @@
 //! spindle, with the knob at the form's position and near both of its ends; formulas check these runs, see `tests/it/sizing`.
 
 use super::choice::ampere_per_torque;
-use super::runs::{SizingRuns, WholeRun, finish, plan};
+use super::runs::{KnobRange, SizingRuns, WholeRun, finish, plan};
 use crate::drives::shaft_motion::OperatingPoint;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
 use crate::machines::sheets::say;
@@ -254,9 +254,7 @@ struct Envelope<'a> {
 impl Envelope<'_> {
     /// The worst rows of an event over the positions of the knob.
     fn rows(&self, event: OperatingEvent) -> Vec<EnvelopeRow> {
-        // The knob is turned from the form's position, and up to it from the lowest one.
         let runs = self.runs.all().filter(|whole| match event {
-            OperatingEvent::Knob => whole.knob.is_none_or(|percent| percent < self.present_position()),
             OperatingEvent::SpeedChange => whole.knob.is_none(),
             _ => true,
         });
@@ -298,12 +296,21 @@ impl Envelope<'_> {
                 rows
             }
             OperatingEvent::Knob => {
-                let Some((low, high)) = self.runs.knob else { return Vec::new() };
+                let Some(KnobRange { low, high, stop }) = self.runs.knob else { return Vec::new() };
+                let from = whole.knob.unwrap_or(self.present_position());
                 let turn = |percent| vec![(at, Action::SpindleOverride(percent))];
-                match whole.knob {
-                    None => worst([low, high].map(|percent| self.handled(event, whole, turn(percent), SPAN))),
-                    Some(_) => self.settled(event, whole, turn(self.present_position())),
-                }
+                let down = stop.into_iter().chain([low]).filter(|percent| *percent < from);
+                let down = down.map(|percent| self.handled(event, whole, turn(percent), SPAN));
+                // From the lowest position the blocks read ahead take long.
+                let up = |percent| {
+                    let actions = turn(percent);
+                    if from <= low {
+                        self.settled(event, whole, actions)
+                    } else {
+                        self.handled(event, whole, actions, SPAN)
+                    }
+                };
+                worst(down.chain((from < high).then(|| up(high))))
             }
             OperatingEvent::FeedKnob => {
                 let Some((low, high)) = self.runs.feed else { return Vec::new() };
@@ -319,7 +326,7 @@ impl Envelope<'_> {
                 )
             }
             OperatingEvent::SpeedChange => {
-                let Some((low, high)) = self.runs.knob else { return Vec::new() };
+                let Some(KnobRange { low, high, .. }) = self.runs.knob else { return Vec::new() };
                 let now = self.present_position();
                 let next = if now + TURN <= high { now + TURN } else { (now - TURN).max(low) };
                 let [there, back] = [next, now].map(Action::SpindleOverride);

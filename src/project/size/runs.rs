@@ -3,7 +3,6 @@
 use crate::drives::shaft_motion::Motion;
 use crate::drives::speed::Steps;
 use crate::machines::driven::{DrivenAxis, SpindleRun};
-use crate::machines::machine::LOWEST_KNOB;
 use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, Stretch};
 use crate::msg;
@@ -68,6 +67,17 @@ impl CutRun {
     }
 }
 
+/// Positions (%) of the spindle override in operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct KnobRange {
+    /// The lowest at which the machine is operated.
+    pub(super) low: f64,
+    /// The highest.
+    pub(super) high: f64,
+    /// The position 0, where the knob has it: it stops the spindle.
+    pub(super) stop: Option<f64>,
+}
+
 /// The runs of a program without actions of the operator: at the form's position of the knob, and with the knob at other positions from the
 /// start on.
 #[derive(Debug)]
@@ -78,8 +88,8 @@ pub struct SizingRuns {
     pub(super) slow: Option<WholeRun>,
     /// At the highest position of the knob, if that is another one.
     pub(super) fast: Option<WholeRun>,
-    /// Least and greatest position of the spindle override, %.
-    pub(super) knob: Option<(f64, f64)>,
+    /// Positions of the spindle override in operation.
+    pub(super) knob: Option<KnobRange>,
     /// With the feed override at its highest position, at each of these positions of the knob.
     pub(super) fed: Vec<WholeRun>,
     /// Least and greatest position of the feed override (%), where it acts on the cut.
@@ -190,9 +200,10 @@ impl SizingRuns {
         let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
         let Steps { low, high, .. } = project.control_context().dialect().spindle().knob;
-        let high = high.min(prepared.highest_knob());
+        let stop = (low <= 0.0).then_some(low);
+        let (low, high) = (low.max(prepared.lowest_knob()), high.min(prepared.highest_knob()));
         let other = |percent: f64| Some(percent).filter(|_| now.is_some_and(|now| now != percent));
-        let (lowest, highest) = (other(low.max(LOWEST_KNOB)), other(high));
+        let (lowest, highest) = (other(low), other(high));
         let at = |knob: Option<f64>, feed: Option<f64>| WholeRun::new(&prepared, begun.clone(), knob, feed);
         let feed = prepared.with_highest_feed().map(|(highest, _)| (project.control.feed_knob.positions.low, highest));
         let at_feed = |(_, highest_feed): (f64, f64)| {
@@ -203,7 +214,7 @@ impl SizingRuns {
             present: at(None, None),
             slow: lowest.map(|percent| at(Some(percent), None)),
             fast: highest.map(|percent| at(Some(percent), None)),
-            knob: now.map(|_| (low, high)),
+            knob: now.map(|_| KnobRange { low, high, stop }),
             fed: feed.map_or_else(Vec::new, at_feed),
             feed,
         }

@@ -135,8 +135,8 @@ mod tests {
     #[wasm_bindgen_test]
     async fn repair_makes_every_result_hold_in_one_step() {
         let bench = failing().await;
-        assert!(bench.text(".repairs p").contains(&sentence(&crate::msg!("page.results-fail", count = 8_u32))));
-        bench.page.notices.confirm_as(Tone::Warn, "8 results fail".to_owned());
+        assert!(bench.text(".repairs p").contains(&sentence(&crate::msg!("page.results-fail", count = 9_u32))));
+        bench.page.notices.confirm_as(Tone::Warn, "9 results fail".to_owned());
         bench.worker.answer_here(answer);
         bench.press(".repairs button").await;
         settled().await;
@@ -144,7 +144,7 @@ mod tests {
         assert!(bench.text(".ways-out li .dim").contains(t("ribbon.readout.surface-ratio")));
         bench.press(".ways-out button").await;
         settled().await;
-        assert!(!bench.has(".repairs") && !bench.notices().contains(&"8 results fail".to_owned()));
+        assert!(!bench.has(".repairs") && !bench.notices().contains(&"9 results fail".to_owned()));
         assert!(bench.notices().iter().any(|notice| notice.contains("47")), "{:?}", bench.notices());
         bench.page.undo();
         settled().await;

@@ -44,15 +44,15 @@ fn quantity_nearest_its_limit_and_quantities_beyond_are_named() {
     let within = sized(&project).sections();
     let within = section(&within, "envelope");
     assert_eq!(within.verdict, Verdict::Ok);
-    assert!(within.answer.contains("Nearest: Loop 522.4 mm of 600 mm"), "{}", within.answer);
-    project.values.insert("loop-capacity".to_owned(), Value::Number(300.0));
+    assert!(within.answer.contains("Nearest: Loop 222.7 mm of 600 mm"), "{}", within.answer);
+    project.values.insert("loop-capacity".to_owned(), Value::Number(200.0));
     let sizing = sized(&project);
     let beyond = sizing.sections();
     let beyond = section(&beyond, "envelope");
     assert_eq!(beyond.verdict, Verdict::Fail);
     assert!(beyond.answer.starts_with("Beyond the limit: Loop: "), "{}", beyond.answer);
     let worst = beyond.sheets[0].rows.iter().find(|row| row.cells[0] == "Loop").unwrap();
-    assert!(worst.cells[1].starts_with("✕ ") && worst.cells[2] == "≤ 300 mm", "{:?}", worst.cells);
+    assert!(worst.cells[1].starts_with("✕ ") && worst.cells[2] == "≤ 200 mm", "{:?}", worst.cells);
 }
 
 #[test]

@@ -68,10 +68,11 @@ impl Params {
         self.typed_override && self.knob_use == KnobUse::Free && !follows
     }
 
-    /// Override (%) that the PLC puts out: the knob rounded to its step.
+    /// Override (%) that the PLC puts out: the knob rounded to its step, from the lowest position of the line on; a knob at 0 stops the line.
     pub(in crate::machines::ribbon_line) fn override_stepped(&self) -> f64 {
         let step = self.knob_step.percent();
-        (self.override_percent / step).round() * step
+        let stepped = (self.override_percent / step).round() * step;
+        if stepped > 0.0 && !self.knob_is_locked() { stepped.max(self.knob_lowest) } else { stepped }
     }
 
     /// Highest speed in r/min that the analog output can give: the clamp, or 10 V.

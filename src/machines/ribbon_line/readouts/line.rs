@@ -271,13 +271,14 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| slack::worst_loop(line).slack.loop_needed, ..ReadoutRow::BASE
     },
     ReadoutRow {
-        id: "knob-turn", label: "ribbon.readout.knob-turn", unit: "%", decimals: 1,
-        formula: "q = (1 + blocks read ahead) · pitches · #107; greater of highest / (1 + (loop capacity - |start| - |run|) / q) and highest · (1 - (least of start and run + ribbon missing at the tension switch) / q)",
-        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::lowest_turn, ..ReadoutRow::BASE
+        id: "missing-turned", label: "ribbon.readout.missing-turned", unit: "mm", decimals: 1,
+        formula: "q · (1 - v lowest / v highest), the knob at its lowest and highest position, q = (1 + blocks read ahead) · pitches · #107; to a position 0 at least q - v lowest · (ramp / 2 - τ / 2 - 1 / Kx), or q² / (2 · v lowest · ramp) + v lowest · (τ / 2 + 1 / Kx) where q is shorter than v lowest · ramp",
+        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::missing_by_turn_down,
+        shown: slack::turns_with_queue, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "loop-turned", label: "ribbon.readout.loop-turned", unit: "mm", decimals: 1,
-        formula: "|start| + |run| + q · (v / v with the knob at its lowest - 1), q = (1 + blocks read ahead) · pitches · #107",
+        formula: "|start| + |run| + |stop| + q · (v highest / v lowest - 1), the knob at its highest and lowest position, q = (1 + blocks read ahead) · pitches · #107",
         cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::loop_for_turn,
         shown: slack::turns_with_queue, ..ReadoutRow::BASE
     },

@@ -164,7 +164,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
 /// is weakest at its highest.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.params);
-    let (slow, fast) = (line.lowest_frequency(), line.fast.unwinder.frequency);
+    let (slow, fast) = (line.slow.unwinder.frequency, line.fast.unwinder.frequency);
     let (most, at_fast) = (p.unwinding.continuous(slow), p.unwinding.continuous(fast));
     let limit = AtMost(most.min(at_fast));
     if limit.holds(torque) {

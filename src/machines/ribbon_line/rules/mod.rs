@@ -117,7 +117,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-scaling-drift", coordinates::scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("y-scaling-drift", coordinates::scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
-    Rule::new("knob-turn", slack::knob_turn, Citation::new("ribbon line facts, 5", Grade::Inferred)),
+    Rule::new("missing-turned", slack::turn_down, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("loop-turned", slack::turn_up, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("stop-room", tension_switch::stops_in_time, CONTACTS),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
@@ -171,6 +171,10 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         let message =
             msg!("ribbon.feed-below-increment", feed = (d.feeds.vector_feed, 6), step = limits.feed_increment);
         found.push(Diagnostic::error(message).about("spindle-speed"));
+    }
+    if (1.0..p.knob_lowest).contains(&line.form.override_percent) && !p.knob_is_locked() {
+        let message = msg!("ribbon.knob-raised", percent = line.form.override_percent, lowest = p.knob_lowest);
+        found.push(Diagnostic::info(message).about("override"));
     }
     found.extend(coordinates::long_blocks(line));
     if has_no_time(line) {

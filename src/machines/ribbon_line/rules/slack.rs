@@ -2,7 +2,6 @@
 
 use crate::controls::Code;
 use crate::machines::form::entry::{NumberEntry, at_least, nearest};
-use crate::machines::machine::LOWEST_KNOB;
 use crate::machines::ribbon_line::derive::{Derived, greatest, least_dwell};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wait};
 use crate::machines::ribbon_line::resolved::RibbonLine;
@@ -165,21 +164,13 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     fail(limit, advice)
 }
 
-/// Lowest position (%) of an override knob in common use: the knobs of the makers' panels begin there. Source: ribbon line facts, 5.
-const LOW_KNOB: f64 = 50.0;
-
 /// Ribbon (mm) of the running block and of those that the control has read ahead: they keep the F of the old position of the knob.
 fn queued(p: &Params) -> f64 {
     (p.preread + 1.0) * p.block_pitches() * p.pitch
 }
 
-/// Ribbon (mm) that start and run lay into the loop, at the worst position of the knob.
-fn laid_so_far(line: &RibbonLine) -> f64 {
-    greatest(line.over_knob(), |d| d.slack.start.abs() + d.slack.run.abs())
-}
-
-/// Ribbon (mm) that X may pull ahead of the unwinder until the tension switch opens: the least that start and run have
-/// laid, and the missing ribbon at which the switch opens.
+/// Ribbon (mm) that X may pull ahead of the unwinder until the tension switch opens: the least that a start has laid, and the missing
+/// ribbon at which the switch opens.
 fn may_go_missing(line: &RibbonLine) -> f64 {
     (least_laid_by_start(line) + TensionSwitch::new(line).missing).max(0.0)
 }
@@ -190,118 +181,152 @@ fn least_laid_by_start(line: &RibbonLine) -> f64 {
     laid.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// Lowest positions (%) of the knob for one turn between them and its highest.
-#[derive(Default)]
-struct LowestTurns {
-    /// From here one turn up does not overfill the loop.
-    up: f64,
-    /// One turn down to here does not open the tension switch.
-    down: f64,
-}
-
-/// The lowest positions for a turn of the knob; `None` if the axes follow the unwinder at once, if the knob does not
-/// act on it, or without a loop.
-///
-/// The unwinder follows the knob, the queued blocks keep their feed: `queued · (highest / k - 1)` is laid more than pulled, or
-/// `queued · (1 - k / highest)` pulled more than laid. Source: ribbon line facts, 5.
-fn lowest_turns(line: &RibbonLine) -> Option<LowestTurns> {
-    let p = &line.params;
-    if line.feeds_per_revolution() || p.knob_is_locked() || p.knob_turns_alone() || p.loop_capacity <= 0.0 {
-        return None;
-    }
-    let (highest, queued) = (line.fast.unwinder.effective_override, queued(p));
-    let room = (p.loop_capacity - laid_so_far(line)).max(0.0);
-    let up = highest / (1.0 + room / queued);
-    let down = highest * (1.0 - may_go_missing(line) / queued).max(0.0);
-    Some(LowestTurns { up, down })
-}
-
-/// Lowest position (%) of the knob for a single turn to or from its highest position.
-pub(in crate::machines::ribbon_line) fn lowest_turn(line: &RibbonLine) -> f64 {
-    lowest_turns(line).map_or(0.0, |turns| turns.up.max(turns.down))
-}
-
-/// Judges a turn of the knob between the lowest position in common use and its highest.
-pub(in crate::machines::ribbon_line) fn knob_turn(line: &RibbonLine) -> Option<Judgement> {
-    let (p, highest) = (&line.params, line.fast.unwinder.effective_override);
-    // The knob may end below that position.
-    let low = LOW_KNOB.min(highest);
-    let limit = AtMost(low);
-    let LowestTurns { up, down } = lowest_turns(line).unwrap_or_default();
-    let mut advice = Vec::new();
-    let (queued, ends) = (queued(p), ((low, 0), (highest, 0)));
-    if up > low {
-        let laid = queued * (highest / low - 1.0);
-        let (of_queue, all) = ((queued, 0), (laid, 0));
-        let message = if up < highest {
-            msg!("ribbon.knob-queue", queued = of_queue, low = ends.0, high = ends.1, laid = all, least = (up, 1))
-        } else {
-            msg!("ribbon.knob-queue-never", queued = of_queue, low = ends.0, high = ends.1, laid = all)
-        };
-        advice.push(with_loop(message.into(), laid_so_far(line) + laid, Vec::new()));
-    }
-    if down > low {
-        let missing = queued * (1.0 - low / highest);
-        let message = msg!(
-            "ribbon.knob-starves",
-            queued = (queued, 0),
-            low = ends.0,
-            high = ends.1,
-            missing = (missing, 0),
-            kept = (missing - may_go_missing(line), 0),
-            least = (down, 1)
-        );
-        advice.push(with_pinch(line, message, missing - least_laid_by_start(line)));
-    }
-    if advice.is_empty() { ok(limit) } else { warn(limit, advice) }
-}
-
-/// Whether a turn of the knob lays ribbon: the unwinder follows the knob at once, the blocks read ahead keep their
-/// feed.
+/// Whether one turn of the knob lays ribbon: the unwinder follows it at once, and the queued blocks keep their feed.
 pub(in crate::machines::ribbon_line) fn turns_with_queue(line: &RibbonLine) -> bool {
     let p = &line.params;
     !line.feeds_per_revolution() && !p.knob_is_locked() && !p.knob_turns_alone() && line.derived.unwinder.actual > 0.0
 }
 
-/// Ribbon (mm) laid beyond the pull of X by a turn of the knob from its lowest position in a run to that of the form,
-/// `queued · (v / v_low - 1)`, and that lowest position, %. Source: ribbon line facts, 5.
-fn laid_by_turn_up(line: &RibbonLine) -> (f64, f64) {
-    let (p, now) = (&line.params, line.derived.unwinder.actual);
-    let lowest = line.dialect.spindle().knob.low.max(LOWEST_KNOB);
-    (queued(p) * (now / p.speed_at(lowest) - 1.0).max(0.0), lowest)
+/// Speed of the unwinder with the knob at its highest position over that at its lowest: `k_high / k_low`.
+fn turn_ratio(line: &RibbonLine) -> f64 {
+    line.fast.unwinder.actual / line.slow.unwinder.actual
 }
 
-/// Loop capacity (mm) for start, run and one turn of the knob from its lowest position to that of the form.
+/// Ribbon (mm) that one turn of the knob from its lowest position to its highest lays more than X pulls: `q · (k_high / k_low - 1)`.
+/// Source: ribbon line facts, 5.
+fn laid_by_turn_up(line: &RibbonLine) -> f64 {
+    queued(&line.params) * (turn_ratio(line) - 1.0)
+}
+
+/// Ribbon (mm) that one turn of the knob from its highest position to its lowest pulls more than is laid: `q · (1 - k_low / k_high)`.
+/// Source: ribbon line facts, 5.
+fn missing_at_lowest(line: &RibbonLine) -> f64 {
+    queued(&line.params) * (1.0 - 1.0 / turn_ratio(line))
+}
+
+/// Ribbon (mm) that a turn to 0, where the knob has it, pulls more than is laid: the unwinder stops over its ramp `t_r` while X carries out the queue at the speed `v`,
+/// `q - v · t_r / 2`, or `q² / (2 · v · t_r)` where the queue is shorter than the ramp, and makes up its lag, `v · (τ / 2 + 1 / K)`. Most from
+/// the lowest position. Source: ribbon line facts, 5.
+fn missing_at_zero(line: &RibbonLine) -> f64 {
+    if line.dialect.spindle().knob.low > 0.0 {
+        return 0.0;
+    }
+    let (p, queued) = (&line.params, queued(&line.params));
+    let ramp = p.inverter_ramp * line.slow.unwinder.actual / p.speed_at_10v;
+    let speed = line.slow.feeds.line_speed / 60.0;
+    let (stop, lag) = (speed * ramp, speed * (p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x));
+    lag + if queued < stop { queued * queued / (2.0 * stop) } else { queued - stop / 2.0 }
+}
+
+/// Ribbon (mm) that one turn of the knob down pulls more than is laid, from its highest position to its lowest or to 0; 0 where a turn lays
+/// none.
+pub(in crate::machines::ribbon_line) fn missing_by_turn_down(line: &RibbonLine) -> f64 {
+    if turns_with_queue(line) { missing_at_lowest(line).max(missing_at_zero(line)) } else { 0.0 }
+}
+
+/// Ribbon (mm) that start, run and stop lay into the loop, at the worst position of the knob.
+fn laid_to_the_end(line: &RibbonLine) -> f64 {
+    greatest(line.over_knob(), |d| d.slack.start.abs() + d.slack.run.abs() + d.slack.stop.abs())
+}
+
+/// Loop (mm) that takes a product in which the knob is turned once from its lowest position to its highest: the loop keeps the ribbon of
+/// the turn, and the stop at the end adds its own. Source: ribbon line facts, 5.
 pub(in crate::machines::ribbon_line) fn loop_for_turn(line: &RibbonLine) -> f64 {
-    laid_so_far(line) + laid_by_turn_up(line).0
+    laid_to_the_end(line) + laid_by_turn_up(line)
 }
 
-/// Judges one turn of the knob up from its lowest position as the operating envelope does: the loop has to take its ribbon.
+/// Judges one turn of the knob up, as the operating envelope does: the loop has to take its ribbon.
 pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Judgement> {
     let (p, needed) = (&line.params, loop_for_turn(line));
     let limit = AtMost(p.loop_capacity);
     if needed <= p.loop_capacity {
         return ok(limit);
     }
-    let (laid, lowest) = laid_by_turn_up(line);
+    let (laid, room) = (laid_by_turn_up(line), p.loop_capacity - laid_to_the_end(line));
     let message = msg!(
         "ribbon.knob-fills-loop",
-        low = (lowest, 0),
-        high = (line.derived.unwinder.effective_override, 0),
+        low = (line.slow.unwinder.effective_override, 0),
+        high = (line.fast.unwinder.effective_override, 0),
         laid = (laid.ceil(), 0),
         queued = (queued(p), 0),
-        before = (laid_so_far(line).ceil(), 0),
+        before = (laid_to_the_end(line).ceil(), 0),
         capacity = (p.loop_capacity, 0)
     );
     let longer = with_loop(message.into(), needed, Vec::new());
-    fail(limit, [longer].into_iter().chain(fewer_pitches(line, laid)).collect::<Vec<_>>())
+    let lowest = line.fast.unwinder.effective_override / (1.0 + room.max(0.0) / queued(p));
+    let others = [higher_lowest(line, lowest), fewer_pitches(line, room / laid)];
+    fail(limit, [longer].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
 }
 
-/// The greatest number of pitches per block at which the loop takes a turn of the knob that lays `laid` mm now; none where one is too many.
-fn fewer_pitches(line: &RibbonLine, laid: f64) -> Option<Advice> {
+/// Judges one turn of the knob down, as the operating envelope does: its ribbon comes from the loop and from the stretch at which the tension
+/// switch opens.
+pub(in crate::machines::ribbon_line) fn turn_down(line: &RibbonLine) -> Option<Judgement> {
+    let (missing, most) = (missing_by_turn_down(line), may_go_missing(line));
+    let limit = AtMost(most);
+    if missing <= most {
+        return ok(limit);
+    }
+    let (p, high) = (&line.params, line.fast.unwinder.effective_override);
+    let stops = missing_at_zero(line);
+    let lowest = line.slow.unwinder.effective_override;
+    let (from, to) = if stops < missing { (high, lowest) } else { (lowest, 0.0) };
+    let message = msg!(
+        "ribbon.knob-starves",
+        queued = (queued(p), 0),
+        low = (to, 0),
+        high = (from, 0),
+        missing = (missing, 1),
+        kept = (missing - most, 1)
+    );
+    let harder = with_pinch(line, message, missing - least_laid_by_start(line));
+    let lowest = high * (1.0 - most / queued(p));
+    let higher = higher_lowest(line, lowest).filter(|_| stops <= most);
+    let others = [higher, fewer_pitches(line, most / missing), longer_dwell(line, missing)];
+    fail(limit, [harder].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
+}
+
+/// A dwell after which the start has laid so much more that a turn down may miss `missing` mm, and the loop that takes it; none where the
+/// start does not wait by a dwell. Each second lays `v` mm, least with the knob at its lowest position, most at its highest.
+fn longer_dwell(line: &RibbonLine, missing: f64) -> Option<Advice> {
     let p = &line.params;
-    let room = p.loop_capacity - laid_so_far(line);
-    let pitches = (p.block_pitches() * room / laid).floor();
+    if p.wait != Wait::Dwell {
+        return None;
+    }
+    let kept = missing - TensionSwitch::new(line).missing - least_laid_by_start(line);
+    let least = p.dwell.max(least_dwell(p)) + kept / (line.slow.feeds.line_speed / 60.0);
+    let set = at_least(FIELDS, "dwell", least);
+    if set.value < least {
+        return None;
+    }
+    let laid = (set.value - p.dwell) * line.fast.feeds.line_speed / 60.0;
+    let after = line.with(&Params { dwell: set.value, ..p.clone() });
+    let needed = greatest(&after, |d| d.slack.loop_needed);
+    let needed = needed.max(loop_for_turn(line) + laid);
+    let message = msg!("ribbon.dwell-for-turn", time = set.text.as_str(), kept = (kept, 1));
+    let button = msg!("advice.set-dwell", time = set.text.as_str());
+    let dwell = FormChange { button, entries: vec![set.into()] };
+    if needed > LONGEST_LOOP {
+        return None;
+    }
+    let loops = (needed > p.loop_capacity).then(|| longer_loop(needed));
+    Some(taking(message.into(), [dwell].into_iter().chain(loops).collect()))
+}
+
+/// The lowest position of the knob from which one turn holds, for the PLC to limit it there; none where the form's position is lower.
+fn higher_lowest(line: &RibbonLine, lowest: f64) -> Option<Advice> {
+    let set = at_least(FIELDS, "knob-lowest", lowest);
+    if set.value <= line.params.knob_lowest || set.value < lowest || set.value > line.params.override_stepped() {
+        return None;
+    }
+    let message = msg!("ribbon.higher-lowest", percent = (set.value, 0));
+    Some(Advice::from(message).setting(msg!("advice.set-lowest-knob", percent = set.text.as_str()), [set]))
+}
+
+/// The greatest number of pitches per block at which a turn of the knob moves at most `share` of the ribbon that it moves now; none where
+/// one is too many.
+fn fewer_pitches(line: &RibbonLine, share: f64) -> Option<Advice> {
+    let p = &line.params;
+    let pitches = (p.block_pitches() * share).floor();
     if p.variant != Variant::ReadyMade || pitches < 1.0 || pitches >= p.block_pitches() {
         return None;
     }
@@ -415,7 +440,9 @@ pub(in crate::machines::ribbon_line) fn worst_knob(line: &RibbonLine) -> Option<
         let speed = p.speed_at(percent);
         KnobPosition { percent, speed, slack_rate: d.feeds.k * (speed - d.unwinder.actual) }
     };
-    let (high, low) = (at(line.highest_position()), at(line.dialect.spindle().knob.low));
+    // A knob at 0 stops the unwinder alone; its ladder raises every other position below the lowest.
+    let lowest = if line.dialect.spindle().knob.low > 0.0 { line.lowest_position() } else { 0.0 };
+    let (high, low) = (at(line.highest_position()), at(lowest));
     Some(if low.slack_rate.abs() > high.slack_rate.abs() { low } else { high })
 }
 

@@ -167,7 +167,8 @@ fn paper_of_the_ribbon_line_has_the_printed_values() {
             "slack-rate-rated",
             "loop-needed",
             "loop-turned",
-            "loop-coasting"
+            "loop-coasting",
+            "tension"
         ]
     );
 }

@@ -225,7 +225,7 @@ fn project_that_is_too_long_has_no_link() {
     let mut project = ribbon();
     let lines = (0..4000_u32).map(|at| format!("N{at} G01 X{}.{at}\n", at * 7919 % 10_007));
     project.edited = Some(Files::one("O1.nc", lines.collect::<String>()));
-    expect!["The project has 43538 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(&project.to_link().unwrap_err()));
+    expect!["The project has 43551 characters as a link; at most 8000 are possible. Edited programs and a long list of operator’s actions take most of them: save it as a file instead."].assert_eq(&sentence(&project.to_link().unwrap_err()));
 }
 
 /// Damage to a link: the place and the new character; `None` cuts the rest off.

@@ -52,7 +52,9 @@ const RARE: &[Entered] = &[
         ],
     ),
     // A listing that is late only while the knob turns; the ready-made program never is.
-    ("ribbon-line", "mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12")]),
+    ("ribbon-line", "mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12"), ("pitches-per-block", "2")]),
+    // A length that is no whole number of pitches, and a shorter last pitch that keeps it.
+    ("ribbon-line", "mitsubishi-e60", &[("job", "product-length"), ("product-length", "1003"), ("rest", "alarm")]),
     // A knob that acts on the unwinder alone, although the axes could follow it.
     (
         "ribbon-line",

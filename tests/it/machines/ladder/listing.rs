@@ -4,6 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use macroline::controls::interface::PlcLanguage;
 
+/// Bit of the register for results of the PMC: the first number of a comparison is the smaller one.
+const RESULT: &str = "R9000.1";
+
 /// A line of the list, understood.
 #[derive(Debug, Clone, PartialEq)]
 enum Line {
@@ -24,6 +27,10 @@ enum Line {
     Join,
     /// Comparison in series.
     Equal(String, String),
+    /// The same: the left number is below the right one.
+    Below(String, String),
+    /// Sets the bit of the register for results where the left number is below the right one.
+    Compare(String, String),
     Coil(String),
     /// Device and seconds; where the contact follows by a coil of its own, the device is the timer's number.
     Timer(String, f64, bool),
@@ -90,7 +97,12 @@ impl Listing {
         let mut last_number = None;
         for line in &self.lines {
             let target = match line {
-                Line::Load { .. } | Line::And { .. } | Line::Or { .. } | Line::Join | Line::Equal(..) => {
+                Line::Load { .. }
+                | Line::And { .. }
+                | Line::Or { .. }
+                | Line::Join
+                | Line::Equal(..)
+                | Line::Below(..) => {
                     if core::mem::take(&mut acted) {
                         contacts.clear();
                     }
@@ -98,7 +110,7 @@ impl Listing {
                     last_number = None;
                     continue;
                 }
-                Line::Timer(_, _, true) | Line::Unknown(_) => continue,
+                Line::Timer(_, _, true) | Line::Compare(..) | Line::Unknown(_) => continue,
                 Line::Coil(device) | Line::Timer(device, _, false) => vec![device.clone()],
                 // Copying and then computing in place is one result.
                 Line::Number(_, _, to) if last_number.as_ref() == Some(to) => continue,
@@ -125,13 +137,20 @@ impl Listing {
     /// Everything that is read.
     pub(super) fn operands(&self) -> BTreeSet<String> {
         let mut all = BTreeSet::new();
+        // The register for results belongs to the comparisons.
+        let compared = |device: &String| device == RESULT;
         let constant = |word: &String| word.starts_with(['K', '+', '-']);
         for line in &self.lines {
             match line {
+                Line::Load { device, .. } if compared(device) => {}
                 Line::Load { device, .. } | Line::And { device, .. } | Line::Or { device, .. } => {
                     all.insert(device.clone());
                 }
-                Line::Equal(from, _) | Line::Decode { from, .. } | Line::Convert(from, ..) => {
+                Line::Equal(from, _)
+                | Line::Below(from, _)
+                | Line::Compare(from, _)
+                | Line::Decode { from, .. }
+                | Line::Convert(from, ..) => {
                     all.insert(from.clone());
                 }
                 Line::Number(_, operands, _) => all.extend(operands.iter().filter(|word| !constant(word)).cloned()),
@@ -175,6 +194,11 @@ impl Listing {
                     *stack.last_mut().unwrap() &= equal;
                     continue;
                 }
+                Line::Below(left, right) => {
+                    let below = self.number(&left) < self.number(&right);
+                    *stack.last_mut().unwrap() &= below;
+                    continue;
+                }
                 Line::Coil(device) => self.set(&device, top),
                 Line::Timer(device, seconds, chained) => {
                     if !top {
@@ -189,6 +213,11 @@ impl Listing {
                     } else {
                         self.set(&device, over);
                     }
+                }
+                // The comparison acts whatever it is behind: its result is loaded as a contact.
+                Line::Compare(left, right) => {
+                    let below = self.number(&left) < self.number(&right);
+                    self.set(RESULT, below);
                 }
                 Line::Number(operator, operands, to) if top => {
                     let value = |at: usize| self.number(&operands[at]);
@@ -254,6 +283,7 @@ fn function(words: &[&str]) -> Option<Line> {
             let entries = entries.filter(|all| count.parse() == Ok(all.len()))?;
             Some(Line::Convert((*from).to_owned(), (*to).to_owned(), entries))
         }
+        ["COMPB", "1" | "2" | "4", left, right] => Some(Line::Compare((*left).to_owned(), (*right).to_owned())),
         ["DECB", "1", from, first, byte] => {
             Some(Line::Decode { from: (*from).to_owned(), first: first.parse().ok()?, byte: (*byte).to_owned() })
         }
@@ -274,7 +304,15 @@ fn pmc(line: &str) -> Option<Line> {
         ["RD.NOT.STK", device] => Some(Line::Load { device: (*device).to_owned(), not: true }),
         ["SUB", "24", "TMRB", name, ms] => Some(Line::Timer((*name).to_owned(), milliseconds(ms, 1.0)?, true)),
         ["SUB", sub, rest @ ..] => {
-            let own = [("25", "DECB"), ("36", "ADDB"), ("38", "MULB"), ("39", "DIVB"), ("40", "NUMEB"), ("45", "MOVN")];
+            let own = [
+                ("25", "DECB"),
+                ("32", "COMPB"),
+                ("36", "ADDB"),
+                ("38", "MULB"),
+                ("39", "DIVB"),
+                ("40", "NUMEB"),
+                ("45", "MOVN"),
+            ];
             let name = rest.first()?;
             own.contains(&(sub, name)).then(|| function(rest))?
         }
@@ -300,6 +338,7 @@ fn melsec(line: &str) -> Option<Line> {
         ["OUT", device, count] => {
             Some(Line::Timer((*device).to_owned(), milliseconds(count.strip_prefix('K')?, 10.0)?, false))
         }
+        ["AND<", left, right] => Some(Line::Below((*left).to_owned(), (*right).to_owned())),
         ["AND=", left, right] => Some(Line::Equal((*left).to_owned(), (*right).to_owned())),
         ["MOV" | "DMOV", rest @ ..] => number('=', rest),
         ["+" | "D+", rest @ ..] => number('+', rest),
@@ -316,6 +355,11 @@ fn step7(line: &str) -> Option<Line> {
     };
     match words.as_slice() {
         ["OLD"] => Some(Line::Join),
+        // Whole numbers: at most 49 is below 50.
+        ["AW<=", left, right] => {
+            let right = right.parse::<i32>().ok()? + 1;
+            Some(Line::Below((*left).to_owned(), format!("{right:+}")))
+        }
         ["=", device] => Some(Line::Coil((*device).to_owned())),
         ["TON", device, count] => {
             Some(Line::Timer((*device).to_owned(), milliseconds(count.strip_prefix('+')?, 10.0)?, false))

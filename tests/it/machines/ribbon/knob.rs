@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use super::each_control::{ended, first_cut, over_time, project};
 use super::{controls, values};
-use crate::queries::readout;
+use crate::queries::{readout, value};
 
 fn knob(t: f64, percent: f64) -> Event {
     Event { t, action: Action::SpindleOverride(percent) }
@@ -196,17 +196,81 @@ proptest! {
     }
 }
 
+/// The results of a turn of the knob with a lowest position.
+fn turned(entries: &[(&'static str, &str)]) -> [macroline::view::Readout; 2] {
+    let line = Project::named("ribbon-line", None, None).unwrap().with_entries(entries).unwrap();
+    ["loop-turned", "missing-turned"].map(|id| readout(&line, id))
+}
+
 #[test]
-fn loop_without_room_allows_no_turn_up_at_once() {
-    // The start and the run of the paper's line fill its loop.
-    let paper = Project::named("ribbon-line", None, Some("paper")).unwrap();
-    let sentences_of = |project: &Project| {
-        let row = readout(project, "knob-turn");
-        row.advice.iter().map(|advice| macroline::text::catalog::sentence(&advice.message)).collect::<Vec<_>>()
+fn turns_of_the_knob_begin_at_its_lowest_position() {
+    // Six blocks of one pitch keep their feed while the unwinder goes from 50 to 123.3 % and back.
+    let [up, down] = turned(&[]);
+    let ratio = 1480.0 / 1200.0 / 0.5;
+    let laid = 60.0 * (ratio - 1.0);
+    let line = Project::named("ribbon-line", None, None).unwrap();
+    // To 0 the unwinder stops over its ramp of 2 s, while X carries out the queue and makes up its lag.
+    let to_zero = |share: f64| {
+        let (speed, ramp) = (value(&line, "line-speed") / 60.0 * share, 2.0 * 1200.0 * share / 1480.0);
+        let (stop, lag) = (speed * ramp, speed * (0.05 + 1.0 / 33.0));
+        lag + if stop > 60.0 { 60.0 * 60.0 / (2.0 * stop) } else { 60.0 - stop / 2.0 }
     };
-    let sentences = sentences_of(&paper);
-    assert!(sentences.iter().any(|text| text.ends_with("no turn up while the line runs.")), "{sentences:?}");
-    let roomy = paper.with_entries(&[("loop-capacity", "1500")]).unwrap();
-    let sentences = sentences_of(&roomy);
-    assert!(sentences.iter().all(|text| !text.contains("no turn up")), "{sentences:?}");
+    let missing = f64::max(60.0 * (1.0 - 1.0 / ratio), to_zero(0.5));
+    assert!((down.value - missing).abs() < 1e-9, "{} {missing}", down.value);
+    // Start and stop lay most at one of the positions.
+    let ends = |percent: &str| {
+        let there = line.with_entries(&[("override", percent)]).unwrap();
+        value(&there, "slack-start").abs() + value(&there, "slack-stop").abs()
+    };
+    let most = ["50", "100", "200"].map(ends).into_iter().fold(0.0, f64::max);
+    assert!((up.value - laid - most).abs() < 1e-6, "{} {laid} {most}", up.value);
+    let [_, down_alone] = turned(&[("knob-lowest", "100")]);
+    let missing = f64::max(60.0 * (1.0 - 2.0 / ratio), to_zero(1.0));
+    assert!((down_alone.value - missing).abs() < 1e-9, "{} {missing}", down_alone.value);
+}
+
+#[test]
+fn loop_too_small_for_a_turn_offers_a_higher_lowest_position() {
+    let entries = [("pitches-per-block", "4"), ("knob-lowest", "10"), ("loop-capacity", "700")];
+    let [up, _] = turned(&entries);
+    assert_eq!(up.verdict, Verdict::Fail);
+    let offered = up.advice.iter().find(|advice| advice.entries.iter().any(|set| set.field == "knob-lowest")).unwrap();
+    let lowest: f64 = offered.entries[0].text.parse().unwrap();
+    let [after, _] = turned(&[entries[0], ("knob-lowest", &offered.entries[0].text), entries[2]]);
+    assert_eq!(after.verdict, Verdict::Ok, "{lowest}");
+    let below = (lowest - 1.0).to_string();
+    let [too_low, _] = turned(&[entries[0], ("knob-lowest", &below), entries[2]]);
+    assert_eq!(too_low.verdict, Verdict::Fail, "{lowest}");
+}
+
+#[test]
+fn ladder_raises_a_lower_knob_and_leaves_zero() {
+    for control in ["mitsubishi-e60", "knd-k2000t", "fanuc-0i-mf", "gsk-980tdc"] {
+        let line = Project::named("ribbon-line", Some(control), None).unwrap();
+        let line = line.with_entries(&[("knob-lowest", "60"), ("pitch-count", "4000")]).unwrap();
+        let at = |percent: f64| {
+            let planner = over_time(&line, vec![knob(8.0, percent)]);
+            planner.timeline().at(16.0).spindle.command.abs()
+        };
+        let speed = value(&line, "actual-speed");
+        for (percent, share) in [(20.0, 0.6), (59.0, 0.6), (80.0, 0.8)] {
+            assert!((at(percent) - speed * share).abs() < 1e-6, "{control} {percent}: {}", at(percent));
+        }
+        // The switch of the GSK has no 0.
+        let stopped = if control == "gsk-980tdc" { speed * 0.6 } else { 0.0 };
+        assert!((at(0.0) - stopped).abs() < 1e-6, "{control}: {}", at(0.0));
+    }
+}
+
+#[test]
+fn form_below_the_lowest_position_has_its_results() {
+    let line = Project::named("ribbon-line", None, None).unwrap();
+    let low = line.with_entries(&[("override", "20")]).unwrap();
+    let there = line.with_entries(&[("override", "50")]).unwrap();
+    for id in ["actual-speed", "line-speed", "loop-needed", "frequency"] {
+        assert_eq!(value(&low, id), value(&there, id), "{id}");
+    }
+    let found = low.design().diagnostics;
+    assert!(found.iter().any(|found| found.message.id == "ribbon.knob-raised"), "{found:?}");
+    assert!(there.design().diagnostics.iter().all(|found| found.message.id != "ribbon.knob-raised"));
 }

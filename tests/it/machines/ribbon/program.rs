@@ -754,6 +754,10 @@ proptest! {
         let coded = on.control.interface.iter().any(|row| row.role == SignalRole::SpindleOverrideCode);
         let percent = if coded { on.control.spindle.knob.nearest(*knob) } else { percent };
         prop_assume!(percent > 0.0);
+        // The ladder raises a live knob to the lowest position of the line.
+        let Some(Value::Number(lowest)) = values.get("knob-lowest") else { unreachable!() };
+        let lives = !machine().prepare(&values, on).hidden().contains(&"knob-lowest");
+        let percent = if lives { percent.max(if coded { on.control.spindle.knob.at_least(*lowest) } else { *lowest }) } else { percent };
         let final_speed = values.get("override-form") == Some(&Value::Text("final-speed".to_owned()))
             && !machine().prepare(&values, on).hidden().contains(&"override-form");
         let printed = print(&mut run, if final_speed { result_on(on, &values, "actual-speed") } else { percent });
