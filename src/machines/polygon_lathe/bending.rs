@@ -58,7 +58,7 @@ impl PolygonLathe {
 
     /// The thinner sections of the bar while a polygon is cut: all flats, and the end turned before them.
     fn thinner_in_flats(&self) -> Vec<Thinner> {
-        let [before, _] = &self.params.turned_ends;
+        let [before, _] = &*self.params.turned_ends;
         self.flats().chain(before.thinner()).collect()
     }
 
@@ -114,7 +114,7 @@ impl PolygonLathe {
 /// more than the depth of cut, a warning above [`NOTABLE`], `None` if it is stiff enough.
 pub(super) fn of_ends(lathe: &PolygonLathe) -> [Option<Diagnostic>; 2] {
     let p = &lathe.params;
-    let [before, after] = &p.turned_ends;
+    let [before, after] = &*p.turned_ends;
     let flats = lathe.thinner_in_flats();
     [(before, Vec::new()), (after, flats)].map(|(end, cut_before)| {
         let thinner: Vec<Thinner> = cut_before.into_iter().chain(end.thinner()).collect();

@@ -6,7 +6,7 @@ use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, insert_deviations};
 use super::passes::PASSES;
 use super::program;
 use super::resolved::PolygonLathe;
-use super::turned_end_form::{TURNED_ENDS, TurnedEnd, TurnedEndFields};
+use super::turned_end_form::{TURNED_ENDS, TurnedEnd, TurnedEndFields, TurnedEndPlace};
 use crate::controls::ParamRole;
 use crate::machines::lathe::turret;
 use crate::machines::sheets;
@@ -63,13 +63,16 @@ fn faults_of(lathe: &PolygonLathe) -> Vec<Fault> {
 /// Faults of the ends turned before and after the polygons, with the field of each.
 fn turned_end_faults(lathe: &PolygonLathe) -> Vec<Fault> {
     let mut found = Vec::new();
-    for ((end, fields), is_after) in lathe.params.turned_ends.iter().zip(&TURNED_ENDS).zip([false, true]) {
+    for (end, fields) in lathe.params.turned_ends.iter().zip(&TURNED_ENDS) {
         if end.on {
             found.extend(size_faults(lathe, end, fields));
             found.extend(cut_faults(lathe, end, fields));
             found.extend(thread_faults(end, fields));
             found.extend(tool_faults(lathe, end, fields));
-            found.extend(if is_after { overlaps(lathe, end, fields) } else { vanished(lathe, end, fields) });
+            found.extend(match end.place {
+                TurnedEndPlace::Before => vanished(lathe, end, fields),
+                TurnedEndPlace::After => overlaps(lathe, end, fields),
+            });
         }
     }
     found
@@ -167,7 +170,7 @@ fn vanished(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -> 
 
 /// Polygons whose corners are cut off by an end turned before them, with the remaining diameter.
 fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
-    let [end, _] = &lathe.params.turned_ends;
+    let [end, _] = &*lathe.params.turned_ends;
     let corner = |polygon: &PolygonLathe| {
         let corners = polygon.params.section_in(0.5 * polygon.params.stock_diameter)?.corners();
         Some(2.0 * corners.iter().map(|corner| corner.radius).fold(0.0, f64::max))

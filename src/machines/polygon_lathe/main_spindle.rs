@@ -77,11 +77,7 @@ impl PolygonLathe {
 
     /// Torque (Nm) of the cut at a turned end, at the diameter from which it is cut: `F D / 2000`. Source: turning spindle facts, 4.
     fn cut_torque(&self, end: &TurnedEnd) -> f64 {
-        let [before, _] = &self.params.turned_ends;
-        // Identified by its sizes: with another feed it is the same end.
-        let is_before = (end.diameter, end.length) == (before.diameter, before.length);
-        let blank = if is_before { self.params.stock_diameter } else { end.blank(&self.params) };
-        cutting::torque(self.end_force(end), blank)
+        cutting::torque(self.end_force(end), end.blank(&self.params))
     }
 
     /// Torque (Nm) of cut and friction at a turned end.
@@ -213,7 +209,7 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     if speed <= most {
         return ok(AtMost(most));
     }
-    let fields = TURNED_ENDS.map(|fields| fields.speed).into_iter().zip(&lathe.params.turned_ends);
+    let fields = TURNED_ENDS.map(|fields| fields.speed).into_iter().zip(lathe.params.turned_ends.iter());
     let fast = fields.filter(|(_, end)| end.on && end.speed > most);
     let sets: Vec<_> = fast.map(|(field, _)| at_most(FIELDS, field, most)).collect();
     let advice = Advice::from(msg!("polygon.work-runs-along", speed = (speed, 0), limit = (most, 0)));

@@ -2,8 +2,9 @@
 //!
 //! The rest of the program is that of a control whose rows document the code, with its opening, its variables of the position, and its dwell.
 
-use super::program::{self, PART, TurnedEndPlace};
+use super::program::{self, PART};
 use super::resolved::PolygonLathe;
+use super::turned_end_form::TurnedEndPlace;
 use crate::controls::{self, Address, Code, CodeId, Control};
 use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::program::writing;

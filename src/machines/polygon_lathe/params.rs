@@ -2,7 +2,7 @@
 
 use super::further_form::{self, Further, FurtherForm};
 use super::shape::Shape;
-use super::turned_end_form::{self, TurnedEnd, TurnedEndForm};
+use super::turned_end_form::{self, TurnedEnd, TurnedEndForm, TurnedEnds};
 use crate::controls::Control;
 use crate::machines::driven::scaling;
 use crate::machines::driven::site;
@@ -63,7 +63,7 @@ pub(crate) struct Params {
     pub turret_room: f64,
     pub tool: f64,
     pub further: [Further; 2],
-    pub turned_ends: [TurnedEnd; 2],
+    pub turned_ends: TurnedEnds,
     /// The main spindle, which turns the bar before and after the polygons.
     pub main: SpindleDrive,
     pub encoder: EncoderParams,

@@ -14,7 +14,7 @@ impl Params {
 
     /// Diameter (mm) of the stock of the polygon: that of the end turned before it where the polygon lies on it, else that of the bar.
     pub(super) fn blank(&self) -> f64 {
-        let [before, _] = &self.turned_ends;
+        let [before, _] = &*self.turned_ends;
         let lies_on_it = before.on && self.far_end() <= before.length && before.diameter > self.across_flats;
         if lies_on_it { before.diameter.min(self.stock_diameter) } else { self.stock_diameter }
     }

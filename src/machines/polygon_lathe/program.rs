@@ -5,6 +5,7 @@
 
 use super::path::{PassStep, SlideTarget};
 use super::resolved::PolygonLathe;
+use super::turned_end_form::TurnedEndPlace;
 use crate::controls::Address;
 use crate::controls::Code;
 use crate::controls::CodeId;
@@ -170,15 +171,6 @@ impl TurnedEndBlock {
     fn new(words: Vec<NewWord>, note: &'static str) -> TurnedEndBlock {
         TurnedEndBlock { words, note, changes_tool: false }
     }
-}
-
-/// Position of a turned end in the program.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum TurnedEndPlace {
-    /// Before the polygons.
-    Before,
-    /// After them, at the end of the program.
-    After,
 }
 
 /// Least feed of an F word, mm per revolution; a smaller one would be written as 0.

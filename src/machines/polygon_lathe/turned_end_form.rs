@@ -1,12 +1,25 @@
 //! The form of a turned end: its inputs, and its fields, alike for the end turned before the polygons and for the one turned after them.
 
+use std::ops::{Deref, DerefMut};
+
 use crate::controls::Control;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{flag, number};
 
+/// Position of a turned end in the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum TurnedEndPlace {
+    /// Before the polygons.
+    #[default]
+    Before,
+    /// After them, at the end of the program.
+    After,
+}
+
 /// An end of the bar that is turned before or after the polygons, from the face. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct TurnedEnd {
+    pub place: TurnedEndPlace,
     pub on: bool,
     pub diameter: f64,
     pub length: f64,
@@ -19,6 +32,31 @@ pub(crate) struct TurnedEnd {
     pub thread_length: f64,
     pub thread_infeed: f64,
     pub thread_tool: f64,
+}
+
+/// The end turned before the polygons and the one turned after them, each with its place.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TurnedEnds([TurnedEnd; 2]);
+
+impl Default for TurnedEnds {
+    fn default() -> TurnedEnds {
+        let at = |place| TurnedEnd { place, ..TurnedEnd::default() };
+        TurnedEnds([TurnedEndPlace::Before, TurnedEndPlace::After].map(at))
+    }
+}
+
+impl Deref for TurnedEnds {
+    type Target = [TurnedEnd; 2];
+
+    fn deref(&self) -> &[TurnedEnd; 2] {
+        &self.0
+    }
+}
+
+impl DerefMut for TurnedEnds {
+    fn deref_mut(&mut self) -> &mut [TurnedEnd; 2] {
+        &mut self.0
+    }
 }
 
 /// Ids of the fields of a turned end.

@@ -2,7 +2,7 @@
 
 use super::params::Params;
 use super::path::{NO_RAPIDS, PassStep, SlideTarget, time};
-use super::turned_end_form::TurnedEnd;
+use super::turned_end_form::{TurnedEnd, TurnedEndPlace};
 use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
@@ -21,16 +21,18 @@ impl TurnedEnd {
     /// Diameter (mm) of the stock of the end: that of the end turned before it, if it lies on that one, else that of
     /// the bar.
     pub(super) fn blank(&self, p: &Params) -> f64 {
-        let [before, _] = &p.turned_ends;
-        let lies_on_it =
-            before.on && self != before && self.length <= before.length && self.diameter <= before.diameter;
+        let [before, _] = &*p.turned_ends;
+        let lies_on_it = before.on
+            && self.place == TurnedEndPlace::After
+            && self.length <= before.length
+            && self.diameter <= before.diameter;
         if lies_on_it { before.diameter.min(p.stock_diameter) } else { p.stock_diameter }
     }
 
     /// Diameter (mm) that the part reaches: on a thinner end turned before it the tool cuts nothing.
     pub(super) fn reached(&self, p: &Params) -> f64 {
-        let [before, _] = &p.turned_ends;
-        let lies_on_it = before.on && self != before && self.length <= before.length;
+        let [before, _] = &*p.turned_ends;
+        let lies_on_it = self.place == TurnedEndPlace::After && before.on && self.length <= before.length;
         if lies_on_it { self.diameter.min(before.diameter) } else { self.diameter }
     }
 

@@ -36,7 +36,7 @@ impl PolygonLathe {
         let ends = TURNED_ENDS
             .map(|fields| fields.feed)
             .into_iter()
-            .zip(p.turned_ends.iter().zip(&at.params.turned_ends))
+            .zip(p.turned_ends.iter().zip(at.params.turned_ends.iter()))
             .filter(|(_, (end, _))| end.on);
         let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed)));
         let lower = |(field, feed, force): (&'static str, f64, f64)| {

@@ -12,7 +12,7 @@ use crate::view::Limit::Equal;
 /// Judges the diameter that the end turned after the polygons reaches against its entered one.
 pub(super) fn reached(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
-    let [_, after] = &p.turned_ends;
+    let [_, after] = &*p.turned_ends;
     let (reached, limit) = (after.reached(p), Equal(after.diameter));
     if reached >= after.diameter {
         return ok(limit);

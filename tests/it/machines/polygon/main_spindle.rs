@@ -45,6 +45,20 @@ fn cut_of_a_turned_end_is_judged_by_the_main_motor() {
     assert!(readout(&less, "main-torque").verdict < Verdict::Fail);
 }
 
+#[test]
+fn end_equal_to_the_one_before_it_is_cut_from_that_one() {
+    // Ø 25 to Ø 12 in cuts of 2 mm: four for the first end. The second finds its Ø 12 turned, and cuts once.
+    let equal = [("before-chamfer", "0"), ("before-pitch", "0"), ("after", "true"), ("after-length", "20")];
+    let cuts = |entries: &[_]| {
+        let written = shaft(entries).written();
+        written.files.0[0].text.lines().filter(|line| line.starts_with("G01 Z-20. F0.2")).count()
+    };
+    assert_eq!((cuts(&equal[..2]), cuts(&equal)), (4, 5));
+    // 1050 N at the Ø 12 of the second end take less torque than 700 N at the Ø 25 of the first.
+    let fed = shaft(&[&equal[..], &[("after-feed", "0.3")]].concat());
+    near(readout(&fed, "main-torque").value, 700.0 * 25.0 / 2000.0 + 2.0, 1e-9);
+}
+
 /// 3000 r/min at 10 V: 0.5 V are 150 r/min. The slower of both ends counts.
 #[test]
 fn few_volts_at_the_slowest_turned_end_warn() {
