@@ -54,13 +54,43 @@ impl Cut {
     }
 }
 
-/// Cutting force in N of a chip of `depth` mm by `feed` mm at an edge angle κ and a rake angle γ in degrees, after Kienzle:
-/// `F = k_c1.1 · b · h^(1 - m_c) · (1 - γ / 100)` with `h = f sin κ`, `b = a_p / sin κ`; `k_c1.1` in N/mm².
-///
-/// Source: `reference/turning-spindle.md` section 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
-pub fn kienzle(unit_force: f64, exponent: f64, (depth, feed): (f64, f64), (edge, rake): (f64, f64)) -> f64 {
-    let sine = math::sin(edge.to_radians());
-    unit_force * depth / sine * math::pow(feed * sine, 1.0 - exponent) * (1.0 - rake / 100.0)
+/// Specific cutting force of a material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kienzle {
+    /// At a chip of 1 mm by 1 mm and a rake angle of 0°, N/mm².
+    pub unit_force: f64,
+    /// Exponent of the chip thickness.
+    pub exponent: f64,
+}
+
+/// Depth and feed of a cut; the edge angle makes width and thickness of the chip from them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Chip {
+    /// Depth of cut, mm.
+    pub depth: f64,
+    /// Feed, mm per revolution or per insert.
+    pub feed: f64,
+}
+
+/// Angles of a cutting edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CuttingEdge {
+    /// Edge angle between edge and feed, degrees.
+    pub angle: f64,
+    /// Rake angle, degrees.
+    pub rake: f64,
+}
+
+impl Kienzle {
+    /// Cutting force in N after Kienzle: `F = k_c1.1 · b · h^(1 - m_c) · (1 - γ / 100)` with `h = f sin κ`, `b = a_p / sin κ`.
+    ///
+    /// Source: `reference/turning-spindle.md` section 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
+    pub fn force(&self, chip: Chip, edge: CuttingEdge) -> f64 {
+        let sine = math::sin(edge.angle.to_radians());
+        self.unit_force * chip.depth / sine
+            * math::pow(chip.feed * sine, 1.0 - self.exponent)
+            * (1.0 - edge.rake / 100.0)
+    }
 }
 
 /// Share of the feed at which a cut has a share of its force: `s^(1 / (1 - m_c))`, by the same law.

@@ -58,4 +58,4 @@ pub use analog::Analog;
 pub use main_spindle::{MainSpindle, ShortTime};
 pub use orient::{Approach, Positioning};
 pub use rotation::Rotation;
-pub use speed::{Bound, SpeedLimits, Stage};
+pub use speed::{Bound, SpeedLimits, SpeedRange, Stage};

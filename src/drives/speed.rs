@@ -64,25 +64,42 @@ pub enum SpeedLimit {
     Surface,
 }
 
+/// Lowest and highest speed, r/min.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpeedRange {
+    /// Lowest speed; 0 without one.
+    pub low: f64,
+    /// Highest speed; infinite without one.
+    pub high: f64,
+}
+
+impl SpeedRange {
+    /// Any speed.
+    pub const ANY: SpeedRange = SpeedRange { low: 0.0, high: f64::INFINITY };
+
+    /// The speeds from `low` to `high` r/min.
+    pub const fn new(low: f64, high: f64) -> SpeedRange {
+        SpeedRange { low, high }
+    }
+}
+
 /// All limits of a speed in r/min. Missing upper limits are infinite, missing lower ones 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpeedLimits {
     /// Highest speed of spindle or chuck.
     pub machine: f64,
     /// Lowest and highest speed of the gear stage.
-    pub gear: (f64, f64),
+    pub gear: SpeedRange,
     /// Lowest and highest speed of the setting data.
-    pub set: (f64, f64),
+    pub set: SpeedRange,
     /// Lowest and highest speed under constant surface speed, while it is on.
-    pub surface: (f64, f64),
+    pub surface: SpeedRange,
 }
 
 impl SpeedLimits {
     /// No limit at all.
-    pub const NONE: SpeedLimits = {
-        let any = (0.0, f64::INFINITY);
-        SpeedLimits { machine: f64::INFINITY, gear: any, set: any, surface: any }
-    };
+    pub const NONE: SpeedLimits =
+        SpeedLimits { machine: f64::INFINITY, gear: SpeedRange::ANY, set: SpeedRange::ANY, surface: SpeedRange::ANY };
 
     /// Limited speed and the active limit: the smallest of the upper limits, the largest of the lower ones; if they cross, the upper limit.
     /// Standstill is below no limit.
@@ -93,12 +110,13 @@ impl SpeedLimits {
             return (0.0, Bound::None);
         }
         let mut held = (rpm, Bound::None);
-        let lower = [(self.set.0, Bound::Lower), (self.gear.0, Bound::GearLow), (self.surface.0, Bound::SurfaceLow)];
+        let lower =
+            [(self.set.low, Bound::Lower), (self.gear.low, Bound::GearLow), (self.surface.low, Bound::SurfaceLow)];
         let upper = [
             (self.machine, Bound::Machine),
-            (self.gear.1, Bound::Gear),
-            (self.set.1, Bound::Upper),
-            (self.surface.1, Bound::Surface),
+            (self.gear.high, Bound::Gear),
+            (self.set.high, Bound::Upper),
+            (self.surface.high, Bound::Surface),
         ];
         for (limit, bound) in lower {
             if limit > held.0 {
@@ -129,15 +147,15 @@ pub struct Stage {
     /// Speed at the rated voltage of the output.
     pub rated: f64,
     /// Lowest and highest speed of the stage.
-    pub range: (f64, f64),
+    pub range: SpeedRange,
     /// Speed range of the stage in automatic gear selection (M40).
-    pub automatic: (f64, f64),
+    pub automatic: SpeedRange,
 }
 
 impl Stage {
     /// A stage without speed limits; automatic gear selection uses it up to its rated speed.
     pub const fn new(rated: f64) -> Stage {
-        Stage { rated, range: (0.0, f64::INFINITY), automatic: (0.0, rated) }
+        Stage { rated, range: SpeedRange::ANY, automatic: SpeedRange::new(0.0, rated) }
     }
 }
 
@@ -146,7 +164,7 @@ impl Stage {
 ///
 /// Source: `reference/sinumerik-802d.md` sections 3.4 and 4.
 pub fn stage_for(stages: &[Stage], present: u8, rpm: f64) -> Option<u8> {
-    let fits = |stage: &Stage| (stage.automatic.0..=stage.automatic.1).contains(&rpm);
+    let fits = |stage: &Stage| (stage.automatic.low..=stage.automatic.high).contains(&rpm);
     if stages.get(usize::from(present).wrapping_sub(1)).is_some_and(fits) {
         return Some(present);
     }

@@ -9,6 +9,21 @@ const TORQUE: f64 = 9_549.296_585_513_72;
 /// Share of the power below which a load counts as small.
 const SMALL: f64 = 1e-3;
 
+/// A motor on its gear: the data of both from which a [`MotorCurve`] at the spindle follows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GearedMotor {
+    /// Power of the motor, kW.
+    pub power: f64,
+    /// Base speed of the motor, r/min.
+    pub base: f64,
+    /// Top speed of the motor, r/min.
+    pub top: f64,
+    /// Speed of the spindle at the top speed of the motor, r/min.
+    pub spindle_top: f64,
+    /// Efficiency of the gear, 0 to 1.
+    pub efficiency: f64,
+}
+
 /// Torque and power at the spindle in one gear stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotorCurve {
@@ -21,13 +36,13 @@ pub struct MotorCurve {
 }
 
 impl MotorCurve {
-    /// Curve of a motor of `power` kW with base speed `base` r/min, whose top speed `top` r/min turns the spindle at `stage` r/min, with
-    /// the efficiency of the gear: `P = P_m η`, `n_b = n_bm · stage / top`. With a base speed above the top speed the torque is constant up
-    /// to the top speed, and the motor never reaches its power.
+    /// Curve of a motor through its gear: `P = P_m η`, `n_b = n_bm · n_top / n_mtop`, with the speeds of motor and spindle at the top speed
+    /// of the motor. With a base speed above the top speed the torque is constant up to the top speed, and the motor never reaches its power.
     ///
     /// Source: `reference/turning-spindle.md` section 4.
-    pub fn new(power: f64, efficiency: f64, (base, top): (f64, f64), stage: f64) -> MotorCurve {
-        MotorCurve { power: power * efficiency, base: stage * base / top, has_shaft_fan: false }
+    pub fn through_gear(motor: GearedMotor) -> MotorCurve {
+        let GearedMotor { power, base, top, spindle_top, efficiency } = motor;
+        MotorCurve { power: power * efficiency, base: spindle_top * base / top, has_shaft_fan: false }
     }
 
     /// Curve of a motor of `power` kW with a rated torque in Nm: base speed `n_b = 9549.3 P / M`.

@@ -41,9 +41,20 @@ pub fn mark_length(head: f64, ratio: f64, contact: f64) -> f64 {
     head / ratio + smear(ratio, contact)
 }
 
-/// Used share of the holding force of a nip over start, steady run and stop: `(|T₁ - T₂| + m a) / (μ N)`, at most one half for a web that
-/// does not slip. A start loads the nip if the pull `T₁ - T₂` brakes the web, a stop if it drives the web.
-/// Newtons, kg, m/s². Source: sizing facts 2.2, checked as the reciprocal of B19.
-pub fn nip_use((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
-    (pull.abs() + mass * acceleration) / (friction * force)
+/// A driven roller and the roller that presses the web onto it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nip {
+    /// Coefficient of friction μ between web and rollers.
+    pub friction: f64,
+    /// Force N of the pressing roller, N.
+    pub force: f64,
+}
+
+impl Nip {
+    /// Used share of the holding force over start, steady run and stop: `(|T₁ - T₂| + m a) / (μ N)`, at most one half for a web that does
+    /// not slip, with the `pull` `T₁ - T₂` of the web and the force `m a` (`accelerating`), in newtons. A start loads the nip if the pull
+    /// brakes the web, a stop if it drives the web. Source: sizing facts 2.2, checked as the reciprocal of B19.
+    pub fn used_share(&self, pull: f64, accelerating: f64) -> f64 {
+        (pull.abs() + accelerating) / (self.friction * self.force)
+    }
 }

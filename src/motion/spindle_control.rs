@@ -2,7 +2,7 @@
 
 use crate::drives::Rotation;
 use crate::drives::orient::{Approach, Travel};
-use crate::drives::speed::SpeedLimit;
+use crate::drives::speed::{SpeedLimit, SpeedRange};
 
 /// Constant surface speed in force.
 #[derive(Debug, Clone, Copy)]
@@ -59,7 +59,7 @@ pub(super) struct SpindleControl {
     pub(super) rotation: Rotation,
     pub(super) surface: Option<Surface>,
     /// Setting data: lowest and highest speed in r/min.
-    pub(super) set: (f64, f64),
+    pub(super) set: SpeedRange,
     /// Highest speed under constant surface speed in r/min.
     pub(super) surface_high: f64,
     /// Position of the turning centre on the axis perpendicular to the spindle, mm.
@@ -89,7 +89,7 @@ impl SpindleControl {
             speed: 0.0,
             rotation: Rotation::Stopped,
             surface: None,
-            set: (0.0, f64::INFINITY),
+            set: SpeedRange::ANY,
             surface_high: f64::INFINITY,
             centre: None,
             automatic: false,
@@ -107,8 +107,8 @@ impl SpindleControl {
     pub(super) fn limit(&mut self, limit: SpeedLimit, rpm: f64) {
         let rpm = if rpm > 0.0 { rpm } else { 0.0 };
         match limit {
-            SpeedLimit::Lower => self.set.0 = rpm,
-            SpeedLimit::Upper => self.set.1 = rpm,
+            SpeedLimit::Lower => self.set.low = rpm,
+            SpeedLimit::Upper => self.set.high = rpm,
             SpeedLimit::Surface => self.surface_high = rpm,
         }
     }

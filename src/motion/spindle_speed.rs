@@ -4,7 +4,7 @@ use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use super::spindle::{InverterRamp, SpeedCommand, SpindleMode};
-use crate::drives::{Bound, Rotation, SpeedLimits};
+use crate::drives::{Bound, Rotation, SpeedLimits, SpeedRange};
 use crate::msg;
 
 /// Cap (r/min) on speeds, above any real spindle.
@@ -107,14 +107,14 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let mut set = turning.set;
         if plant.rules.lower_wins {
-            set.1 = set.1.max(set.0);
+            set.high = set.high.max(set.low);
         }
         let mut limits = SpeedLimits { machine: plant.speed_clamp, gear: stage.range, set, ..SpeedLimits::NONE };
         if turning.surface.is_some() {
-            limits.surface = (plant.surface_low, turning.surface_high);
-            limits.gear.1 = limits.gear.1.min(analog.top_speed());
+            limits.surface = SpeedRange::new(plant.surface_low, turning.surface_high);
+            limits.gear.high = limits.gear.high.min(analog.top_speed());
         } else if plant.rules.surface_limit_stays {
-            limits.surface.1 = turning.surface_high;
+            limits.surface.high = turning.surface_high;
         }
         let share = self.override_share();
         let (rpm, bound) = if plant.rules.override_last {

@@ -33,7 +33,7 @@ use macroline::drives::induction::Induction;
 use macroline::drives::inertia::{self, Cylinder, STEEL};
 use macroline::drives::load::{self, Load, Move, Phase, Regeneration, effective};
 use macroline::drives::servo::{Acceptance, MotorDemand, Reason, Servo};
-use macroline::drives::web;
+use macroline::drives::web::{self, Nip};
 use macroline::machines::form;
 use macroline::math::{self, PI};
 use macroline::project::Project;
@@ -237,7 +237,7 @@ fn pulling() -> Vec<(&'static str, f64)> {
         ("B16", effective(&phases)),
         ("B17", 100.0 * effective(&phases) / motor.rated),
         ("B18", 100.0 * load.torque / motor.rated),
-        ("B19", 1.0 / web::nip_use((0.4, 100.0), 15.0, (web_mass(), web_speed() / TAU))),
+        ("B19", 1.0 / Nip { friction: 0.4, force: 100.0 }.used_share(15.0, web_mass() * (web_speed() / TAU))),
     ]
 }
 

@@ -15,6 +15,15 @@ const GREATEST_COUNTS: u64 = 99_999_999;
 /// Units of a turn of a rotary axis, as controls have it.
 const TURN: f64 = 360.0;
 
+/// Turns of a gear in the same time, or the teeth of its opposite wheels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GearTurns {
+    /// Turns of the motor, or teeth on the driven side.
+    pub motor: f64,
+    /// Turns of screw, roller or table, or teeth on the motor's side.
+    pub load: f64,
+}
+
 /// The drive of an axis.
 #[derive(Debug, Clone, Copy)]
 pub struct AxisDrive<'a> {
@@ -22,9 +31,8 @@ pub struct AxisDrive<'a> {
     pub axis: &'a str,
     /// Travel per turn of screw, roller or table, in mm or °.
     pub lead: f64,
-    /// Turns of the motor, and turns of screw, roller or table in the same time: the teeth on the driven side, and on
-    /// the motor's side.
-    pub gear: (f64, f64),
+    /// The gear between motor and screw, roller or table.
+    pub gear: GearTurns,
     /// Counts of the encoder per turn of the motor.
     pub encoder: f64,
     /// Whether the control treats it as a rotary axis: a turn has 360 units.
@@ -45,7 +53,7 @@ pub struct Scaling {
 impl AxisDrive<'_> {
     /// Travel per turn of the motor, in mm or °: `lead · load turns / motor turns`.
     pub fn travel(&self) -> f64 {
-        self.lead * self.gear.1 / self.gear.0
+        self.lead * self.gear.load / self.gear.motor
     }
 
     /// Scaling in the parameters of the control; `None` if the control has no such parameters, or if no whole numbers
@@ -122,7 +130,7 @@ impl AxisDrive<'_> {
     fn by_lead(&self, terms: u64) -> Option<Scaling> {
         // Six decimals are written.
         let lead = if self.rotary { TURN } else { (self.lead * 1e6).round() / 1e6 };
-        let ratio = if self.rotary { self.travel() / TURN } else { self.gear.1 / self.gear.0 };
+        let ratio = if self.rotary { self.travel() / TURN } else { self.gear.load / self.gear.motor };
         let fraction = Fraction::nearest(ratio, terms)?;
         let mut values = vec![
             (ParamRole::LoadTurns, fraction.over as f64),

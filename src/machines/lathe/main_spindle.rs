@@ -3,7 +3,7 @@
 use crate::drives::inertia;
 use crate::drives::load::{Load, through_gear};
 use crate::drives::shaft_motion::{CutSpan, Motion};
-use crate::drives::spindle_motor::{self, MotorCurve};
+use crate::drives::spindle_motor::{self, GearedMotor, MotorCurve};
 use crate::drives::{MainSpindle, ShortTime};
 use crate::machines::driven::SpindleRun;
 use crate::machines::driven::devices::{AskedDevice, BillItem};
@@ -53,7 +53,13 @@ impl SpindleDrive {
 
     /// Curve of the motor by its data sheet, reduced to the spindle.
     pub(in crate::machines) fn motor(&self, stage: SpindleGear) -> MotorCurve {
-        MotorCurve::new(self.power, stage.efficiency / 100.0, (self.base, self.top), stage.speed_at_10v)
+        MotorCurve::through_gear(GearedMotor {
+            power: self.power,
+            base: self.base,
+            top: self.top,
+            spindle_top: stage.speed_at_10v,
+            efficiency: stage.efficiency / 100.0,
+        })
     }
 
     /// Continuous curve of the motor at the spindle, derated for its site (`site_share`, %) and, without forced cooling, for a fan on its shaft.

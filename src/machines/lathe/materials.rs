@@ -1,6 +1,7 @@
 //! Materials of the part, for every machine that cuts: specific cutting force by the formula of Kienzle.
 
 use crate::drives::bending::STEEL;
+use crate::drives::cutting::Kienzle;
 use crate::options;
 
 options! {
@@ -33,15 +34,6 @@ options! {
         /// Ti-6Al-4V.
         Titanium = "titanium" "material.titanium",
     }
-}
-
-/// Specific cutting force of a material.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Kienzle {
-    /// At a chip of 1 mm by 1 mm and a rake angle of 0°, N/mm².
-    pub unit_force: f64,
-    /// Exponent of the chip thickness.
-    pub exponent: f64,
 }
 
 impl Material {

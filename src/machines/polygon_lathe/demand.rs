@@ -3,7 +3,7 @@
 use super::load::{FEEDS, PolygonAxis};
 use super::resolved::PolygonLathe;
 use super::turned_end_form::TurnedEnd;
-use crate::drives::cutting::kienzle;
+use crate::drives::cutting::{Chip, CuttingEdge};
 use crate::drives::spindle_motor::{power, run_up};
 
 /// Kind of demand on the motor of work or tool.
@@ -73,8 +73,8 @@ impl PolygonLathe {
 
     /// Cutting force (N) of turning an end: the chip is as wide as the cut is deep, and as thick as the feed.
     pub(super) fn end_force(&self, end: &TurnedEnd) -> f64 {
-        let row = self.params.specific();
-        kienzle(row.unit_force, row.exponent, (end.depth, end.feed), (90.0, self.params.rake))
+        let chip = Chip { depth: end.depth, feed: end.feed };
+        self.params.specific().force(chip, CuttingEdge { angle: 90.0, rake: self.params.rake })
     }
 
     /// Greatest cutting force of turning an end, N; 0 without turned ends.

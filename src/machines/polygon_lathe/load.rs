@@ -1,10 +1,9 @@
 //! Torque of work and tool: the interrupted cut, the run-up, and the ratings of the drives.
 
 use super::params::Params;
-use crate::drives::cutting::kienzle;
+use crate::drives::cutting::{Chip, CuttingEdge, Kienzle};
 use crate::drives::polygon::{cut, load};
-use crate::drives::spindle_motor::{MotorCurve, shortest_ramp};
-use crate::machines::lathe::materials::Kienzle;
+use crate::drives::spindle_motor::{GearedMotor, MotorCurve, shortest_ramp};
 
 /// Work axis or tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,10 +77,10 @@ impl Params {
     pub(super) fn load(&self, sizes: &[f64]) -> PolygonLoad {
         let Some(ratio) = self.ratio() else { return PolygonLoad::default() };
         let inserts = self.inserts as u32;
-        let row = self.specific();
-        let force = |depth: f64, feed: f64, edge: f64| {
-            let thick = cut::mark_pitch(ratio, inserts, feed);
-            kienzle(row.unit_force, row.exponent, (depth, thick), (edge, self.rake))
+        let material = self.specific();
+        let force = |depth: f64, feed: f64, angle: f64| {
+            let chip = Chip { depth, feed: cut::mark_pitch(ratio, inserts, feed) };
+            material.force(chip, CuttingEdge { angle, rake: self.rake })
         };
         let down = if self.is_behind_face() { force(self.insert_width, self.infeed, 90.0) } else { 0.0 };
         let mut all = PolygonLoad::default();
@@ -151,7 +150,13 @@ impl Params {
             PolygonAxis::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
         };
         let friction = if axis == PolygonAxis::Work && self.turns_ends() { self.main.friction } else { 0.0 };
-        let motor = MotorCurve::new(kilowatts, self.drive_efficiency / 100.0, (base, base), base * ratio);
+        let motor = MotorCurve::through_gear(GearedMotor {
+            power: kilowatts,
+            base,
+            top: base,
+            spindle_top: base * ratio,
+            efficiency: self.drive_efficiency / 100.0,
+        });
         AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain, friction }
     }
 

@@ -6,7 +6,7 @@ use super::derive::Derived;
 use super::params::Params;
 use crate::controls::{Control, Dialect, Switches};
 use crate::drives::polygon::Ratio;
-use crate::machines::driven::scaling::AxisDrive;
+use crate::machines::driven::scaling::{AxisDrive, GearTurns};
 use crate::machines::lathe::knobs;
 use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::machine::ControlContext;
@@ -126,8 +126,8 @@ impl PolygonLathe {
         let params = &self.params;
         let drive = |axis, gear, encoder| AxisDrive { axis, lead: 360.0, gear, encoder, rotary: true, words: 1.0 };
         [
-            drive("4", (params.work_teeth, params.work_motor_teeth), params.work_encoder),
-            drive("3", (params.tool_teeth, params.tool_motor_teeth), params.tool_encoder),
+            drive("4", GearTurns { motor: params.work_teeth, load: params.work_motor_teeth }, params.work_encoder),
+            drive("3", GearTurns { motor: params.tool_teeth, load: params.tool_motor_teeth }, params.tool_encoder),
         ]
     }
 

@@ -8,7 +8,7 @@ use crate::drives::duty::{counted_pause, with_pause};
 use crate::drives::inertia::{self, CM2, Cylinder, STEEL};
 use crate::drives::load::{self, Load, Move, effective};
 use crate::drives::servo::{Acceptance, FittedMotor, MotorDemand, Servo, Shares};
-use crate::drives::web;
+use crate::drives::web::Nip;
 use crate::math::RPM;
 
 /// Share (%) of the nip's holding force that may be used: a safety of 2 against slip. Source: sizing facts 2.2, from memory.
@@ -270,9 +270,9 @@ impl Mechanics {
         let unwinder = unwinder_torque(p, unwinding.brake);
         // The load includes the gear's losses in its inertia, so run-up and stop need the same torque.
         let unwinder_rise = unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp);
-        let grip = (pull.pinch_friction, pull.pinch_force);
-        let running = web::nip_use(grip, tension, (web_mass, acceleration));
-        let taut_nip_use = web::nip_use(grip, tautest - web.tension_behind, (web_mass, 0.0));
+        let nip = Nip { friction: pull.pinch_friction, force: pull.pinch_force };
+        let running = nip.used_share(tension, web_mass * acceleration);
+        let taut_nip_use = nip.used_share(tautest - web.tension_behind, 0.0);
         Mechanics {
             pull: pull_axis,
             tautest,
@@ -285,8 +285,8 @@ impl Mechanics {
             ),
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
-            allowed_tension: d.tension.limit.min(web.tension_behind + GRIP / 100.0 * grip.0 * grip.1),
-            slip_or_break_tension: (2.0 * d.tension.limit).min(web.tension_behind + grip.0 * grip.1),
+            allowed_tension: d.tension.limit.min(web.tension_behind + GRIP / 100.0 * nip.friction * nip.force),
+            slip_or_break_tension: (2.0 * d.tension.limit).min(web.tension_behind + nip.friction * nip.force),
             unwound: unwound(p, unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,

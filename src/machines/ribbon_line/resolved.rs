@@ -11,7 +11,7 @@ use crate::controls::interface::SignalRole;
 use crate::controls::{AnalogOutput, Control, Dialect};
 use crate::drives::speed::Steps;
 use crate::drives::web;
-use crate::machines::driven::scaling::AxisDrive;
+use crate::machines::driven::scaling::{AxisDrive, GearTurns};
 use crate::machines::machine::ControlContext;
 use crate::machines::program::writing;
 use crate::math::PI;
@@ -198,7 +198,7 @@ impl RibbonLine {
             AxisDrive {
                 axis: "X",
                 lead: PI * params.x_roller_diameter,
-                gear: (params.gear_x, 1.0),
+                gear: GearTurns { motor: params.gear_x, load: 1.0 },
                 encoder: params.encoder_x,
                 rotary: pull_rolls,
                 words: f64::from(self.pull_words()),
@@ -206,7 +206,7 @@ impl RibbonLine {
             AxisDrive {
                 axis: print,
                 lead: turn,
-                gear: (params.gear_y, 1.0),
+                gear: GearTurns { motor: params.gear_y, load: 1.0 },
                 encoder: params.encoder_y,
                 rotary: print_rolls,
                 words: 1.0,

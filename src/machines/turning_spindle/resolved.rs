@@ -6,7 +6,8 @@ use super::derive::Derived;
 use super::params::{self, Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
-use crate::drives::{Positioning, Stage, cutting};
+use crate::drives::cutting::{Chip, CuttingEdge, Kienzle};
+use crate::drives::{Positioning, SpeedRange, Stage};
 use crate::machines::driven::scaling::AxisDrive;
 use crate::machines::lathe::knobs::{self, KnobPositions};
 use crate::machines::lathe::slides::{ALONG, CROSS};
@@ -72,13 +73,9 @@ impl TurningSpindle {
             params.cutting_speed = if truncates { params.cutting_speed.floor() } else { params.cutting_speed.round() };
         }
         if let Some(row) = params.material.kienzle() {
-            let chip = (params.depth, params.feed);
-            params.cutting_force = cutting::kienzle(
-                row.unit_force * params.edge_wear,
-                row.exponent,
-                chip,
-                (params.edge_angle, params.rake),
-            );
+            let worn = Kienzle { unit_force: row.unit_force * params.edge_wear, ..row };
+            let chip = Chip { depth: params.depth, feed: params.feed };
+            params.cutting_force = worn.force(chip, CuttingEdge { angle: params.edge_angle, rake: params.rake });
         }
         let derived = Derived::new(&params, &control.analog_output, &dialect.spindle());
         TurningSpindle {
@@ -240,7 +237,10 @@ impl TurningSpindle {
     /// The gear stages that are fitted.
     pub(super) fn stages(&self) -> Vec<Stage> {
         let low = if self.rules().low_always { self.params.lower_limit } else { 0.0 };
-        self.params.stages().map(|speed| Stage { range: (low, f64::INFINITY), ..Stage::new(speed) }).collect()
+        self.params
+            .stages()
+            .map(|speed| Stage { range: SpeedRange::new(low, f64::INFINITY), ..Stage::new(speed) })
+            .collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Any commands on any plant: the run ends, and nothing panics.
 
 use macroline::drives::speed::SpeedLimit;
-use macroline::drives::{Approach, Positioning, Stage};
+use macroline::drives::{Approach, Positioning, SpeedRange, Stage};
 use proptest::prelude::*;
 
 use super::*;
@@ -77,7 +77,8 @@ fn any_plant() -> impl Strategy<Value = Plant> {
         };
         let mut plant = plant();
         plant.axes = vec![axis; axes];
-        plant.spindle.stages = [Stage { rated: n[4], range: (n[5], n[6]), automatic: (n[7], n[0]) }; 5];
+        plant.spindle.stages =
+            [Stage { rated: n[4], range: SpeedRange::new(n[5], n[6]), automatic: SpeedRange::new(n[7], n[0]) }; 5];
         plant.spindle.stage_count = small;
         plant.spindle.positioning =
             (small % 3 > 0).then_some(Positioning { speed: n[1], acceleration: n[2], clockwise: diameter });

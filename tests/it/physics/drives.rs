@@ -3,7 +3,7 @@
 use macroline::drives::cutting::torque;
 use macroline::drives::orient::{Approach, Travel, first_travel, travel};
 use macroline::drives::speed::{Steps, limit_diameter, stage_for, surface_rpm, surface_speed};
-use macroline::drives::{Analog, Bound, SpeedLimits, Stage};
+use macroline::drives::{Analog, Bound, SpeedLimits, SpeedRange, Stage};
 
 use super::*;
 
@@ -58,9 +58,9 @@ fn surface_speeds_match_the_manual() {
 fn sheet(surface: bool) -> SpeedLimits {
     SpeedLimits {
         machine: 3500.0,
-        gear: (30.0, 2800.0),
-        set: (50.0, 3000.0),
-        surface: (0.0, if surface { 2500.0 } else { f64::INFINITY }),
+        gear: SpeedRange::new(30.0, 2800.0),
+        set: SpeedRange::new(50.0, 3000.0),
+        surface: SpeedRange::new(0.0, if surface { 2500.0 } else { f64::INFINITY }),
     }
 }
 
@@ -79,12 +79,12 @@ fn speed_limits_match_the_table_and_name_the_binding_one() {
         assert_eq!(sheet(true).hold(surface_rpm(180.0, diameter)), (2500.0, Bound::Surface));
     }
     // The upper limit wins over a lower one above it.
-    let crossed = SpeedLimits { set: (900.0, 400.0), ..SpeedLimits::NONE };
+    let crossed = SpeedLimits { set: SpeedRange::new(900.0, 400.0), ..SpeedLimits::NONE };
     assert_eq!((crossed.hold(600.0), crossed.hold(20.0)), ((400.0, Bound::Upper), (400.0, Bound::Upper)));
     let each = |limits: SpeedLimits, rpm| limits.hold(rpm).1;
     assert_eq!(each(SpeedLimits { machine: 10.0, ..SpeedLimits::NONE }, 11.0), Bound::Machine);
-    assert_eq!(each(SpeedLimits { gear: (10.0, 99.0), ..SpeedLimits::NONE }, 1.0), Bound::GearLow);
-    assert_eq!(each(SpeedLimits { surface: (10.0, 99.0), ..SpeedLimits::NONE }, 1.0), Bound::SurfaceLow);
+    assert_eq!(each(SpeedLimits { gear: SpeedRange::new(10.0, 99.0), ..SpeedLimits::NONE }, 1.0), Bound::GearLow);
+    assert_eq!(each(SpeedLimits { surface: SpeedRange::new(10.0, 99.0), ..SpeedLimits::NONE }, 1.0), Bound::SurfaceLow);
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn positioning_travel_leaves_room_to_brake() {
 
 #[test]
 fn gear_is_kept_where_it_fits_else_selected_by_speed() {
-    let stage = |low, high| Stage { automatic: (low, high), ..Stage::new(high) };
+    let stage = |low, high| Stage { automatic: SpeedRange::new(low, high), ..Stage::new(high) };
     let stages = [stage(0.0, 400.0), stage(300.0, 1000.0), stage(900.0, 3000.0)];
     let chosen = [(1, 350.0), (2, 350.0), (3, 350.0), (1, 950.0), (3, 950.0), (2, 3001.0), (9, 5.0)];
     let stage = chosen.map(|(present, rpm)| stage_for(&stages, present, rpm));

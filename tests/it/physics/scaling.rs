@@ -2,13 +2,19 @@
 
 use macroline::controls::{Control, ParamRole, find};
 use macroline::drives::scaling::Fraction;
-use macroline::machines::driven::scaling::{AxisDrive, parameters};
+use macroline::machines::driven::scaling::{AxisDrive, GearTurns, parameters};
 use macroline::machines::sheets::ParamValue;
 use macroline::math::{self, PI};
 
 /// A pull roller of 100 mm on a gear of 10 : 1.
-const ROLLER: AxisDrive =
-    AxisDrive { axis: "X", lead: PI * 100.0, gear: (10.0, 1.0), encoder: 131_072.0, rotary: false, words: 1.0 };
+const ROLLER: AxisDrive = AxisDrive {
+    axis: "X",
+    lead: PI * 100.0,
+    gear: GearTurns { motor: 10.0, load: 1.0 },
+    encoder: 131_072.0,
+    rotary: false,
+    words: 1.0,
+};
 
 fn control(id: &str) -> &'static Control {
     find(id).unwrap()
@@ -85,19 +91,20 @@ fn scaling_writes_parameters_that_the_control_has() {
 
 #[test]
 fn screws_and_tables_leave_no_remainder() {
-    let screw = AxisDrive { lead: 4.0, gear: (1.0, 1.0), ..ROLLER };
+    let screw = AxisDrive { lead: 4.0, gear: GearTurns { motor: 1.0, load: 1.0 }, ..ROLLER };
     assert_eq!(
         values(&screw, "gsk-980tdc"),
         [(ParamRole::CountsOver, 4096.0), (ParamRole::CountsUnder, 125.0)],
         "the manual's own example"
     );
-    let table = AxisDrive { lead: 360.0, gear: (10.0, 1.0), rotary: true, ..ROLLER };
+    let table = AxisDrive { lead: 360.0, gear: GearTurns { motor: 10.0, load: 1.0 }, rotary: true, ..ROLLER };
     assert_eq!(values(&table, "fanuc-0i-tf")[2..], [(ParamRole::FeedGearOver, 9.0), (ParamRole::FeedGearUnder, 250.0)]);
     assert_eq!(values(&table, "mitsubishi-e60")[2], (ParamRole::WholeLead, 360.0));
     for control in macroline::controls::ALL {
-        for (teeth, lead) in [((1.0, 1.0), 5.0), ((30.0, 20.0), 6.0), ((7.0, 25.0), 10.0)] {
-            let drive = AxisDrive { lead, gear: teeth, encoder: 10_000.0, ..ROLLER };
-            assert_eq!(drive.error(control), Some(0.0), "{} {teeth:?} {lead}", control.id);
+        for (driven, driving, lead) in [(1.0, 1.0, 5.0), (30.0, 20.0, 6.0), (7.0, 25.0, 10.0)] {
+            let gear = GearTurns { motor: driven, load: driving };
+            let drive = AxisDrive { lead, gear, encoder: 10_000.0, ..ROLLER };
+            assert_eq!(drive.error(control), Some(0.0), "{} {gear:?} {lead}", control.id);
         }
         assert_eq!(table.error(control), Some(0.0), "{}", control.id);
     }
@@ -105,7 +112,7 @@ fn screws_and_tables_leave_no_remainder() {
 
 #[test]
 fn gear_beyond_the_parameters_has_no_scaling() {
-    let slow = AxisDrive { lead: 1.0, gear: (1_000_000.0, 1.0), ..ROLLER };
+    let slow = AxisDrive { lead: 1.0, gear: GearTurns { motor: 1_000_000.0, load: 1.0 }, ..ROLLER };
     assert_eq!(slow.error(control("fanuc-0i-tf")), None);
     assert_eq!(slow.error(control("mitsubishi-e60")), None);
 }

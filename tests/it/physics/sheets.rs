@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use macroline::drives::{Bound, Positioning, Stage};
+use macroline::drives::{Bound, Positioning, SpeedRange, Stage};
 use macroline::interp::{Interp, StartProgram};
 use macroline::motion::SpindleState;
 use macroline::nc::{Files, parse_with};
@@ -44,7 +44,8 @@ impl Lathe {
     /// The machine of `sinumerik-802d.md` section 7: MD35100 = 3500, MD35130 = 2800, MD35140 = 30.
     fn of_the_sheet(switches: &[(&str, &str)]) -> Lathe {
         let mut lathe = Lathe::new("sinumerik-802d", switches);
-        lathe.plant.spindle = lathe.plant.spindle.with_stages([Stage { range: (30.0, 2800.0), ..Stage::new(3500.0) }]);
+        lathe.plant.spindle =
+            lathe.plant.spindle.with_stages([Stage { range: SpeedRange::new(30.0, 2800.0), ..Stage::new(3500.0) }]);
         lathe
     }
 

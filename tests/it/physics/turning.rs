@@ -2,7 +2,7 @@
 
 use macroline::controls::spindle::RapidSpeed;
 use macroline::drives::speed::{SpeedLimit, Steps, surface_rpm};
-use macroline::drives::{Bound, Stage};
+use macroline::drives::{Bound, SpeedRange, Stage};
 use macroline::motion::GearShift;
 
 use super::lathe::{begins, surface};
@@ -310,7 +310,7 @@ fn gear_shift_follows_the_ladder_sequence() {
 
 #[test]
 fn automatic_gear_follows_s() {
-    let stage = |low: f64, high: f64| Stage { automatic: (low, high), ..Stage::new(high) };
+    let stage = |low: f64, high: f64| Stage { automatic: SpeedRange::new(low, high), ..Stage::new(high) };
     let mut plant = plant();
     plant.spindle.speed_clamp = 9999.0;
     plant.spindle = plant.spindle.with_stages([stage(0.0, 700.0), stage(600.0, 1500.0)]);

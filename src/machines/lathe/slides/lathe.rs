@@ -3,7 +3,7 @@
 use super::form::{self, SlideParams};
 use crate::controls::Address;
 use crate::drives::block;
-use crate::machines::driven::scaling::{self, AxisDrive};
+use crate::machines::driven::scaling::{self, AxisDrive, GearTurns};
 use crate::machines::form::Field;
 use crate::motion::AxisPlant;
 
@@ -136,7 +136,7 @@ impl LatheSlides {
 
 impl SlideParams {
     fn drive(&self, axis: &'static str, words: f64) -> AxisDrive<'static> {
-        let gear = (self.screw_teeth, self.motor_teeth);
+        let gear = GearTurns { motor: self.screw_teeth, load: self.motor_teeth };
         AxisDrive { axis, lead: self.lead, gear, encoder: self.encoder, rotary: false, words }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::command::CommandedSpeed;
 use crate::drives::Bound;
-use crate::drives::speed::{SpeedLimits, surface_rpm};
+use crate::drives::speed::{SpeedLimits, SpeedRange, surface_rpm};
 use crate::machines::turning_spindle::params::Params;
 
 /// Speed of the spindle over the diameter, as the control limits it.
@@ -22,8 +22,11 @@ impl HeldSpeed {
     pub(super) fn new(p: &Params, command: &CommandedSpeed, top: f64, surface: bool) -> HeldSpeed {
         let limits = SpeedLimits {
             machine: p.chuck_limit,
-            gear: (if command.low_always { p.lower_limit } else { 0.0 }, if surface { top } else { f64::INFINITY }),
-            surface: if surface { (p.lower_limit, p.upper_limit) } else { (0.0, f64::INFINITY) },
+            gear: SpeedRange::new(
+                if command.low_always { p.lower_limit } else { 0.0 },
+                if surface { top } else { f64::INFINITY },
+            ),
+            surface: if surface { SpeedRange::new(p.lower_limit, p.upper_limit) } else { SpeedRange::ANY },
             ..SpeedLimits::NONE
         };
         HeldSpeed { limits, speed: command.surface, after: command.after, top }

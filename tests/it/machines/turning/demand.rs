@@ -1,6 +1,6 @@
 //! Demand on the motor of the turning spindle: cut, friction and acceleration together, by the formulas and in the run.
 
-use macroline::drives::spindle_motor::MotorCurve;
+use macroline::drives::spindle_motor::{GearedMotor, MotorCurve};
 use macroline::machines::driven::SpindleRun;
 use macroline::machines::driven::devices::BillItem;
 use macroline::math;
@@ -186,7 +186,13 @@ fn stretches_of_the_spindle_fill_the_requested_span() {
 
 #[test]
 fn mean_square_on_a_curve_is_that_of_small_steps() {
-    let motor = MotorCurve::new(15.0, 1.0, (1500.0, 1.0), 1.0);
+    let motor = MotorCurve::through_gear(GearedMotor {
+        power: 15.0,
+        base: 1500.0,
+        top: 1.0,
+        spindle_top: 1.0,
+        efficiency: 1.0,
+    });
     for (from, to) in [(0.0, 4000.0), (3000.0, -0.0), (1600.0, 4000.0), (0.0, 900.0), (2000.0, 2000.0)] {
         let steps = 100_000;
         let share = |at: i32| {

@@ -1,6 +1,6 @@
 //! Inertia of the turning spindle: its run-up and braking by the motor, its coasting without current, by formulas and in the run.
 
-use macroline::drives::spindle_motor::MotorCurve;
+use macroline::drives::spindle_motor::{GearedMotor, MotorCurve};
 use macroline::motion::{Action, Event, Planner};
 use macroline::project::Project;
 use macroline::project::size::OperatingEvent;
@@ -135,7 +135,13 @@ fn by_steps(motor: MotorCurve, rpm: f64, inertia: f64, load: f64) -> f64 {
 
 #[test]
 fn fastest_run_up_is_the_integral_over_the_curve() {
-    let motor = MotorCurve::new(7.5, 0.8, (1500.0, 6000.0), 3000.0);
+    let motor = MotorCurve::through_gear(GearedMotor {
+        power: 7.5,
+        base: 1500.0,
+        top: 6000.0,
+        spindle_top: 3000.0,
+        efficiency: 0.8,
+    });
     assert_eq!(motor.base, 750.0);
     for rpm in [500.0, 750.0, 2000.0, 3000.0] {
         // From none to nearly all of the 19.1 Nm that there are at 3000 r/min; braking has the friction on its side.
