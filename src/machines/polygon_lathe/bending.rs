@@ -94,7 +94,7 @@ impl PolygonLathe {
             let forces = self.polygons().flat_map(|lathe| {
                 let p = Params { depth, ..lathe.params.clone() };
                 let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-                p.load(&sizes).cuts.map(|cut| cut.force)
+                p.cutting_torques(&sizes).cuts.map(|cut| cut.force)
             });
             forces.fold(0.0, f64::max)
         };

@@ -1,6 +1,6 @@
 //! Demand of the whole part on the drives of work and tool, and their limits: the worst case over all polygons and feeds.
 
-use super::load::{FEEDS, PolygonAxis};
+use super::load::{PolygonAxis, PolygonFeed};
 use super::resolved::PolygonLathe;
 use super::turned_end_form::TurnedEnd;
 use crate::drives::cutting::{Chip, CuttingEdge};
@@ -22,9 +22,9 @@ pub(super) enum DemandKind {
 }
 
 impl PolygonLathe {
-    /// Demand on an axis and its limit with this polygon at a feed, an index of [`FEEDS`].
-    fn demand_at(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> (f64, f64) {
-        let torque = self.derived.load.cuts[feed].torque[axis as usize];
+    /// Demand on an axis and its limit with this polygon at a feed.
+    fn demand_at(&self, axis: PolygonAxis, kind: DemandKind, feed: PolygonFeed) -> (f64, f64) {
+        let torque = self.derived.load.at(feed).torque[axis as usize];
         let drive = self.params.drive(axis);
         let (continuous, most) = self.params.torques_of(&drive);
         match kind {
@@ -39,17 +39,16 @@ impl PolygonLathe {
 
     /// Demand on an axis and its limit, where their ratio is greatest: over all polygons and feeds.
     pub(super) fn demand(&self, axis: PolygonAxis, kind: DemandKind) -> (f64, f64) {
-        let feeds = 0..FEEDS.len();
         let of = |lathe: &PolygonLathe, feed| lathe.demand_at(axis, kind, feed);
-        let all = self.polygons().flat_map(|lathe| feeds.clone().map(move |feed| of(lathe, feed)));
+        let all = self.polygons().flat_map(|lathe| PolygonFeed::ALL.map(|feed| of(lathe, feed)));
         // Friction may leave a limit of 0: any demand then has an infinite share.
         let share = |(demand, limit): (f64, f64)| if demand > 0.0 { demand / limit } else { 0.0 };
         let first = (0.0, f64::INFINITY);
         all.fold(first, |worst, next| if worst == first || share(next) > share(worst) { next } else { worst })
     }
 
-    /// Greatest ratio, over all polygons, of demand to limit of an axis at a feed, an index of [`FEEDS`].
-    pub(super) fn excess(&self, axis: PolygonAxis, kind: DemandKind, feed: usize) -> f64 {
+    /// Greatest ratio, over all polygons, of demand to limit of an axis at a feed.
+    pub(super) fn excess(&self, axis: PolygonAxis, kind: DemandKind, feed: PolygonFeed) -> f64 {
         self.polygons()
             .map(|lathe| lathe.demand_at(axis, kind, feed))
             .map(|(demand, limit)| demand / limit)
@@ -66,9 +65,9 @@ impl PolygonLathe {
         self.force().max(self.greatest_end_force())
     }
 
-    /// Greatest force (N) of the cuts at a feed, an index of [`FEEDS`].
-    pub(super) fn force_at(&self, feed: usize) -> f64 {
-        self.polygons().map(|lathe| lathe.derived.load.cuts[feed].force).fold(0.0, f64::max)
+    /// Greatest force (N) of the cuts at a feed.
+    pub(super) fn force_at(&self, feed: PolygonFeed) -> f64 {
+        self.polygons().map(|lathe| lathe.derived.load.at(feed).force).fold(0.0, f64::max)
     }
 
     /// Cutting force (N) of turning an end: the chip is as wide as the cut is deep, and as thick as the feed.

@@ -12,8 +12,39 @@ pub(super) enum PolygonAxis {
     Tool,
 }
 
-/// The fields of the feeds. [`PolygonLoad::cuts`] has the cuts of each, in this order.
-pub(super) const FEEDS: [&str; 3] = ["feed", "finish-feed", "infeed"];
+/// A feed of the cutter, with which its cuts are made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PolygonFeed {
+    /// Along the flats, in all passes but the last.
+    Roughing,
+    /// Along the flats, in the last pass.
+    Finishing,
+    /// Down to the flats behind the face.
+    Infeed,
+}
+
+impl PolygonFeed {
+    /// All of them, in the order of the form.
+    pub(super) const ALL: [PolygonFeed; 3] = [PolygonFeed::Roughing, PolygonFeed::Finishing, PolygonFeed::Infeed];
+
+    /// Its field.
+    pub(super) fn field(self) -> &'static str {
+        match self {
+            PolygonFeed::Roughing => "feed",
+            PolygonFeed::Finishing => "finish-feed",
+            PolygonFeed::Infeed => "infeed",
+        }
+    }
+
+    /// Its entry in a form.
+    pub(super) fn entry(self, p: &Params) -> f64 {
+        match self {
+            PolygonFeed::Roughing => p.feed,
+            PolygonFeed::Finishing => p.finish_feed,
+            PolygonFeed::Infeed => p.infeed,
+        }
+    }
+}
 
 /// Torque about an axis, Nm.
 #[derive(Debug, Clone, Copy, Default)]
@@ -30,9 +61,10 @@ pub(super) struct CutLoad {
     pub torque: [Torque; 2],
 }
 
-/// All cuts of a polygon, by feed.
+/// All cuts of a polygon.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PolygonLoad {
+    /// By feed, in the order of [`PolygonFeed::ALL`].
     pub cuts: [CutLoad; 3],
     /// Inserts in the cut at once.
     pub at_once: f64,
@@ -51,6 +83,18 @@ pub(super) struct AxisMotor {
     pub gain: f64,
     /// Friction (Nm) at the axis, besides the cut.
     pub friction: f64,
+}
+
+impl PolygonLoad {
+    /// The cuts at a feed.
+    pub(super) fn at(&self, feed: PolygonFeed) -> &CutLoad {
+        &self.cuts[feed as usize]
+    }
+
+    /// Raises the cuts at a feed to `cut`.
+    fn raise(&mut self, feed: PolygonFeed, cut: CutLoad) {
+        self.cuts[feed as usize] = self.at(feed).worst(cut);
+    }
 }
 
 impl CutLoad {
@@ -74,7 +118,7 @@ impl Params {
     /// Loads of passes of these `sizes` across flats. The chip has the depth of the layer as its width and the distance
     /// of the feed marks as its thickness. In the infeed its width is that of the insert, and the levers of its force
     /// are the tip radius and the stock radius.
-    pub(super) fn load(&self, sizes: &[f64]) -> PolygonLoad {
+    pub(super) fn cutting_torques(&self, sizes: &[f64]) -> PolygonLoad {
         let Some(ratio) = self.ratio() else { return PolygonLoad::default() };
         let inserts = self.inserts as u32;
         let material = self.specific();
@@ -98,9 +142,8 @@ impl Params {
             };
             let cut = CutLoad { force: along * pass.depth, torque: [torque(pass.work), torque(pass.tool)] };
             let plunge = CutLoad { force: down, torque: [lever(0.5 * self.blank()), lever(self.tip_radius)] };
-            let own = usize::from(last);
-            all.cuts[own] = all.cuts[own].worst(cut);
-            all.cuts[2] = all.cuts[2].worst(plunge);
+            all.raise(if last { PolygonFeed::Finishing } else { PolygonFeed::Roughing }, cut);
+            all.raise(PolygonFeed::Infeed, plunge);
             all.at_once = all.at_once.max(f64::from(pass.at_once));
         }
         all

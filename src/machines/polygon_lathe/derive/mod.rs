@@ -57,7 +57,7 @@ impl Derived {
             inserts: cut.map_or_else(InsertDemands::default, |cut| InsertDemands::new(p, cut, &speeds)),
             angles: cut.map_or_else(WorkAngles::default, |cut| WorkAngles::new(p, cut, &speeds)),
             twist: cut.map_or_else(Twist::default, |cut| Twist::new(p, cut, &speeds, &feeds)),
-            load: cut.map_or_else(PolygonLoad::default, |_| p.load(sizes)),
+            load: cut.map_or_else(PolygonLoad::default, |_| p.cutting_torques(sizes)),
             speeds,
             feeds,
         }

@@ -4,7 +4,7 @@ use crate::drives::cutting;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max};
 use crate::machines::lathe::knobs;
 use crate::machines::polygon_lathe::demand::DemandKind;
-use crate::machines::polygon_lathe::load::{FEEDS, PolygonAxis};
+use crate::machines::polygon_lathe::load::{PolygonAxis, PolygonFeed};
 use crate::machines::polygon_lathe::params::FIELDS;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::polygon_lathe::turned_end_form::TURNED_ENDS;
@@ -18,10 +18,10 @@ use crate::view::Limit::AtMost;
 /// the feed override.
 fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: DemandKind, fact: Message) -> Advice {
     let p = &lathe.params;
-    let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
-    let sets = feeds.filter_map(|(cuts, (field, feed))| {
-        let excess = at.excess(axis, kind, cuts);
-        (excess > 1.0).then(|| at_most(FIELDS, field, feed * cutting::feed_share(1.0 / excess, p.specific().exponent)))
+    let sets = PolygonFeed::ALL.into_iter().filter_map(|feed| {
+        let excess = at.excess(axis, kind, feed);
+        let share = || cutting::feed_share(1.0 / excess, p.specific().exponent);
+        (excess > 1.0).then(|| at_most(FIELDS, feed.field(), feed.entry(p) * share()))
     });
     knobs::setting_feeds(Advice::from(fact), sets.collect())
 }
@@ -31,8 +31,7 @@ impl PolygonLathe {
     /// (N): of the flats, then of the turned ends.
     pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<NumberEntry> {
         let p = &self.params;
-        let flats = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
-        let flats = flats.map(|(cuts, (field, feed))| (field, feed, at.force_at(cuts)));
+        let flats = PolygonFeed::ALL.into_iter().map(|feed| (feed.field(), feed.entry(p), at.force_at(feed)));
         let ends = TURNED_ENDS
             .map(|fields| fields.feed)
             .into_iter()
