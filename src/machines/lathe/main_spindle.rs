@@ -194,19 +194,27 @@ pub(in crate::machines) const fn friction<P>(
     row.unit("Nm").range(0.01..=10000.0).default(2.0).decimals(2).step(0.1).fact()
 }
 
+/// Highest position of the override knob, and the speed there.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::machines) struct SpeedAtKnob {
+    /// Position, %.
+    pub percent: f64,
+    /// Speed of the spindle, r/min.
+    pub speed: f64,
+}
+
 /// Judges the ramp of the form (field `id`) against the shortest one that the motor can follow to `highest`, the
-/// highest speed of the program in r/min. A warning if the ramp suffices for that speed, but not for `at_knob`: highest
-/// position (%) of the override knob, and the speed (r/min) there.
+/// highest speed of the program in r/min. A warning if the ramp suffices for that speed, but not for the speed `at_knob`.
 pub(in crate::machines) fn judge_ramp<P>(
     spindle: &MainSpindle,
     highest: f64,
-    at_knob: Option<(f64, f64)>,
+    at_knob: Option<SpeedAtKnob>,
     (fields, id): (&[Field<P>], &'static str),
 ) -> Option<Judgement> {
     let (ramp, shortest) = (spindle.ramp, spindle.shortest_ramp(highest));
     let limit = AtMost(ramp);
     if limit.holds(shortest) {
-        let at_knob = at_knob.map(|(percent, speed)| (percent, spindle.shortest_ramp(speed)));
+        let at_knob = at_knob.map(|knob| (knob.percent, spindle.shortest_ramp(knob.speed)));
         let Some((percent, shortest)) = at_knob.filter(|(_, shortest)| !limit.holds(*shortest)) else {
             return ok(limit);
         };

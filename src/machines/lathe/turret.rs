@@ -16,12 +16,26 @@ pub(in crate::machines) fn hits_tailstock(start_x: f64, diameter: f64, room: f64
     (start_x < least).then(|| Diagnostic::error(message).about("start-x").mended_by(least.ceil()))
 }
 
-/// Error of a turret that turns into the work: at `start` (X as a diameter, and Z, mm) its other tools reach `room`
-/// (mm) beyond the tip of the tool; the stock has this diameter (mm) and ends at this Z (mm). `None` if the turret has
-/// room beside the work or in front of it.
-pub(in crate::machines) fn hits_work(start: (f64, f64), (diameter, end): (f64, f64), room: f64) -> Option<Diagnostic> {
-    let (x, z) = start;
-    let hits = x < beside(diameter, room) && z < end + room;
-    let message = msg!("lathe.turret-hits-work", x = (x, 3), z = (z, 3), room = (room, 1));
-    hits.then(|| Diagnostic::error(message).about("start-z").mended_by((end + room).ceil()))
+/// Start point of the slide, mm.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::machines) struct SlideStart {
+    /// As a diameter.
+    pub x: f64,
+    pub z: f64,
+}
+
+/// The stock in front of the jaws, mm.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::machines) struct StockEnd {
+    pub diameter: f64,
+    /// Z of its face.
+    pub z: f64,
+}
+
+/// Error of a turret that turns into the work: at `start` its other tools reach `room` (mm) beyond the tip of the tool.
+/// `None` if the turret has room beside the stock or in front of it.
+pub(in crate::machines) fn hits_work(start: SlideStart, stock: StockEnd, room: f64) -> Option<Diagnostic> {
+    let hits = start.x < beside(stock.diameter, room) && start.z < stock.z + room;
+    let message = msg!("lathe.turret-hits-work", x = (start.x, 3), z = (start.z, 3), room = (room, 1));
+    hits.then(|| Diagnostic::error(message).about("start-z").mended_by((stock.z + room).ceil()))
 }

@@ -10,7 +10,7 @@ use crate::drives::servo::{Acceptance, FittedMotor, Servo};
 use crate::drives::shaft_motion::Strikes;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, GaugeRow};
 use crate::machines::lathe::knobs;
-use crate::machines::lathe::slides::{self, HasSlides, ServoSlide, SlideDuty};
+use crate::machines::lathe::slides::{self, HasSlides, ServoSlide, SlideAxes, SlideDuty, SlidePasses};
 use crate::math::PI;
 use crate::motion::Mover;
 use crate::view::Advice;
@@ -81,13 +81,13 @@ fn starts_per_minute(lathe: &PolygonLathe) -> f64 {
     let ends = ends.flat_map(|end| [end.steps(p), end.thread(p)].map(|steps| of(p, steps, end.speed)));
     let (starts, seconds, motions) =
         polygons.chain(ends).fold((0.0, 0.0, 0.0), |all, next| (all.0 + next.0, all.1 + next.1, all.2 + next.2));
-    slides::starts_per_minute(starts, seconds, (motions, p.slides.time_constant))
+    SlidePasses { starts, motions, seconds }.starts_per_minute(p.slides.time_constant)
 }
 
 impl HasSlides for PolygonLathe {
     fn slides(&self) -> [ServoSlide; 2] {
         self.params.slides.servos(SlideDuty {
-            axes: [self.cross(), self.along()],
+            axes: SlideAxes { x: self.cross(), z: self.along() },
             site_share: self.params.site_share,
             cutting_force: self.greatest_force(),
             starts_per_minute: starts_per_minute(self),

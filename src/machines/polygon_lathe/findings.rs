@@ -8,7 +8,7 @@ use super::program;
 use super::resolved::PolygonLathe;
 use super::turned_end_form::{TURNED_ENDS, TurnedEnd, TurnedEndFields, TurnedEndPlace};
 use crate::controls::ParamRole;
-use crate::machines::lathe::turret;
+use crate::machines::lathe::turret::{self, SlideStart, StockEnd};
 use crate::machines::sheets;
 use crate::msg;
 use crate::text::{Diagnostic, Message};
@@ -241,7 +241,11 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     found.extend(turned_corners(lathe));
     let bends = bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS);
     found.extend(bends.filter_map(|(bends, fields)| Some(bends?.about(fields.depth))));
-    found.extend(turret::hits_work((p.start_x, p.start_z), (p.stock_diameter, 0.0), p.turret_room));
+    found.extend(turret::hits_work(
+        SlideStart { x: p.start_x, z: p.start_z },
+        StockEnd { diameter: p.stock_diameter, z: 0.0 },
+        p.turret_room,
+    ));
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }

@@ -14,7 +14,7 @@ use crate::machines::driven::devices::{AskedDevice, forced_cooling_advice};
 use crate::machines::driven::{InverterDrive, SpindleEncoder, SpindleRun, speed_segments};
 use crate::machines::form::entry::at_most;
 use crate::machines::lathe::knobs::{self, KnobPositions, TorqueAtKnobs, TorqueRemedy};
-use crate::machines::lathe::main_spindle::{self, SpeedCurves, SpindleGear};
+use crate::machines::lathe::main_spindle::{self, SpeedAtKnob, SpeedCurves, SpindleGear};
 use crate::machines::machine::Samples;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math::RPM;
@@ -219,7 +219,8 @@ pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 /// Judges the ramp of the inverter against the shortest one to the greatest speed of the turned ends.
 pub(super) fn judge_ramp(lathe: &PolygonLathe) -> Option<Judgement> {
     let speed = programmed_speed(lathe);
-    let at_knob = lathe.knob_ends().higher.map(|percent| (percent, lathe.speed_at(speed, percent)));
+    let at_knob =
+        lathe.knob_ends().higher.map(|percent| SpeedAtKnob { percent, speed: lathe.speed_at(speed, percent) });
     main_spindle::judge_ramp(&lathe.params.main_spindle(), speed, at_knob, (FIELDS, "main-ramp"))
 }
 

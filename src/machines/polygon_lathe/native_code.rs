@@ -7,7 +7,7 @@ use super::resolved::PolygonLathe;
 use super::turned_end_form::TurnedEndPlace;
 use crate::controls::{self, Address, Code, CodeId, Control};
 use crate::machines::lathe::slides::{ALONG, CROSS};
-use crate::machines::program::writing;
+use crate::machines::program::writing::{self, PositionVariables};
 use crate::machines::sheets::{row, say};
 use crate::math;
 use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z};
@@ -51,15 +51,15 @@ impl Blocks<'_> {
     }
 
     /// Place of the tool, where the program can read it and raise an alarm.
-    fn place(&self) -> Option<(u32, u32)> {
-        writing::places(self.lathe.control, [CROSS, ALONG])
+    fn position(&self) -> Option<PositionVariables> {
+        writing::position_variables(self.lathe.control, [CROSS, ALONG])
     }
 
     /// The checks that the tool is clear of the work, as in the program with G512.
     fn check(&mut self) {
-        let Some(place) = self.place() else { return };
+        let Some(position) = self.position() else { return };
         let clear = self.lathe.x_of(self.lathe.params.clear_diameter());
-        writing::stays_clear(&mut self.builder, place, || real(clear, 3), writing::alarm_block(program::AWAY));
+        writing::stays_clear(&mut self.builder, position, || real(clear, 3), writing::alarm_block(program::AWAY));
         self.notes.extend(["polygon.other.clear"; 2]);
     }
 
@@ -67,8 +67,8 @@ impl Blocks<'_> {
     /// goes on after them.
     fn check_turret(&mut self) {
         const NEXT: u32 = 12;
-        let Some(place) = self.place() else { return };
-        program::check_turret(&mut self.builder, self.lathe, place, NEXT);
+        let Some(position) = self.position() else { return };
+        program::check_turret(&mut self.builder, self.lathe, position, NEXT);
         self.builder.n(NEXT);
         self.notes.extend(["polygon.other.turret"; 2]);
     }
@@ -132,7 +132,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     b.add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
     b.turned_end(TurnedEndPlace::After);
     b.add(vec![m(30)], "");
-    if b.place().is_some() {
+    if b.position().is_some() {
         program::away_alarm(&mut b.builder, lathe);
         b.notes.extend(["polygon.other.away", ""]);
     }

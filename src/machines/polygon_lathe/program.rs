@@ -11,7 +11,7 @@ use crate::controls::Code;
 use crate::controls::CodeId;
 use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::machine::MachineVariable;
-use crate::machines::program::writing::{self, alarm_block};
+use crate::machines::program::writing::{self, PositionVariables, TurretRoom, alarm_block};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x, z};
 use crate::text::catalog::number_text as show;
@@ -232,25 +232,26 @@ pub(super) fn turned_end(lathe: &PolygonLathe, place: TurnedEndPlace) -> Vec<Tur
 }
 
 /// Writes the blocks of a turned end, with the checks after each tool change.
-fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, place: Option<(u32, u32)>) {
+fn write_turned_end(b: &mut Builder, lathe: &PolygonLathe, at: TurnedEndPlace, position: Option<PositionVariables>) {
     for block in turned_end(lathe, at) {
         b.words(block.words);
         if !block.note.is_empty() {
             b.note(block.note);
         }
-        if let Some(place) = place.filter(|_| block.changes_tool) {
+        if let Some(position) = position.filter(|_| block.changes_tool) {
             let clear = lathe.params.clear_diameter();
-            writing::stays_clear(b, place, || real(lathe.x_of(clear), 3), alarm_block(AWAY));
+            writing::stays_clear(b, position, || real(lathe.x_of(clear), 3), alarm_block(AWAY));
         }
     }
 }
 
 /// Jumps to an alarm unless the turret has room to turn at the position of the slide; with room beside the work it goes
 /// on at block `next`.
-pub(super) fn check_turret(b: &mut Builder, lathe: &PolygonLathe, place: (u32, u32), next: u32) {
+pub(super) fn check_turret(b: &mut Builder, lathe: &PolygonLathe, position: PositionVariables, next: u32) {
     let p = &lathe.params;
-    let beside = lathe.x_of(p.stock_diameter + 2.0 * p.turret_room);
-    writing::turret_has_room(b, place, (real(beside, 3), real(p.turret_room, 3)), next, alarm_block(AWAY));
+    let beside = real(lathe.x_of(p.stock_diameter + 2.0 * p.turret_room), 3);
+    let in_front = real(p.turret_room, 3);
+    writing::turret_has_room(b, position, TurretRoom { beside, in_front }, next, alarm_block(AWAY));
 }
 
 /// Writes O3000, which turns the part.
@@ -273,19 +274,19 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
             b.comment(&format!("X OFFSET OF T{} IS {}", p.tool as u32, show(d.place.offset, 3)));
         }
     }
-    let place = writing::places(lathe.control, [CROSS, ALONG]);
+    let position = writing::position_variables(lathe.control, [CROSS, ALONG]);
     let away = || real(lathe.x_of(clear), 3);
     b.n(10).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
-    if let Some(place) = place {
-        writing::stays_clear(b.n(11), place, away, alarm_block(AWAY));
-        check_turret(b, lathe, place, 12);
+    if let Some(position) = position {
+        writing::stays_clear(b.n(11), position, away, alarm_block(AWAY));
+        check_turret(b, lathe, position, 12);
     }
     b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
-    write_turned_end(b, lathe, TurnedEndPlace::Before, place);
+    write_turned_end(b, lathe, TurnedEndPlace::Before, position);
     b.n(13).words(writing::tool(lathe.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
-    if let Some(place) = place {
+    if let Some(position) = position {
         // The offset shifts the coordinates.
-        writing::stays_clear(b, place, away, alarm_block(AWAY));
+        writing::stays_clear(b, position, away, alarm_block(AWAY));
     }
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(14).words(rapid([cross(lathe, clear)]));
@@ -295,7 +296,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
         let base = 1000 * at;
         if at > 0 {
             b.n(change_over(at)).words([g(off)]).note("POLYGON TURNING OFF");
-            change(b, base, (present, polygon), place);
+            change(b, base, (present, polygon), position);
         }
         b.n(base + 20).words(call(on, polygon)).note("POLYGON TURNING ON");
         let passes = polygon.params.passes() as u32;
@@ -313,9 +314,9 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let end = 1000 * lathe.further.len() as u32 + 800;
     b.n(end).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
     b.n(end + 1).words([g(off)]).note("POLYGON TURNING OFF");
-    write_turned_end(b, lathe, TurnedEndPlace::After, place);
+    write_turned_end(b, lathe, TurnedEndPlace::After, position);
     b.n(end + 2).words([m(30)]);
-    if place.is_some() {
+    if position.is_some() {
         away_alarm(b, lathe);
     }
 }
@@ -341,15 +342,15 @@ fn call(on: u32, lathe: &PolygonLathe) -> Vec<NewWord> {
 
 /// From one polygon to the next: the cutter changes at the start point of the slide, and a pass at the end of the bar
 /// begins in front of the face.
-fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe), place: Option<(u32, u32)>) {
+fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe), position: Option<PositionVariables>) {
     let p = &to.params;
     let clear = p.clear_diameter();
     let changes = from.params.tool != p.tool;
     if changes {
         b.n(base + 10).words(rapid([cross(to, p.start_x), z(real(p.start_z, 3))]));
         b.n(base + 13).words(writing::tool(to.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
-        if let Some(place) = place {
-            writing::stays_clear(b, place, || real(to.x_of(clear), 3), alarm_block(AWAY));
+        if let Some(position) = position {
+            writing::stays_clear(b, position, || real(to.x_of(clear), 3), alarm_block(AWAY));
         }
         b.n(base + 14).words(rapid([cross(to, clear)]));
     }

@@ -54,33 +54,43 @@ pub fn tool(control: &Control, number: u32) -> Vec<NewWord> {
     vec![word(Address::T, if lathe { 101 * number } else { number })]
 }
 
+/// Variables of a lathe's work positions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PositionVariables {
+    /// Of the position across the work, X.
+    pub across: u32,
+    /// Of the position along the work, Z.
+    pub along: u32,
+}
+
+/// Least positions of the slide at which the turret has room to turn.
+pub struct TurretRoom {
+    /// X beside the work.
+    pub beside: Formula,
+    /// Z in front of the work.
+    pub in_front: Formula,
+}
+
 /// Jumps to block `target`, an alarm, if the tool is not clear of the work: X below `clear`, or Z negative (past the
-/// face). The tuple has the variables of the positions in X and Z.
-pub fn stays_clear(b: &mut Builder, (across, along): (u32, u32), clear: impl Fn() -> Formula, target: u32) {
-    b.if_goto(v(across).lt(clear()), target);
-    b.if_goto(v(along).lt(0), target);
+/// face).
+pub fn stays_clear(b: &mut Builder, position: PositionVariables, clear: impl Fn() -> Formula, target: u32) {
+    b.if_goto(v(position.across).lt(clear()), target);
+    b.if_goto(v(position.along).lt(0), target);
 }
 
-/// Jumps to block `target`, an alarm, unless the turret has room to turn in front of the work: Z at least `before`.
-/// With room beside the work, X at least `beside`, it goes on at block `next`. The first tuple has the variables of the
-/// positions in X and Z.
-pub fn turret_has_room(
-    b: &mut Builder,
-    (across, along): (u32, u32),
-    (beside, before): (Formula, Formula),
-    next: u32,
-    target: u32,
-) {
-    b.if_goto(v(across).ge(beside), next);
-    b.if_goto(v(along).lt(before), target);
+/// Jumps to block `target`, an alarm, unless the turret has room to turn in front of the work. With room beside the
+/// work it goes on at block `next`.
+pub fn turret_has_room(b: &mut Builder, position: PositionVariables, room: TurretRoom, next: u32, target: u32) {
+    b.if_goto(v(position.across).ge(room.beside), next);
+    b.if_goto(v(position.along).lt(room.in_front), target);
 }
 
-/// Variables of the work positions of two axes, where the program can read them and raise an alarm of its own.
-pub fn places(control: &Control, letters: [Address; 2]) -> Option<(u32, u32)> {
+/// Variables of the work positions of the axes across and along the work, where the program can read them and raise an
+/// alarm of its own.
+pub fn position_variables(control: &Control, [across, along]: [Address; 2]) -> Option<PositionVariables> {
     let first = work_position(control).filter(|_| has_alarms(control))?;
     let of = |letter| control.axis(letter).map(|at| first + at as u32);
-    let [across, along] = letters.map(of);
-    Some((across?, along?))
+    Some(PositionVariables { across: of(across)?, along: of(along)? })
 }
 
 /// A dwell in seconds.

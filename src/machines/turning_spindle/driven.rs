@@ -9,7 +9,7 @@ use crate::drives::load::{Load, through_gear};
 use crate::machines::driven::{GaugeRow, InverterDrive, SpindleEncoder};
 use crate::machines::form::entry::at_most;
 use crate::machines::lathe::knobs;
-use crate::machines::lathe::slides::{self, HasSlides, ServoSlide, SlideDuty};
+use crate::machines::lathe::slides::{HasSlides, ServoSlide, SlideAxes, SlideDuty, SlidePasses};
 use crate::math::RPM;
 use crate::msg;
 use crate::text::Message;
@@ -108,17 +108,15 @@ fn starts_per_minute(lathe: &TurningSpindle) -> f64 {
     let back = 60.0 * if p.path == Path::Taper { p.length + p.clearance } else { length } / rapid;
     let dwell = lathe.dwell_of_passes().map_or(0.0, |per_speed| per_speed * p.upper_limit);
     let seconds = d.times.cutting.min(fast) + d.cut.passes * (back + dwell);
-    slides::starts_per_minute(
-        starts_of_a_pass(p) * d.cut.passes,
-        seconds,
-        (MOTIONS * d.cut.passes, p.slides.time_constant),
-    )
+    let passes = d.cut.passes;
+    let all = SlidePasses { starts: starts_of_a_pass(p) * passes, motions: MOTIONS * passes, seconds };
+    all.starts_per_minute(p.slides.time_constant)
 }
 
 impl HasSlides for TurningSpindle {
     fn slides(&self) -> [ServoSlide; 2] {
         self.params.slides.servos(SlideDuty {
-            axes: [self.cross(), self.along()],
+            axes: SlideAxes { x: self.cross(), z: self.along() },
             site_share: self.params.site_share,
             cutting_force: self.params.cutting_force,
             starts_per_minute: starts_per_minute(self),

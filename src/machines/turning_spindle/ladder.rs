@@ -2,7 +2,7 @@
 
 use super::gears::{GearTimes, gear_times, slowing};
 use super::params::Output;
-use super::resolved::TurningSpindle;
+use super::resolved::{CodePair, TurningSpindle};
 use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
@@ -73,7 +73,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
 /// The clamp holds the spindle from its lock code to its release code, through a reset with the tool in the keyway; until reset where there is
 /// no release code. Each waits for the contact. The valve has a coil for each, so that a power failure opens nothing: after it the release code
 /// opens the clamp, too.
-fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
+fn clamp(book: &mut Book, CodePair { on: lock, off: release }: CodePair) {
     let (reset, locks) = (book.reset(), book.function(lock));
     let opens = release.map_or(reset, |code| book.function(code));
     book.coil(CLAMP, vec![vec![on(locks)], vec![on(CLAMP), off(opens)]], "turning.ladder.clamp");
@@ -86,7 +86,7 @@ fn clamp(book: &mut Book, (lock, release): (u32, Option<u32>)) {
 }
 
 /// A driven tool with codes of its own runs until its stop code, the program's end, reset or emergency stop.
-fn driven_tool(book: &mut Book, (start, stop): (u32, Option<u32>)) {
+fn driven_tool(book: &mut Book, CodePair { on: start, off: stop }: CodePair) {
     let run = Bit::Output(MachineOutput::DrivenTool);
     let guard = [on(Bit::Input(MachineContact::Emergency)), off(book.reset())];
     let mut stays = vec![on(run), on(STARTED)];

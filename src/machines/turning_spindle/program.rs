@@ -5,7 +5,7 @@
 //! copies: an entry that the operator changes while a part is cut passes the checks of the next start.
 
 use super::params::{Direction, Path};
-use super::resolved::TurningSpindle;
+use super::resolved::{CodePair, TurningSpindle};
 use super::variables::{
     ALLOWANCE, ANGLE, BEGIN_X, BEGIN_Z, BEGUN, CHUCK_LIMIT, CLEARANCE, CUTTING_SPEED, DEPTH, DRIVEN_SPEED, END_X, FEED,
     FINISHED, KEYWAY_DEPTH, KEYWAY_FEED, KEYWAY_INFEED, KEYWAY_LENGTH, KEYWAY_START, KEYWAY_WIDTH, LEFT, LENGTH,
@@ -15,7 +15,7 @@ use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
 use crate::machines::lathe::slides::{ALONG, CROSS};
 use crate::machines::machine::MachineVariable;
-use crate::machines::program::writing::{self, OperatorVariable, alarm_block};
+use crate::machines::program::writing::{self, OperatorVariable, PositionVariables, TurretRoom, alarm_block};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Condition, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
 
@@ -260,17 +260,23 @@ fn guards(b: &mut Builder, lathe: &TurningSpindle) {
 
 /// The tool, only while it is clear of the work and its turret has room to turn.
 fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
-    match place(lathe) {
-        Some(place) => {
-            writing::stays_clear(b.n(17), place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
+    match position(lathe) {
+        Some(position) => {
+            writing::stays_clear(b.n(17), position, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
             let beside = size(lathe, entry(STOCK) + entry(ROOM) * 2);
             // The allowance of a face is in front of the finished face.
-            let before = if lathe.params.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
+            let in_front = if lathe.params.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
             if lathe.params.tailstock {
                 // In front of the work is the tailstock.
-                b.if_goto(v(place.0).lt(beside), alarm_block(away_alarm(lathe)));
+                b.if_goto(v(position.across).lt(beside), alarm_block(away_alarm(lathe)));
             } else {
-                writing::turret_has_room(b, place, (beside, before), 18, alarm_block(away_alarm(lathe)));
+                writing::turret_has_room(
+                    b,
+                    position,
+                    TurretRoom { beside, in_front },
+                    18,
+                    alarm_block(away_alarm(lathe)),
+                );
             }
         }
         None => {
@@ -278,9 +284,9 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
         }
     }
     b.n(18).words(writing::tool(lathe.control, lathe.params.tool as u32)).note("TOOL AND ITS OFFSET");
-    if let Some(place) = place(lathe) {
+    if let Some(position) = position(lathe) {
         // The offset shifts the coordinates.
-        writing::stays_clear(b, place, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
+        writing::stays_clear(b, position, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
     }
 }
 
@@ -289,7 +295,7 @@ pub(super) const KEYWAY: [u32; 2] = [60, 61];
 
 /// Releases the spindle that the program has locked, if there is a code for it.
 fn release_spindle(b: &mut Builder, lathe: &TurningSpindle) {
-    if let Some((_, Some(release))) = lathe.lock_codes() {
+    if let Some(CodePair { off: Some(release), .. }) = lathe.lock_codes() {
         b.words([m(release)]).note("RELEASES THE SPINDLE");
     }
 }
@@ -346,13 +352,13 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
 const DRIVEN: u8 = 2;
 
 /// Variables of the tool's position in X and Z, where the program can read it and raise an alarm of its own.
-fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
-    writing::places(lathe.control, [CROSS, ALONG])
+fn position(lathe: &TurningSpindle) -> Option<PositionVariables> {
+    writing::position_variables(lathe.control, [CROSS, ALONG])
 }
 
 /// Whether a variable marks a begun part, because the program cannot read the tool's position.
 fn has_flag(lathe: &TurningSpindle) -> bool {
-    place(lathe).is_none()
+    position(lathe).is_none()
 }
 
 /// The variable that marks a begun part, as the control writes it.
@@ -411,8 +417,8 @@ fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
 /// Words of the speed limit S. On a control where S alone would make the present position work zero, the words of the present position are
 /// added.
 fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
-    let at = place(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
-    let held = at.into_iter().flat_map(|(across, along)| [x(v(across)), z(v(along))]);
+    let at = position(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
+    let held = at.into_iter().flat_map(|position| [x(v(position.across)), z(v(position.along))]);
     held.chain([s(entry(SPEED_LIMIT))]).collect()
 }
 

@@ -41,6 +41,15 @@ pub(crate) struct TurningSpindle {
     pub(super) dialect: Dialect,
 }
 
+/// Numbers of the M codes of one device of the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct CodePair {
+    /// Switches it on.
+    pub on: u32,
+    /// Switches it off, where there is a code for it.
+    pub off: Option<u32>,
+}
+
 impl TurningSpindle {
     /// Fits the form to the control and computes the formulas.
     pub(super) fn resolve(form: Params, on: ControlContext) -> TurningSpindle {
@@ -193,15 +202,15 @@ impl TurningSpindle {
     }
 
     /// Codes that lock the spindle at its angle and release it again, where the program locks it.
-    pub(super) fn lock_codes(&self) -> Option<(u32, Option<u32>)> {
-        let [lock, release] = [self.params.lock_code, self.params.release_code].map(given_code);
-        Some((lock.filter(|_| self.positions())?, release))
+    pub(super) fn lock_codes(&self) -> Option<CodePair> {
+        let [lock, off] = [self.params.lock_code, self.params.release_code].map(given_code);
+        Some(CodePair { on: lock.filter(|_| self.positions())?, off })
     }
 
     /// Codes of the machine that start and stop the driven tool; none where the control's own second spindle drives it.
-    pub(super) fn driven_codes(&self) -> Option<(u32, Option<u32>)> {
-        let [start, stop] = [self.params.driven_code, self.params.driven_stop].map(given_code);
-        Some((start.filter(|_| self.keyway().is_some())?, stop))
+    pub(super) fn driven_codes(&self) -> Option<CodePair> {
+        let [start, off] = [self.params.driven_code, self.params.driven_stop].map(given_code);
+        Some(CodePair { on: start.filter(|_| self.keyway().is_some())?, off })
     }
 
     /// Positioning of the spindle, by the machine's data.

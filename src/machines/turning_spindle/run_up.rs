@@ -6,7 +6,7 @@ use super::params::FIELDS;
 use super::resolved::TurningSpindle;
 use crate::drives::MainSpindle;
 use crate::machines::form::entry::at_most;
-use crate::machines::lathe::main_spindle;
+use crate::machines::lathe::main_spindle::{self, SpeedAtKnob};
 use crate::machines::verdict::{Judgement, fail, ok};
 use crate::math::RPM;
 use crate::msg;
@@ -63,6 +63,7 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
 
 /// The form's ramp against the shortest one.
 pub(super) fn judge(lathe: &TurningSpindle) -> Option<Judgement> {
-    let at_knob = lathe.at_highest_knob().map(|(percent, fast)| (percent, programmed_speed_of(fast)));
+    let at_knob =
+        lathe.at_highest_knob().map(|(percent, fast)| SpeedAtKnob { percent, speed: programmed_speed_of(fast) });
     main_spindle::judge_ramp(&engaged(lathe), programmed_speed(lathe), at_knob, (FIELDS, "spindle-ramp"))
 }

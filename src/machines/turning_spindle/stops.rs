@@ -2,7 +2,7 @@
 
 use super::gears;
 use super::program;
-use super::resolved::TurningSpindle;
+use super::resolved::{CodePair, TurningSpindle};
 use super::run_up;
 use crate::controls::interface::SignalRole;
 use crate::drives::holding_brake::CLOSING;
@@ -136,7 +136,7 @@ fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
 /// Rows of the keyway: the spindle is locked at its angle, and the driven tool turns in the work.
 fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 4] {
     // A clamp without a release code is opened by the ladder at reset; without any code the operator locks the spindle.
-    let opens = matches!(lathe.lock_codes(), Some((_, None)));
+    let opens = matches!(lathe.lock_codes(), Some(CodePair { off: None, .. }));
     // Where the PLC reads the reset key, an emergency stop is no reset to it.
     let reads_key = lathe.dialect.device(lathe.control, SignalRole::ResetRequest).is_some();
     let [at_reset, at_emergency] = [opens, opens && !reads_key]

@@ -8,7 +8,7 @@ mod servo;
 pub(in crate::machines) use form::MOTORS;
 pub(in crate::machines) use lathe::{ALONG, CROSS, LatheSlides, SlideForm, XDefaults, rows, scaling_rows};
 pub(in crate::machines) use results::results;
-pub(in crate::machines) use servo::{HasSlides, ServoSlide, SlideDuty, starts_per_minute};
+pub(in crate::machines) use servo::{HasSlides, ServoSlide, SlideAxes, SlideDuty, SlidePasses};
 
 use crate::machines::driven::DrivenAxis;
 

@@ -29,7 +29,7 @@ pub(in crate::machines) trait HasSlides: Machine {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::machines) struct ServoSlide {
     /// Index of its axis on the control.
-    pub at: usize,
+    pub axis: usize,
     pub slide: Slide,
     pub fitted: FittedMotor,
     /// Greatest ratio of inertias by the form, before the reduction for many starts.
@@ -48,32 +48,51 @@ pub(in crate::machines) struct ServoSlide {
     pub cuts_downhill: bool,
 }
 
+/// Indices of the axes of the slides on the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::machines) struct SlideAxes {
+    pub x: usize,
+    pub z: usize,
+}
+
+/// Passes of the slides that follow one another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::machines) struct SlidePasses {
+    /// Starts from rest.
+    pub starts: f64,
+    /// Motions, each with its ramps.
+    pub motions: f64,
+    /// Time of all motions without their ramps, s.
+    pub seconds: f64,
+}
+
 /// Duty of the slides by the work of their lathe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::machines) struct SlideDuty {
-    /// Index of X on the control, then that of Z.
-    pub axes: [usize; 2],
+    pub axes: SlideAxes,
     /// Share of its ratings that the site leaves a motor, %.
     pub site_share: f64,
     /// Greatest force of the cut, N.
     pub cutting_force: f64,
-    /// Starts per minute of each slide while pass follows pass; see [`starts_per_minute`].
+    /// Starts per minute of each slide while pass follows pass; see [`SlidePasses::starts_per_minute`].
     pub starts_per_minute: f64,
     /// Whether X cuts only in its negative direction, down its inclined way.
     pub x_cuts_downhill: bool,
 }
 
-/// Starts per minute: `n = 60 z / (Σ s/v + m τ)`, with z starts, m motions, ways s at speeds v without pauses (`seconds`), time constant τ
-/// (`ramp`, ms) of linear acceleration after the interpolation. Source: sizing facts 2.3.
-pub(in crate::machines) fn starts_per_minute(starts: f64, seconds: f64, (motions, ramp): (f64, f64)) -> f64 {
-    let all = seconds + motions * ramp / 1e3;
-    if starts > 0.0 && all > 0.0 { 60.0 * starts / all } else { 0.0 }
+impl SlidePasses {
+    /// Starts per minute: `n = 60 z / (Σ s/v + m τ)`, with z starts, m motions, ways s at speeds v without pauses (`seconds`), time constant τ
+    /// (`ramp`, ms) of linear acceleration after the interpolation. Source: sizing facts 2.3.
+    pub(in crate::machines) fn starts_per_minute(&self, ramp: f64) -> f64 {
+        let all = self.seconds + self.motions * ramp / 1e3;
+        if self.starts > 0.0 && all > 0.0 { 60.0 * self.starts / all } else { 0.0 }
+    }
 }
 
 /// A slide's place on its lathe.
 struct SlidePlace {
     /// Index of its axis on the control.
-    at: usize,
+    axis: usize,
     /// Angle of the positive direction above the horizontal, degrees.
     rise: f64,
     /// Whether it cuts only in its negative direction.
@@ -83,9 +102,8 @@ struct SlidePlace {
 impl LatheSlides {
     /// X and Z with their motors under a duty.
     pub(in crate::machines) fn servos(&self, duty: SlideDuty) -> [ServoSlide; 2] {
-        let [at_x, at_z] = duty.axes;
-        let x = SlidePlace { at: at_x, rise: self.bed_angle, cuts_downhill: duty.x_cuts_downhill };
-        let z = SlidePlace { at: at_z, rise: 0.0, cuts_downhill: false };
+        let x = SlidePlace { axis: duty.axes.x, rise: self.bed_angle, cuts_downhill: duty.x_cuts_downhill };
+        let z = SlidePlace { axis: duty.axes.z, rise: 0.0, cuts_downhill: false };
         [self.servo(&self.x, x, duty), self.servo(&self.z, z, duty)]
     }
 
@@ -100,7 +118,7 @@ impl LatheSlides {
         let site_share = duty.site_share / 100.0;
         let limits = Acceptance::of_form(form.inertia_limit, form.effective_limit);
         ServoSlide {
-            at: place.at,
+            axis: place.axis,
             slide: Slide {
                 mass: form.mass,
                 friction: form.friction,
@@ -206,7 +224,7 @@ impl ServoSlide {
         DrivenAxis {
             id,
             name,
-            mover: Mover::Axis(self.at),
+            mover: Mover::Axis(self.axis),
             // Radians of the motor per millimetre.
             turn: self.slide.motor_speed(1e-3) * 2.0 * PI,
             load: self.slide.load(),

@@ -1,7 +1,7 @@
 //! Findings about the cut: diameters, passes and start position compared with the stock, and a falling cone compared with the insert.
 
 use crate::machines::form::entry::at_least;
-use crate::machines::lathe::turret;
+use crate::machines::lathe::turret::{self, SlideStart, StockEnd};
 use crate::machines::turning_spindle::derive::PASSES;
 use crate::machines::turning_spindle::params::{FIELDS, Params, Path};
 use crate::math;
@@ -34,11 +34,12 @@ pub(super) fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
         );
     }
     found.extend(falling_cone(p));
-    let stock = (p.stock_diameter, if p.path == Path::Facing { p.allowance } else { 0.0 });
+    let end = if p.path == Path::Facing { p.allowance } else { 0.0 };
+    let stock = StockEnd { diameter: p.stock_diameter, z: end };
     found.extend(if p.tailstock {
         turret::hits_tailstock(p.start_x, p.stock_diameter, p.turret_room)
     } else {
-        turret::hits_work((p.start_x, p.start_z), stock, p.turret_room)
+        turret::hits_work(SlideStart { x: p.start_x, z: p.start_z }, stock, p.turret_room)
     });
     if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
         let least = p.stock_diameter + 2.0 * p.clearance;
