@@ -28,7 +28,7 @@ pub struct Move {
     /// Duration of each of the two linear ramps, s.
     pub ramp: f64,
     /// Time at top speed, s.
-    pub run: f64,
+    pub seconds_at_speed: f64,
     /// Pause after the move, s.
     pub pause: f64,
     /// Torque in the pause, Nm: pull of the web on a motor at rest.
@@ -38,7 +38,7 @@ pub struct Move {
 impl Move {
     /// Time from one start to the next, s.
     pub fn cycle(&self) -> f64 {
-        2.0 * self.ramp + self.run + self.pause
+        2.0 * self.ramp + self.seconds_at_speed + self.pause
     }
 }
 
@@ -88,7 +88,7 @@ impl Load {
     pub fn phases(&self, rotor: f64, of: Move) -> [Phase; 4] {
         let rise = self.torque + self.accelerating(rotor, of.speed, of.ramp);
         let fall = self.torque - self.braking(rotor, of.speed, of.ramp);
-        [(rise, of.ramp), (self.torque, of.run), (fall, of.ramp), (of.hold, of.pause)]
+        [(rise, of.ramp), (self.torque, of.seconds_at_speed), (fall, of.ramp), (of.hold, of.pause)]
             .map(|(torque, seconds)| Phase { torque, seconds })
     }
 

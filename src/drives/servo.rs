@@ -121,7 +121,7 @@ pub struct Shares {
 
 /// Reason for rejecting a motor, in the order of the checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Reason {
+pub enum ServoRefusal {
     /// Its highest speed is too low.
     Speed,
     /// Its peak torque is too small.
@@ -167,14 +167,14 @@ impl Servo {
 
 impl Shares {
     /// The first reason for rejecting the motor; `None` if it is suitable.
-    pub fn fails(&self, limits: &Acceptance) -> Option<Reason> {
+    pub fn fails(&self, limits: &Acceptance) -> Option<ServoRefusal> {
         // A NaN fails too.
         let over = |share: f64, most: f64| share.is_nan() || share > most;
         [
-            (Reason::Speed, over(self.speed, 1.0)),
-            (Reason::Peak, over(self.peak, limits.peak)),
-            (Reason::Effective, over(self.effective, limits.effective)),
-            (Reason::Inertia, over(self.inertia_ratio, limits.inertia_ratio)),
+            (ServoRefusal::Speed, over(self.speed, 1.0)),
+            (ServoRefusal::Peak, over(self.peak, limits.peak)),
+            (ServoRefusal::Effective, over(self.effective, limits.effective)),
+            (ServoRefusal::Inertia, over(self.inertia_ratio, limits.inertia_ratio)),
         ]
         .into_iter()
         .find_map(|(reason, fails)| fails.then_some(reason))

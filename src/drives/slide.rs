@@ -24,7 +24,7 @@ pub struct Slide {
     /// Friction of guideways, covers and nut along the way, N.
     pub friction: f64,
     /// Angle of its positive direction above the horizontal, rad.
-    pub rise: f64,
+    pub inclination: f64,
     /// The screw.
     pub screw: Cylinder,
     /// Travel per turn of the screw, m.
@@ -63,12 +63,12 @@ impl Slide {
     /// Torque at the motor's shaft while the slide moves down its way against a force: the weight helps. Negative where it drives the
     /// motor.
     pub fn downhill(&self, force: f64) -> f64 {
-        self.torque(force + self.friction - self.mass * GRAVITY * math::sin(self.rise))
+        self.torque(force + self.friction - self.mass * GRAVITY * math::sin(self.inclination))
     }
 
     /// Torque at the motor's shaft by which it holds the weight at rest, without the losses of the screw: `m g sin α · h / (2π i)`.
     pub fn weight(&self) -> f64 {
-        self.mass * GRAVITY * math::sin(self.rise) * self.lead / (2.0 * PI * self.gear)
+        self.mass * GRAVITY * math::sin(self.inclination) * self.lead / (2.0 * PI * self.gear)
     }
 
     /// Speed of the motor (r/min) at a speed of the slide in m/min.

@@ -105,11 +105,11 @@ impl SpeedLimits {
     /// Standstill is below no limit.
     ///
     /// Source: `reference/sinumerik-802d.md` section 3.4, `reference/gsk-980tdc.md` section 1.3 (the upper one wins).
-    pub fn hold(&self, rpm: f64) -> (f64, Bound) {
+    pub fn limit(&self, rpm: f64) -> (f64, Bound) {
         if rpm <= 0.0 {
             return (0.0, Bound::None);
         }
-        let mut held = (rpm, Bound::None);
+        let mut limited = (rpm, Bound::None);
         let lower =
             [(self.set.low, Bound::Lower), (self.gear.low, Bound::GearLow), (self.surface.low, Bound::SurfaceLow)];
         let upper = [
@@ -119,16 +119,16 @@ impl SpeedLimits {
             (self.surface.high, Bound::Surface),
         ];
         for (limit, bound) in lower {
-            if limit > held.0 {
-                held = (limit, bound);
+            if limit > limited.0 {
+                limited = (limit, bound);
             }
         }
         for (limit, bound) in upper {
-            if limit < held.0 {
-                held = (limit, bound);
+            if limit < limited.0 {
+                limited = (limit, bound);
             }
         }
-        held
+        limited
     }
 }
 
@@ -182,7 +182,7 @@ pub struct KnobEnds {
 
 /// Positions of an override knob in percent.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Steps {
+pub struct KnobRange {
     /// Lowest position.
     pub low: f64,
     /// Highest position.
@@ -191,7 +191,7 @@ pub struct Steps {
     pub step: f64,
 }
 
-impl Steps {
+impl KnobRange {
     /// The lowest position at which the spindle turns.
     pub fn lowest_turning(&self) -> f64 {
         if self.low > 0.0 { self.low } else { self.step }

@@ -42,8 +42,8 @@ pub mod snapshot;
 pub mod milestones;
 mod path;
 mod records;
+pub mod run_segments;
 mod spindle;
-pub mod stretches;
 mod time_series;
 pub mod timeline;
 
@@ -87,7 +87,7 @@ pub use plc::{
     WordPart,
 };
 pub use program::RunningProgram;
+pub use run_segments::{Mover, RunSegment};
 pub use setup::{Budget, GatedProgress, PlanProgress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
-pub use stretches::{Mover, Stretch};
 pub use timeline::{Timeline, Visit};

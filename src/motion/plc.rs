@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::plant::PMC_AXES;
 use super::timeline::Timeline;
 use crate::drives::Rotation;
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::Message;
 
 /// Part of an input word that is forced. A forced half overrides the forced whole word.
@@ -274,7 +274,7 @@ pub struct BenchPlc {
     /// Voltage and times of a gear change.
     pub shift: GearShift,
     /// Positions of the override knob; `None` for a continuous one.
-    pub knob: Option<Steps>,
+    pub knob: Option<KnobRange>,
     /// M03 and M04 need M05 between them.
     pub stop_between: bool,
     strobes: Strobes,

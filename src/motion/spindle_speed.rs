@@ -118,11 +118,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let share = self.override_share();
         let (rpm, bound) = if plant.rules.override_last {
-            let (rpm, bound) = limits.hold(rpm);
-            let machine = SpeedLimits { machine: plant.speed_clamp, ..SpeedLimits::NONE }.hold(rpm * share);
+            let (rpm, bound) = limits.limit(rpm);
+            let machine = SpeedLimits { machine: plant.speed_clamp, ..SpeedLimits::NONE }.limit(rpm * share);
             (machine.0, if bound == Bound::None { machine.1 } else { bound })
         } else {
-            limits.hold(rpm * share)
+            limits.limit(rpm * share)
         };
         // The output is limited to full voltage.
         let top = analog.top_speed();

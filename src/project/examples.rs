@@ -59,7 +59,7 @@ impl Project {
         let mut project = Project::of_form(machine, control);
         for field in machine.fields() {
             let entry = example.entries.iter().find(|(id, _)| *id == field.id);
-            if let Some(value) = entry.and_then(|(_, typed)| field.read(typed).ok()) {
+            if let Some(value) = entry.and_then(|(_, typed)| field.read_metric(typed).ok()) {
                 project.values.insert(field.id.to_owned(), value);
             }
         }

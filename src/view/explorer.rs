@@ -4,7 +4,7 @@ use super::{Chart, FieldEntry, Scene};
 
 /// A form value as a slider.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Knob {
+pub struct Slider {
     /// Id of the field.
     pub field: &'static str,
     /// Smallest and largest value.
@@ -21,7 +21,7 @@ pub struct Knob {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Explorer {
     /// The sliders; the same fields in the same order for all values.
-    pub knobs: Vec<Knob>,
+    pub sliders: Vec<Slider>,
     /// Drawing of the consequences.
     pub scene: Scene,
     /// Charts of the consequences.

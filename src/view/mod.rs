@@ -42,7 +42,7 @@ pub mod report;
 pub use chart::{Chart, ChartLimit, Series};
 pub use comparison::{ComparedRow, Comparison, VariantCell};
 pub use drawing::{Callout, Drawing};
-pub use explorer::{Explorer, Knob};
+pub use explorer::{Explorer, Slider};
 pub use field_entry::FieldEntry;
 pub use letters::Anchor;
 pub use look::{Look, Paint};

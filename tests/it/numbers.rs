@@ -234,15 +234,15 @@ fn unit_of_every_field_is_understood_behind_its_number() {
 fn converted_entry_has_the_decimals_of_its_field() {
     let fields = macroline::machines::find("ribbon-line").unwrap().fields();
     let pitch = fields.iter().find(|field| field.id == "pitch").unwrap();
-    assert_eq!(pitch.typed("0.333 in").ok(), Some(Value::Number(8.458)));
-    assert!(pitch.typed("400 in").is_err());
+    assert_eq!(pitch.read_displayed("0.333 in").ok(), Some(Value::Number(8.458)));
+    assert!(pitch.read_displayed("400 in").is_err());
 }
 
 #[test]
 fn typed_number_may_have_its_unit_behind_it() {
     let field = macroline::machines::find("ribbon-line").unwrap().fields();
     let field = field.iter().find(|field| field.id == "spindle-speed").unwrap();
-    let read = |typed: &str| field.typed(typed).ok();
+    let read = |typed: &str| field.read_displayed(typed).ok();
     assert!(read("1200 r/min").is_some());
     assert_eq!(read("1200 r/min"), read("1200"));
     assert_eq!(read("1 200r/min"), read("1200"));

@@ -78,7 +78,7 @@ fn machine(machine: &str, control: &str, entries: &[(&str, &str)]) -> Project {
     let fields = machine.fields();
     for (id, typed) in entries {
         let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
-        project.values.insert((*id).to_owned(), field.read(typed).unwrap());
+        project.values.insert((*id).to_owned(), field.read_metric(typed).unwrap());
     }
     project
 }

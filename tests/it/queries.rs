@@ -66,7 +66,7 @@ pub(crate) fn values(machine: &dyn AnyMachine, changes: &[(&str, &str)]) -> Valu
     let fields = machine.fields();
     let read = |(id, typed): &(&str, &str)| {
         let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
-        ((*id).to_owned(), field.read(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}")))
+        ((*id).to_owned(), field.read_metric(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}")))
     };
     changes.iter().map(read).collect()
 }

@@ -32,7 +32,7 @@ use macroline::drives::cam::{Coefficients, Correction, Law};
 use macroline::drives::induction::Induction;
 use macroline::drives::inertia::{self, Cylinder, STEEL};
 use macroline::drives::load::{self, Load, Move, Phase, Regeneration, effective};
-use macroline::drives::servo::{Acceptance, MotorDemand, Reason, Servo};
+use macroline::drives::servo::{Acceptance, MotorDemand, Servo, ServoRefusal};
 use macroline::drives::web::{self, Nip};
 use macroline::machines::form;
 use macroline::math::{self, PI};
@@ -103,7 +103,7 @@ impl Axis {
 
     /// A move per pitch, with ramps of 30 ms and a pause of 40 ms.
     fn step_by_step(&self) -> Move {
-        Move { speed: self.speed(), ramp: 0.03, run: pitch_time() - 0.03, pause: 0.04, hold: 0.0 }
+        Move { speed: self.speed(), ramp: 0.03, seconds_at_speed: pitch_time() - 0.03, pause: 0.04, hold: 0.0 }
     }
 
     fn peak(&self, motor: &Servo) -> f64 {
@@ -496,20 +496,20 @@ fn first_reason_is_the_speed_then_torque_then_inertia() {
     let fails =
         |peak, effective, speed| motor.shares(&axis.load, &MotorDemand { peak, effective, speed }).fails(&limits);
     assert_eq!(fails(1.0, 1.0, 2000.0), None);
-    assert_eq!(fails(100.0, 100.0, 2000.1), Some(Reason::Speed));
-    assert_eq!(fails(9.5, 100.0, 2000.0), Some(Reason::Peak));
-    assert_eq!(fails(1.0, 2.4, 2000.0), Some(Reason::Effective));
-    assert_eq!(fails(f64::NAN, 1.0, 2000.0), Some(Reason::Peak));
+    assert_eq!(fails(100.0, 100.0, 2000.1), Some(ServoRefusal::Speed));
+    assert_eq!(fails(9.5, 100.0, 2000.0), Some(ServoRefusal::Peak));
+    assert_eq!(fails(1.0, 2.4, 2000.0), Some(ServoRefusal::Effective));
+    assert_eq!(fails(f64::NAN, 1.0, 2000.0), Some(ServoRefusal::Peak));
     let light = Servo { rotor: 1e-4, ..motor };
     let light = light.shares(&axis.load, &MotorDemand { peak: 1.0, effective: 1.0, speed: 100.0 });
-    assert_eq!(light.fails(&limits), Some(Reason::Inertia));
+    assert_eq!(light.fails(&limits), Some(ServoRefusal::Inertia));
 }
 
 /// Effective torque and returned energy of a move agree with the sum over its course.
 #[test]
 fn closed_forms_agree_with_the_sum_over_a_move() {
     let (axis, motor) = (print(), motor("HC53"));
-    let of = Move { speed: axis.speed(), ramp: 0.07, run: 0.31, pause: 0.12, hold: 0.0 };
+    let of = Move { speed: axis.speed(), ramp: 0.07, seconds_at_speed: 0.31, pause: 0.12, hold: 0.0 };
     let phases = axis.load.phases(motor.rotor, of);
     let steps = 200_000;
     let dt = of.cycle() / f64::from(steps);
@@ -518,10 +518,10 @@ fn closed_forms_agree_with_the_sum_over_a_move() {
         let t = (f64::from(step) + 0.5) * dt;
         let (torque, speed) = if t < of.ramp {
             (phases[0].torque, of.speed * t / of.ramp)
-        } else if t < of.ramp + of.run {
+        } else if t < of.ramp + of.seconds_at_speed {
             (axis.load.torque, of.speed)
-        } else if t < 2.0 * of.ramp + of.run {
-            (phases[2].torque, of.speed * (2.0 * of.ramp + of.run - t) / of.ramp)
+        } else if t < 2.0 * of.ramp + of.seconds_at_speed {
+            (phases[2].torque, of.speed * (2.0 * of.ramp + of.seconds_at_speed - t) / of.ramp)
         } else {
             (0.0, 0.0)
         };

@@ -99,19 +99,19 @@ fn steps_in_inches_are_round_numbers() {
 fn typed_inch_is_kept_in_millimetres() {
     let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
     let (kept, shown) = in_inches(|| {
-        let kept = pitch.typed("1,5").unwrap();
+        let kept = pitch.read_displayed("1,5").unwrap();
         (kept.clone(), (pitch.text(&kept), pitch.unit(), pitch.range().unwrap()))
     });
     assert_eq!(kept, Value::Number(38.1));
     assert_eq!(shown, ("1.5".to_owned(), "in", "0.0004 … 393.7008 in".to_owned()));
-    assert_eq!((pitch.typed("1,5").unwrap(), pitch.unit()), (Value::Number(1.5), "mm"));
+    assert_eq!((pitch.read_displayed("1,5").unwrap(), pitch.unit()), (Value::Number(1.5), "mm"));
 }
 
 #[test]
 fn entry_out_of_range_is_reported_in_inches() {
     let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
     let refusal = |typed: &str| {
-        let problem = pitch.typed(typed).unwrap_err();
+        let problem = pitch.read_displayed(typed).unwrap_err();
         [&problem.message].into_iter().chain(&problem.hints).map(sentence).collect::<Vec<_>>().join(" ")
     };
     assert_eq!(refusal("-1"), "-1 is too small. Allowed: 0.01 to 10000 mm");
@@ -121,7 +121,7 @@ fn entry_out_of_range_is_reported_in_inches() {
 #[test]
 fn value_read_from_a_file_is_no_inch() {
     let pitch = fields().into_iter().find(|field| field.id == "pitch").unwrap();
-    assert_eq!(in_inches(|| pitch.read("8")).unwrap(), Value::Number(8.0));
+    assert_eq!(in_inches(|| pitch.read_metric("8")).unwrap(), Value::Number(8.0));
 }
 
 proptest! {
@@ -134,7 +134,7 @@ proptest! {
         let value = Value::Number(macroline::math::clamp(number.parse().unwrap(), min, max));
         let (shown, read) = in_inches(|| {
             let shown = field.text(&value);
-            (shown.clone(), field.typed(&shown))
+            (shown.clone(), field.read_displayed(&shown))
         });
         prop_assert_eq!(read, Ok(value), "{} of {}", shown, field.id);
     }
@@ -145,7 +145,7 @@ fn limits_of_a_field_can_be_typed_as_they_are_shown() {
     for field in fields() {
         let FieldKindInfo::Number { min, max, .. } = field.kind else { unreachable!() };
         for limit in [min, max] {
-            let read = in_inches(|| field.typed(&field.text(&Value::Number(limit))));
+            let read = in_inches(|| field.read_displayed(&field.text(&Value::Number(limit))));
             assert_eq!(read, Ok(Value::Number(limit)), "{}", field.id);
         }
     }

@@ -23,7 +23,7 @@ use super::{
     Syntax, Timing,
 };
 use crate::controls::Address;
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::{Citation, Grade};
 use sources::{AXES, MACRO, PARAMETERS, RETURN};
 
@@ -108,7 +108,7 @@ pub static CONTROL: Control = Control {
         offset_at_rest: false,
         rapid: RapidSpeed::Kept,
         stop_last: true,
-        knob: Steps { low: 50.0, high: 120.0, step: 10.0 },
+        knob: KnobRange { low: 50.0, high: 120.0, step: 10.0 },
         offsets: Some([(-1000.0, 1000.0), (-2000.0, 2000.0)]),
         stage_speeds: Some((10.0, 9999.0)),
         stop_between: true,

@@ -19,7 +19,7 @@ use super::schema::table::joined;
 use super::syntax::{ArcTangent, Function};
 use super::{AnalogOutput, AxisScaling, Control, FeedKnob, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing};
 use crate::controls::{Address, AddressSet};
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::{Citation, Grade};
 use drives::DRIVES;
 use sources::{MEMORY, PAPER};
@@ -106,7 +106,7 @@ pub static CONTROL: Control = Control {
     switches: switches::SWITCHES,
     spindle: SpindleRules {
         thread_override: true,
-        knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
+        knob: KnobRange { low: 0.0, high: 200.0, step: 1.0 },
         cite: Citation::new(
             "ribbon dot-printing paper, E60: S times override, clamped; the rest from memory",
             Grade::Open,

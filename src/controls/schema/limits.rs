@@ -1,7 +1,7 @@
 //! Ranges of words, nesting depths, block times, and the knob of the feed override.
 
 use super::code::CodeId;
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::Citation;
 
 /// Ranges and depths of a control. A program that exceeds them raises the control's alarm.
@@ -67,7 +67,7 @@ pub struct Timing {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FeedKnob {
     /// Positions, %.
-    pub positions: Steps,
+    pub positions: KnobRange,
     /// Source and grade.
     pub cite: Citation,
 }

@@ -1,6 +1,6 @@
 //! Spindle rules of a control: effects of S, M3, constant surface speed and limits.
 
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::Citation;
 
 /// Spindle speed in a rapid under constant surface speed.
@@ -74,7 +74,7 @@ pub struct SpindleRules {
     /// A manual S acts while the program runs; otherwise it is refused.
     pub manual_in_automatic: bool,
     /// Positions of the override knob.
-    pub knob: Steps,
+    pub knob: KnobRange,
     /// Codes of these positions, from the lowest up, where the PLC hands the override over as a code; empty for percent.
     pub override_codes: &'static [u8],
     /// Ranges in millivolts of the output offset parameters, at speed 0 and at full output; `None` if unknown.
@@ -112,7 +112,7 @@ pub(super) const SWITCH_CODES: &[u8] = &[7, 6, 2, 3, 1, 0, 4, 5];
 pub(super) const TENS_CODES: &[u8] = &[5, 6, 7, 8, 9, 10, 11, 12];
 
 /// Override switch of SINUMERIK machine control panels.
-pub(super) const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };
+pub(super) const PANEL: KnobRange = KnobRange { low: 50.0, high: 120.0, step: 5.0 };
 
 /// Fraction of the speed within which it counts as reached, if the drive's own signal reports it to the control.
 /// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).

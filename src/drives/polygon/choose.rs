@@ -8,7 +8,7 @@ use crate::math::{self, PI};
 
 /// The required polygon. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted<'a> {
+pub struct PolygonSpec<'a> {
     /// Number of sides.
     pub sides: u32,
     /// Distance across flats of each pass of the slide, the last being the finished one; for an odd number of sides, twice the distance of
@@ -35,7 +35,7 @@ pub struct Cutter {
 
 /// Cutters and limits of the machine.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Means {
+pub struct LatheLimits {
     /// Its cutters.
     pub cutters: Vec<Cutter>,
     /// Greatest term of the ratio for the tool, and for the work.
@@ -113,15 +113,15 @@ impl Choice {
 }
 
 /// All choices for a polygon on a machine, possible ones first, by flatness within each group.
-pub fn choices(wanted: &Wanted, means: &Means) -> Vec<Choice> {
+pub fn choices(spec: &PolygonSpec, lathe: &LatheLimits) -> Vec<Choice> {
     let mut found = Vec::new();
-    for cutter in 0..means.cutters.len() {
-        for work in 1..=means.terms.1.min(MOST_TURNS) {
-            let forward = Ratio::for_sides(wanted.sides, means.cutters[cutter].inserts, work);
-            let Some(forward) = forward.filter(|ratio| ratio.tool().unsigned_abs() <= means.terms.0) else { continue };
+    for cutter in 0..lathe.cutters.len() {
+        for work in 1..=lathe.terms.1.min(MOST_TURNS) {
+            let forward = Ratio::for_sides(spec.sides, lathe.cutters[cutter].inserts, work);
+            let Some(forward) = forward.filter(|ratio| ratio.tool().unsigned_abs() <= lathe.terms.0) else { continue };
             let against = Ratio::new(-forward.tool(), forward.work());
             found.extend(
-                [Some(forward), against].into_iter().flatten().filter_map(|ratio| choice(wanted, means, cutter, ratio)),
+                [Some(forward), against].into_iter().flatten().filter_map(|ratio| choice(spec, lathe, cutter, ratio)),
             );
         }
     }
@@ -134,10 +134,10 @@ const MOST_TURNS: u32 = 100;
 
 /// A cutter at a ratio, with the best radius of its tip circle. (At ratio 2 that is the greatest radius; above 2 it is a radius in between,
 /// where convex and concave deviation balance.)
-fn choice(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio) -> Option<Choice> {
-    let (low, high) = means.cutters.get(cutter)?.radius;
+fn choice(spec: &PolygonSpec, lathe: &LatheLimits, cutter: usize, ratio: Ratio) -> Option<Choice> {
+    let (low, high) = lathe.cutters.get(cutter)?.radius;
     // Rounded to the digits of the form, because the next digit matters beside a radius at which a side breaks off.
-    let set = |radius: f64| set(wanted, means, cutter, ratio, (radius * 1000.0).round() / 1000.0);
+    let set = |radius: f64| set(spec, lathe, cutter, ratio, (radius * 1000.0).round() / 1000.0);
     let rank = |choice: &Option<Choice>| choice.as_ref().map_or(u64::MAX, Choice::rank);
     let mut best = set(high);
     if low < high {
@@ -166,34 +166,34 @@ fn choice(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio) -> Option
 const STEPS: u32 = 24;
 
 /// A cutter at a ratio and a radius of its tip circle.
-fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64) -> Option<Choice> {
-    let head = means.cutters.get(cutter)?;
-    let across_flats = *wanted.sizes.last()?;
+fn set(spec: &PolygonSpec, lathe: &LatheLimits, cutter: usize, ratio: Ratio, radius: f64) -> Option<Choice> {
+    let head = lathe.cutters.get(cutter)?;
+    let across_flats = *spec.sizes.last()?;
     let setup = CutterSetup::even(across_flats, radius, ratio, head.inserts);
-    let section = Section::new(&setup, wanted.stock)?;
+    let section = Section::new(&setup, spec.stock)?;
     let side = section.side(0)?;
-    let passes = cut::passes(wanted.sizes, radius, ratio, wanted.sides, wanted.stock);
+    let passes = cut::passes(spec.sizes, radius, ratio, spec.sides, spec.stock);
     let InsertLoad { relief, speeds: each } = passes.reduce(InsertLoad::worst)?;
 
     let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
-    let suits = means.cutting_speed.1 / each.1 / work;
+    let suits = lathe.cutting_speed.1 / each.1 / work;
     let (fastest, bound) =
-        [(means.work_speed / work, ChoiceLimit::WorkSpeed), (means.tool_speed / tool.abs(), ChoiceLimit::ToolSpeed)]
+        [(lathe.work_speed / work, ChoiceLimit::WorkSpeed), (lathe.tool_speed / tool.abs(), ChoiceLimit::ToolSpeed)]
             .into_iter()
             .fold((suits, ChoiceLimit::CuttingSpeed), |least, next| if next.0 < least.0 { next } else { least });
     let speed = fastest.floor().max(1.0);
     let work_speed = speed * work;
 
-    let full = 0.5 * across_flats / math::cos(PI / f64::from(wanted.sides.max(3)));
-    let gap = wanted.sides > 2 && wanted.stock >= full && !section.corners().first().is_some_and(|corner| corner.meets);
+    let full = 0.5 * across_flats / math::cos(PI / f64::from(spec.sides.max(3)));
+    let gap = spec.sides > 2 && spec.stock >= full && !section.corners().first().is_some_and(|corner| corner.meets);
     let held = [
-        (ChoiceLimit::Sense, ratio.value() < 0.0 && !means.against),
-        (ChoiceLimit::Distance, setup.distance < means.distance.0 || setup.distance > means.distance.1),
+        (ChoiceLimit::Sense, ratio.value() < 0.0 && !lathe.against),
+        (ChoiceLimit::Distance, setup.distance < lathe.distance.0 || setup.distance > lathe.distance.1),
         (ChoiceLimit::Gap, gap),
-        (ChoiceLimit::Hollow, side.high > SAME_LENGTH && !wanted.hollow),
-        (ChoiceLimit::Flatness, side.flatness() > wanted.flatness),
+        (ChoiceLimit::Hollow, side.high > SAME_LENGTH && !spec.hollow),
+        (ChoiceLimit::Flatness, side.flatness() > spec.flatness),
         (ChoiceLimit::Relief, relief >= head.relief),
-        (bound, speed > fastest || each.0 * work_speed < means.cutting_speed.0),
+        (bound, speed > fastest || each.0 * work_speed < lathe.cutting_speed.0),
     ];
     Some(Choice {
         cutter,

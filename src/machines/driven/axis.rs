@@ -6,7 +6,7 @@ use crate::drives::holding_brake;
 use crate::drives::load::Load;
 use crate::drives::servo::FittedMotor;
 use crate::drives::shaft_motion::{CutSpan, Motion, SpeedSegment, Strikes};
-use crate::motion::{Mover, Stretch};
+use crate::motion::{Mover, RunSegment};
 
 /// A servo motor of a machine, and the source of its motion in a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,23 +18,23 @@ pub struct DrivenAxis {
     /// Source of its motion in a run.
     pub mover: Mover,
     /// Angle of the motor (rad) per unit of the run: per millimetre or degree.
-    pub turn: f64,
+    pub radians_per_unit: f64,
     /// Load at the motor's shaft, without the rotor.
     pub load: Load,
     /// Torque at standstill, Nm.
-    pub hold: f64,
-    /// Torque (Nm) of a weight that it lifts in the positive direction, besides `hold`; 0 without one.
+    pub standstill_torque: f64,
+    /// Torque (Nm) of a weight that it lifts in the positive direction, besides `standstill_torque`; 0 without one.
     pub weight: f64,
     /// Its interrupted cut.
     pub strikes: Strikes,
     /// Greatest additional torque (Nm) at steady speed that no planned run shows: a web pulled taut after a start. 0 without one.
-    pub taut: f64,
+    pub taut_torque: f64,
     /// Torque (Nm) of the cut while the machine works, besides the steady torque of the load; none if the load's torque already includes
     /// the work.
     pub cut: Option<f64>,
     /// Continuous torque (Nm) of the heaviest cut with friction and weight, without a pause; none where no cut adds to
     /// the load.
-    pub lasting: Option<f64>,
+    pub continuous_cut_torque: Option<f64>,
     /// Starts per minute by the formulas, while the work lasts; 0 where only the starts of the run count.
     pub starts_per_minute: f64,
     /// The gear unit between motor and load, if it is a purchased part.
@@ -52,15 +52,15 @@ impl DrivenAxis {
     /// motor has closed; none without a weight.
     pub fn sinks(&self) -> Option<f64> {
         let inertia = self.load.inertia + self.fitted.motor.rotor;
-        (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.turn)
+        (self.weight > 0.0).then(|| holding_brake::turn_until_closed(self.weight, inertia) / self.radians_per_unit)
     }
 
     /// The motion of the motor's shaft in a part of a run. The torque of its work acts within the spans `works` (s);
     /// without spans always.
-    pub fn motion(&self, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> Motion {
-        let motion = Motion::new(speed_segments(stretches, self.turn), self.load, self.hold)
+    pub fn motion(&self, segments: &[RunSegment], works: Option<&[(f64, f64)]>) -> Motion {
+        let motion = Motion::new(speed_segments(segments, self.radians_per_unit), self.load, self.standstill_torque)
             .with_weight(self.weight)
-            .with_strikes(pulled_taut(self.strikes, self.taut));
+            .with_strikes(pulled_taut(self.strikes, self.taut_torque));
         match (works, self.cut) {
             (None, _) => motion,
             (Some(works), None) => motion.with_loaded_spans(works.to_vec()),
@@ -72,11 +72,11 @@ impl DrivenAxis {
 }
 
 /// Stretches of a run as segments of the speed of a shaft; `per_unit`: angle of the shaft (rad) per unit of the run.
-pub fn speed_segments(stretches: &[Stretch], per_unit: f64) -> impl Iterator<Item = SpeedSegment> {
-    stretches.iter().map(move |stretch| SpeedSegment {
-        t: stretch.t,
-        seconds: stretch.seconds,
-        from: stretch.from * per_unit,
-        to: stretch.to * per_unit,
+pub fn speed_segments(segments: &[RunSegment], per_unit: f64) -> impl Iterator<Item = SpeedSegment> {
+    segments.iter().map(move |segment| SpeedSegment {
+        t: segment.t,
+        seconds: segment.seconds,
+        from: segment.from * per_unit,
+        to: segment.to * per_unit,
     })
 }

@@ -11,10 +11,10 @@ pub struct FormGear {
     /// Load at its output.
     pub output: Load,
     /// Torque at its output at standstill, Nm.
-    pub hold: f64,
-    /// Greatest torque (Nm) at its output at steady speed that no planned run shows, as `DrivenAxis::taut`; 0 without
-    /// one.
-    pub taut: f64,
+    pub standstill_torque: f64,
+    /// Greatest torque (Nm) at its output at steady speed that no planned run shows, as `DrivenAxis::taut_torque`; 0
+    /// without one.
+    pub taut_torque: f64,
     /// Backlash (minutes of arc) that the machine's formulas use; none if it has no effect.
     pub backlash: Option<f64>,
     /// Fields of the form that take the figures of another gear unit.
@@ -29,8 +29,8 @@ impl FormGear {
             to: segment.to / self.ratio,
             ..*segment
         };
-        Motion::new(input.iter().map(slower), self.output, self.hold)
-            .with_strikes(pulled_taut(Strikes::default(), self.taut))
+        Motion::new(input.iter().map(slower), self.output, self.standstill_torque)
+            .with_strikes(pulled_taut(Strikes::default(), self.taut_torque))
     }
 }
 

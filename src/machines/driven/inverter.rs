@@ -7,7 +7,7 @@ use crate::drives::ShortTime;
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::shaft_motion::{Motion, SpeedSegment};
 use crate::math::RPM;
-use crate::motion::Stretch;
+use crate::motion::RunSegment;
 
 /// Frequency and speed of a motor on an inverter at the full analog signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +38,7 @@ pub struct InverterDrive {
     /// Run-up and stop, if the cycle includes them.
     pub cycle: Option<InverterCycle>,
     /// Radians per second of the motor per r/min of the spindle in a run.
-    pub turn: f64,
+    pub radians_per_rpm: f64,
     /// Load at the motor's shaft, without the rotor: inertia, and torque besides that of the work.
     pub load_at_motor: Load,
     /// Inertia of its rotor, kg m²; 0 if the load includes it.
@@ -56,8 +56,8 @@ pub struct InverterDrive {
 
 impl InverterDrive {
     /// Motion of the motor's shaft in a part of a run; for a main spindle without the torque of its cut.
-    pub fn motion(&self, stretches: &[Stretch]) -> Motion {
-        Motion::new(speed_segments(stretches, self.turn), self.load_at_motor, 0.0)
+    pub fn motion(&self, segments: &[RunSegment]) -> Motion {
+        Motion::new(speed_segments(segments, self.radians_per_rpm), self.load_at_motor, 0.0)
     }
 
     /// Segments of the speed of the motor's shaft in run-up, work and stop; only of the work if there is no cycle of
@@ -67,10 +67,15 @@ impl InverterDrive {
         let steady = |t: f64, seconds: f64| SpeedSegment { t, seconds, from: speed, to: speed };
         match self.cycle {
             None => vec![steady(0.0, 1.0)],
-            Some(InverterCycle { of, .. }) => {
-                let rise = SpeedSegment { t: 0.0, seconds: of.ramp, from: 0.0, to: speed };
-                let fall = SpeedSegment { t: of.ramp + of.run, seconds: of.ramp, from: speed, to: 0.0 };
-                vec![rise, steady(of.ramp, of.run), fall]
+            Some(InverterCycle { motion, .. }) => {
+                let rise = SpeedSegment { t: 0.0, seconds: motion.ramp, from: 0.0, to: speed };
+                let fall = SpeedSegment {
+                    t: motion.ramp + motion.seconds_at_speed,
+                    seconds: motion.ramp,
+                    from: speed,
+                    to: 0.0,
+                };
+                vec![rise, steady(motion.ramp, motion.seconds_at_speed), fall]
             }
         }
     }
@@ -84,7 +89,7 @@ pub struct InverterCycle {
     /// Inertia (kg m²) assumed for the rotor of a motor whose data sheet has none; none if `load` includes the rotor.
     pub rotor: Option<f64>,
     /// Its ramps, and the time of the work between them.
-    pub of: Move,
+    pub motion: Move,
     /// Short-time torque of the motor in the run-up and in the stop.
     pub short_time: ShortTime,
 }
@@ -92,7 +97,7 @@ pub struct InverterCycle {
 impl InverterCycle {
     /// Torques of run-up and stop with a rotor, signed.
     pub fn ramps(&self, rotor: Option<f64>) -> [Phase; 2] {
-        let [rise, _, fall, _] = self.load.phases(self.rotor.map_or(0.0, |own| rotor.unwrap_or(own)), self.of);
+        let [rise, _, fall, _] = self.load.phases(self.rotor.map_or(0.0, |own| rotor.unwrap_or(own)), self.motion);
         [rise, fall]
     }
 }

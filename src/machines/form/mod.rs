@@ -31,7 +31,7 @@ pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[FieldEntry
     let mut values = values.clone();
     for entry in entries {
         let field = fields.iter().find(|field| field.id == entry.field)?;
-        values.insert(entry.field.to_owned(), field.read(&entry.text).ok()?);
+        values.insert(entry.field.to_owned(), field.read_metric(&entry.text).ok()?);
     }
     Some(values)
 }

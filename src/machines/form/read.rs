@@ -11,12 +11,12 @@ impl FieldInfo {
     /// Reads text; a number without a unit is in the field's own unit. Spaces around it, a decimal comma, a minus sign
     /// (U+2212) and another unit of the same quantity behind the number (`4.5 in`) are accepted where they are clear.
     /// An invalid text is an error diagnostic about this field that names the allowed range.
-    pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
+    pub fn read_metric(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
         read(self, typed, |number, _, _| number)
     }
 
     /// Reads text typed by the user; a number without a unit is in the displayed unit.
-    pub fn typed(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
+    pub fn read_displayed(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
         read(self, typed, units::entered)
     }
 

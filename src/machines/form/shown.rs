@@ -27,12 +27,12 @@ impl FieldInfo {
     }
 
     /// Converts a number from the displayed unit to the field's unit, rounded to the field's decimals.
-    pub fn taken(&self, shown: f64) -> Option<f64> {
+    pub fn from_displayed(&self, shown: f64) -> Option<f64> {
         let (unit, decimals) = self.metric();
         number::read(&number_text(units::metric(shown, unit), decimals))
     }
 
-    /// Text of a value in its field; [`typed`](FieldInfo::typed) reads it back unchanged.
+    /// Text of a value in its field; [`read_displayed`](FieldInfo::read_displayed) reads it back unchanged.
     pub fn text(&self, value: &Value) -> String {
         let (unit, decimals) = self.metric();
         match value {

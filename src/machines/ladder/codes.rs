@@ -74,12 +74,12 @@ pub struct SpindleRequirements<'a> {
     /// The emergency stop reaches the control delayed: until then its button holds the program.
     pub emergency_holds: bool,
     /// Direction of the inverter.
-    pub direction: Direction,
+    pub direction: DirectionSignal,
 }
 
 /// How the inverter gets its direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub enum DirectionSignal {
     /// By two run contacts, one for each direction.
     Contacts,
     /// By the sign of the voltage, with one run contact.
@@ -289,7 +289,7 @@ impl Book<'_> {
         self.coil(message, vec![vec![on(STOPPED)]], "plc.rung.stopped-message");
         let runs = TURNS.map(|turns| vec![on(turns), off(STOPPED)]);
         let shift = if requirements.has_gears { Book::shift_runs(requirements.direction) } else { Vec::new() };
-        if requirements.direction == Direction::Sign {
+        if requirements.direction == DirectionSignal::Sign {
             let loops = requirements.positions && self.has(SignalRole::SpindlePositions);
             let angle = loops.then(|| vec![on(Bit::Signal(SignalRole::SpindlePositions)), on(FREE)]);
             let note = match (loops, requirements.has_gears) {
@@ -311,10 +311,10 @@ impl Book<'_> {
     /// spindle that has slowed down gets the command, in a begun program, and only without a run command of the other
     /// direction. After an emergency stop or a fault it stays off until reset. A stop key acts in an interrupted
     /// program, as elsewhere.
-    fn shift_runs(direction: Direction) -> Branches {
+    fn shift_runs(direction: DirectionSignal) -> Branches {
         let shift = Bit::Signal(SignalRole::ShiftSpeed);
         let mut guard = vec![on(shift), on(SLOWED), on(FREE), on(STARTED), off(STOPPED), off(FAULT), off(SHIFT_OFF)];
-        guard.extend((direction == Direction::Contacts).then_some(off(TURNS[1])));
+        guard.extend((direction == DirectionSignal::Contacts).then_some(off(TURNS[1])));
         [off(INTERRUPTED), on(Bit::Input(MachineContact::StopKey))]
             .map(|last| guard.iter().copied().chain([last]).collect())
             .into()

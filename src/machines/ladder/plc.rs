@@ -9,7 +9,7 @@ use super::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber};
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, SpindleRules};
 use crate::drives::Rotation;
-use crate::drives::speed::{self, Steps};
+use crate::drives::speed::{self, KnobRange};
 use crate::motion::{Plc, PlcAlarm, PlcOrders, PlcSignals, ProgramState, Strobes};
 
 /// Least time (s) from a code to the end of its block: strobe, a few scans, and the width of FIN.
@@ -38,7 +38,7 @@ const FINAL: PlcNumber = PlcNumber::Signal(SignalRole::SpindleFinal);
 #[derive(Debug, Clone, Copy)]
 pub struct Wiring {
     /// Positions of the spindle override knob.
-    pub knob: Steps,
+    pub knob: KnobRange,
     /// Rules of the control's spindle: the codes that it takes for an override.
     pub rules: SpindleRules,
     /// Share of the commanded speed from which the inverter reports the speed as reached.

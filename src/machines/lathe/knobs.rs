@@ -1,6 +1,6 @@
 //! The operator's override knobs of feed and spindle: positions at which every lathe judges its cut, and the remedies there.
 
-use crate::drives::speed::{KnobEnds, Steps};
+use crate::drives::speed::{KnobEnds, KnobRange};
 use crate::machines::driven::devices::forced_cooling_advice;
 use crate::machines::form::entry::NumberEntry;
 use crate::msg;
@@ -18,14 +18,14 @@ pub(in crate::machines) struct KnobPositions {
 }
 
 /// Highest position (%) of the feed override above 100 %; none on a control whose knob ends there.
-pub(in crate::machines) fn highest_feed(knob: Steps) -> Option<f64> {
+pub(in crate::machines) fn highest_feed(knob: KnobRange) -> Option<f64> {
     knob.ends(FULL_PERCENT).higher
 }
 
 /// The positions, other than those of the form, at which a cut is judged: each knob at its ends, and both together.
 /// Less feed needs less of every drive, so the feed override is judged only at its highest position. `present`:
 /// position of the spindle override in the form, %.
-pub(in crate::machines) fn positions(feed: Steps, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
+pub(in crate::machines) fn positions(feed: KnobRange, spindle: KnobEnds, present: f64) -> Vec<KnobPositions> {
     let feeds = [highest_feed(feed), Some(FULL_PERCENT)].into_iter().flatten();
     let all = feeds.flat_map(|feed| {
         let spindles = [Some(present), spindle.higher, spindle.lower].into_iter().flatten();

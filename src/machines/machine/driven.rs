@@ -6,7 +6,7 @@ use crate::machines::driven::site::SevereSite;
 use crate::machines::driven::{
     CoastedAxes, DrivenAxis, Gauge, InverterDrive, ProductSize, ResistorDemand, SpindleEncoder, SpindleRun,
 };
-use crate::motion::Stretch;
+use crate::motion::RunSegment;
 use crate::text::Message;
 
 /// Lowest position (%) of the override knob of the spindle at which a machine is judged: at 0 % nothing moves. Engineering choice.
@@ -22,13 +22,13 @@ pub trait DrivenMachine {
     fn inverter_drive(&self) -> Option<InverterDrive> {
         None
     }
-    /// The motor of a main spindle in these stretches of a run, with the torques of its cut; none for other drives.
-    fn spindle_run(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<SpindleRun> {
+    /// The motor of a main spindle in these segments of a run, with the torques of its cut; none for other drives.
+    fn spindle_run(&self, _run: &dyn Samples, _segments: &[RunSegment]) -> Option<SpindleRun> {
         None
     }
-    /// Demand on the brake resistor of the spindle's inverter in these stretches of a run, if the form's braking torque
+    /// Demand on the brake resistor of the spindle's inverter in these segments of a run, if the form's braking torque
     /// needs a resistor. Resistors of servo amplifiers are sized with their motors.
-    fn resistor_demand(&self, _run: &dyn Samples, _stretches: &[Stretch]) -> Option<ResistorDemand> {
+    fn resistor_demand(&self, _run: &dyn Samples, _segments: &[RunSegment]) -> Option<ResistorDemand> {
         None
     }
     /// Highest position (%) of the feed override, and the machine as it cuts there; none where the knob does not act on

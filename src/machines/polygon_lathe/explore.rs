@@ -10,7 +10,7 @@ use crate::view::drawing::{Drawing, polyline};
 use crate::view::letters::Anchor;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
-use crate::view::{Explorer, FieldEntry, Knob, Scene};
+use crate::view::{Explorer, FieldEntry, Scene, Slider};
 
 /// Width and height of the drawing, and the radius of the stock in it.
 const ROOM: (f64, f64, f64) = (360.0, 240.0, 94.0);
@@ -30,14 +30,14 @@ const PATHS: usize = 60;
 /// Sliders and section of a polygon, from 0.
 pub(super) fn explorer(lathe: &PolygonLathe, polygon: usize) -> Explorer {
     Explorer {
-        knobs: knobs(lathe, polygon),
+        sliders: sliders(lathe, polygon),
         scene: scene(lathe),
         charts: charts::deviation_alone(lathe, POINTS).into_iter().collect(),
         results: polygon.checked_sub(1).map(results::ids).unwrap_or_default(),
     }
 }
 
-fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
+fn sliders(lathe: &PolygonLathe, polygon: usize) -> Vec<Slider> {
     let field = |first: &'static str| match polygon.checked_sub(1) {
         Some(other) => further::field(first, other).unwrap_or(first),
         None => first,
@@ -45,7 +45,7 @@ fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
     let p = &lathe.params;
     let own = own_shape(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
     let along: Vec<_> = own.into_iter().map(|entry| FieldEntry { field: field(entry.field), ..entry }).collect();
-    let count = |first: &'static str, range: (f64, f64), value: f64| Knob {
+    let count = |first: &'static str, range: (f64, f64), value: f64| Slider {
         field: field(first),
         range,
         step: 1.0,
@@ -60,7 +60,7 @@ fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
         count("inserts", (1.0, p.most_inserts), p.inserts),
         count("work-ratio", (1.0, p.most_work_turns), p.work_ratio),
         count("tool-ratio", (least, p.most_tool_turns), p.tool_ratio),
-        Knob { field: field("tip-radius"), range: radius, step: 0.5, value: p.tip_radius, along: Vec::new() },
+        Slider { field: field("tip-radius"), range: radius, step: 0.5, value: p.tip_radius, along: Vec::new() },
     ]
 }
 

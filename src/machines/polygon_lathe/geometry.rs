@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 
 use super::params::Params;
-use crate::drives::polygon::choose::{Cutter, Means, Wanted};
+use crate::drives::polygon::choose::{Cutter, LatheLimits, PolygonSpec};
 use crate::drives::polygon::cut::{self, InsertLoad};
 use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::PI;
@@ -85,8 +85,8 @@ impl Params {
     }
 
     /// The polygon to be turned, in passes of these `sizes` across flats.
-    pub(super) fn wanted<'s>(&self, sizes: &'s [f64]) -> Wanted<'s> {
-        Wanted {
+    pub(super) fn polygon_spec<'s>(&self, sizes: &'s [f64]) -> PolygonSpec<'s> {
+        PolygonSpec {
             sides: self.sides as u32,
             sizes,
             stock: 0.5 * self.blank(),
@@ -96,10 +96,10 @@ impl Params {
     }
 
     /// Cutters, ratios, speeds and distances that the machine allows.
-    pub(super) fn means(&self) -> Means {
+    pub(super) fn lathe_limits(&self) -> LatheLimits {
         let radius = (self.least_radius.min(self.greatest_radius), self.greatest_radius);
         let cutter = |inserts: u32| Cutter { inserts, radius, relief: self.relief * RADIANS };
-        Means {
+        LatheLimits {
             cutters: (1..=self.most_inserts as u32).map(cutter).collect(),
             terms: (self.most_tool_turns as u32, self.most_work_turns as u32),
             against: self.against,

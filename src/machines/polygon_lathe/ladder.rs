@@ -13,7 +13,7 @@ use super::stops;
 use super::turned_end_form::TurnedEnd;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{Direction, STARTED, SpindleRequirements};
+use crate::machines::ladder::codes::{DirectionSignal, STARTED, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
 use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
@@ -69,7 +69,7 @@ pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
             has_gears: false,
             positions: false,
             emergency_holds: delayed,
-            direction: Direction::Contacts,
+            direction: DirectionSignal::Contacts,
         };
         book.spindle(&rules, &requirements);
         follow_up(&mut book);

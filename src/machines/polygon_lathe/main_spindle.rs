@@ -18,7 +18,7 @@ use crate::machines::lathe::main_spindle::{self, SpeedAtKnob, SpeedCurves, Spind
 use crate::machines::machine::Samples;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math::RPM;
-use crate::motion::Stretch;
+use crate::motion::RunSegment;
 use crate::msg;
 use crate::text::Message;
 use crate::view::Limit::{AtLeast, AtMost};
@@ -238,7 +238,7 @@ pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: None,
-        turn: gear * RPM,
+        radians_per_rpm: gear * RPM,
         load_at_motor: load_at_motor(p),
         rotor: p.main.rotor,
         gear: None,
@@ -256,12 +256,12 @@ fn load_at_motor(p: &Params) -> Load {
 
 /// The main motor in a part of a run: friction always, and the greatest cut while the slide is in the stock and the
 /// spindle turns it.
-pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
+pub(super) fn in_run(lathe: &PolygonLathe, run: &dyn Samples, segments: &[RunSegment]) -> Option<SpindleRun> {
     let p = &lathe.params;
-    let until = stretches.last().map(|stretch| stretch.t + stretch.seconds)?;
+    let until = segments.last().map(|segment| segment.t + segment.seconds)?;
     let cut = lathe.turned_ends().map(|(end, _)| lathe.cut_torque(end)).fold(0.0, f64::max);
     let torque = through_gear(cut, p.main_gear(), p.drive_efficiency / 100.0);
-    let idle = Motion::new(speed_segments(stretches, p.main_gear() * RPM), load_at_motor(p), 0.0);
+    let idle = Motion::new(speed_segments(segments, p.main_gear() * RPM), load_at_motor(p), 0.0);
     let spans = super::progress::turning_spans(lathe, run, until);
     let cuts = spans.into_iter().map(|(begin, end)| CutSpan { begin, end, torque }).collect();
     lathe.has_main_spindle().then(|| p.main.run(NAME, idle, cuts))

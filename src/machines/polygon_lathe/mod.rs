@@ -60,7 +60,7 @@ use crate::machines::machine::{
     ControlContext, Design, Machine, MachineFile, MachineInfo, MachineProgram, MachineVariable, Prepared,
 };
 use crate::machines::machine::{DrawnMachine, Frame};
-use crate::motion::{Plant, Plc, Snapshot, Stretch};
+use crate::motion::{Plant, Plc, RunSegment, Snapshot};
 use crate::msg;
 use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Explorer, Pose, Scene, Sheet};
@@ -196,12 +196,12 @@ impl DrivenMachine for PolygonLathe {
         main_spindle::inverter(self)
     }
 
-    fn spindle_run(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
-        main_spindle::in_run(self, run, stretches)
+    fn spindle_run(&self, run: &dyn Samples, segments: &[RunSegment]) -> Option<SpindleRun> {
+        main_spindle::in_run(self, run, segments)
     }
 
-    fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        self.spindle_run(run, stretches)?.resistor(self.params.main.braking, self.params.pause)
+    fn resistor_demand(&self, run: &dyn Samples, segments: &[RunSegment]) -> Option<ResistorDemand> {
+        self.spindle_run(run, segments)?.resistor(self.params.main.braking, self.params.pause)
     }
 
     fn with_highest_feed(&self) -> Option<(f64, &dyn DrivenMachine)> {

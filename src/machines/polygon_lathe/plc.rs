@@ -6,7 +6,7 @@
 
 use super::ladder::{ANGLE, AT_STANDSTILL, DONE, GO_TO_ANGLE, RPM, RUN, STOP, ladder};
 use super::resolved::PolygonLathe;
-use crate::drives::speed::{STAGES, Steps};
+use crate::drives::speed::{KnobRange, STAGES};
 use crate::machines::ladder::plc::{LadderPlc, NamedBlock, Wiring};
 use crate::machines::ladder::scan::Image;
 use crate::motion::{PMC_AXES, PlcOrders, PlcSignals};
@@ -18,7 +18,7 @@ const SAME_ANGLE: f64 = 1e-9;
 
 /// The PLC of the lathe.
 pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
-    let knob = Steps { step: 0.0, ..lathe.dialect.spindle().knob };
+    let knob = KnobRange { step: 0.0, ..lathe.dialect.spindle().knob };
     let at_speed = 1.0 - lathe.dialect.spindle().reached.unwrap_or(0.1);
     let rules = lathe.dialect.spindle();
     let wiring = Wiring { knob, rules, at_speed, meshing: 0.0, shift_volts: 0.0, shift_speeds: [0.0; STAGES] };

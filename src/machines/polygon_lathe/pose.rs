@@ -1,7 +1,7 @@
 //! The drawing of the polygon lathe at a moment: section, positions of cutter and slide, figures.
 
 use super::outlines::closed;
-use super::progress::{self, GRID, Progress, SizedStretch};
+use super::progress::{self, BarSection, GRID, Progress};
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use super::scene::{self, Layout, TIPS, group, node};
 use crate::machines::machine::Frame;
@@ -86,7 +86,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
 
 /// The polygon from above: where the passes have cut deepest.
 fn edges(lathe: &PolygonLathe, layout: &Layout, progress: &Progress, angle: f64) -> String {
-    let cut = |SizedStretch { near, far, size }: SizedStretch| {
+    let cut = |BarSection { near, far, size }: BarSection| {
         scene::edges(lathe.at(0.5 * (near + far)), layout, size, (near, far), angle)
     };
     scene::profile(lathe, progress).into_iter().map(cut).collect()

@@ -28,8 +28,8 @@ pub(super) struct SlidePass {
     pub(super) before: usize,
     /// Across flats.
     pub(super) size: f64,
-    /// Stretch of the work that it has cut: distances of its near and its far end from the face, mm.
-    pub(super) stretch: (f64, f64),
+    /// Part of the work that it has cut: distances of its near and its far end from the face, mm.
+    pub(super) span: (f64, f64),
     /// The machine at the time when the slide reached the stock.
     since: Snapshot,
 }
@@ -37,18 +37,18 @@ pub(super) struct SlidePass {
 impl SlidePass {
     /// Distance of its middle from the face, mm.
     pub(super) fn middle(&self) -> f64 {
-        0.5 * (self.stretch.0 + self.stretch.1)
+        0.5 * (self.span.0 + self.span.1)
     }
 
-    /// Whether both have cut a part of the same stretch.
+    /// Whether both have cut a part of the same length.
     fn overlaps(&self, other: &SlidePass) -> bool {
-        self.stretch.0 < other.stretch.1 && other.stretch.0 < self.stretch.1
+        self.span.0 < other.span.1 && other.span.0 < self.span.1
     }
 }
 
-/// A stretch of the bar that is cut to one size.
+/// A section of the bar that is cut to one size.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SizedStretch {
+pub(super) struct BarSection {
     /// Distances of both ends from the face, mm.
     pub(super) near: f64,
     pub(super) far: f64,
@@ -61,16 +61,16 @@ pub(super) struct SizedStretch {
 pub(super) struct Progress {
     /// All passes, or the newest of very many; the present one is the last.
     pub(super) passes: Vec<SlidePass>,
-    /// The deepest pass before the last one on its stretch.
+    /// The deepest pass before the last one on its length.
     pub(super) done: Option<SlidePass>,
-    /// Stretches that the spindle has turned.
-    pub(super) turned_stretches: Vec<SizedStretch>,
+    /// Sections that the spindle has turned.
+    pub(super) turned_sections: Vec<BarSection>,
 }
 
 impl Progress {
-    /// The passes, each with its stretch of the bar.
-    pub(super) fn pass_stretches(&self) -> impl Iterator<Item = SizedStretch> {
-        self.passes.iter().map(|pass| SizedStretch { near: pass.stretch.0, far: pass.stretch.1, size: pass.size })
+    /// The passes, each with its section of the bar.
+    pub(super) fn pass_sections(&self) -> impl Iterator<Item = BarSection> {
+        self.passes.iter().map(|pass| BarSection { near: pass.span.0, far: pass.span.1, size: pass.size })
     }
 
     /// The present pass, or the last.
@@ -103,14 +103,14 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
             // The drawing of a thread has no flanks.
             let least = threaded.map(|end| end.diameter).fold(0.0, f64::max).min(p.stock_diameter);
             let (near, size) = ((-visit.along.1).max(0.0), (2.0 * visit.across).max(least));
-            progress.turned_stretches.push(SizedStretch { near, far, size });
+            progress.turned_sections.push(BarSection { near, far, size });
         }
         if since.pmc[TOOL].feed == 0.0 {
             continue;
         }
         // The commanded end of the pass: the position at this moment may already belong to the retract.
-        let stretch = ((-visit.along.1 - p.insert_width).max(0.0), -visit.along.0);
-        progress.passes.push(SlidePass { before: progress.passes.len(), size: 2.0 * visit.across, stretch, since });
+        let span = ((-visit.along.1 - p.insert_width).max(0.0), -visit.along.0);
+        progress.passes.push(SlidePass { before: progress.passes.len(), size: 2.0 * visit.across, span, since });
     }
     if let Some((now, before)) = progress.passes.split_last() {
         let before = before.iter().filter(|pass| pass.overlaps(now));
@@ -145,7 +145,7 @@ pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, p
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
     let middle = progress.now().map_or(0.5 * lathe.params.length + lathe.params.from_face, SlidePass::middle);
-    let over = progress.turned_stretches.iter().filter(|turned| (turned.near..=turned.far).contains(&middle));
+    let over = progress.turned_sections.iter().filter(|turned| (turned.near..=turned.far).contains(&middle));
     let stock = over.map(|turned| turned.size).fold(lathe.params.stock_diameter, f64::min);
     let mut grid = vec![0.5 * stock; GRID];
     for pass in progress.done.iter().chain(progress.now()) {

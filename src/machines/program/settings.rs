@@ -41,7 +41,7 @@ pub fn read_among(machines: &[&dyn AnyMachine], text: &str) -> Option<Found> {
             continue;
         }
         let Some(field) = fields.iter().find(|field| field.id == key) else { continue };
-        let value = field.read(typed).or_else(|_| field.read(&typed.to_ascii_lowercase()));
+        let value = field.read_metric(typed).or_else(|_| field.read_metric(&typed.to_ascii_lowercase()));
         if let Ok(value) = value {
             found.values.insert(key, value);
         }

@@ -51,8 +51,8 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
     let gear = |ratio: f64, of: &ServoAxis, fields| FormGear {
         ratio,
         output: of.output,
-        hold: of.hold * ratio,
-        taut: of.output_taut.abs(),
+        standstill_torque: of.hold * ratio,
+        taut_torque: of.output_taut.abs(),
         backlash: of.reverses(p.path_mode).then_some(p.gear_backlash),
         fields,
     };
@@ -60,14 +60,14 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         id,
         name,
         mover: Mover::Axis(at),
-        turn: 2.0 * PI * ratio / turn,
+        radians_per_unit: 2.0 * PI * ratio / turn,
         load: of.load,
-        hold: of.hold,
+        standstill_torque: of.hold,
         weight: 0.0,
         strikes: Strikes::default(),
-        taut: of.taut.abs(),
+        taut_torque: of.taut.abs(),
         cut: None,
-        lasting: None,
+        continuous_cut_torque: None,
         starts_per_minute: 0.0,
         gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
         fitted: of.fitted,
@@ -100,7 +100,14 @@ fn unwinder_gear(line: &RibbonLine) -> FormGear {
     let ratio = line.params.reduction_ratio;
     let load = unwinder_load(&line.params, line.mechanics.unwinder);
     let output = Load { inertia: load.inertia * ratio * ratio, torque: line.mechanics.unwound, efficiency: 1.0 };
-    FormGear { ratio, output, hold: 0.0, taut: pulled.max(0.0), backlash: None, fields: UNWINDER_GEAR }
+    FormGear {
+        ratio,
+        output,
+        standstill_torque: 0.0,
+        taut_torque: pulled.max(0.0),
+        backlash: None,
+        fields: UNWINDER_GEAR,
+    }
 }
 
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.
@@ -111,7 +118,7 @@ fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
         load: unwinder_load(p, line.mechanics.unwinder),
         // The inertia of the form includes the rotor.
         rotor: None,
-        of: Move { speed: speed * RPM, ramp, run: line.fast.product.time, pause: p.pause, hold: 0.0 },
+        motion: Move { speed: speed * RPM, ramp, seconds_at_speed: line.fast.product.time, pause: p.pause, hold: 0.0 },
         short_time: ShortTime { driving: SHORT_TIME, braking: p.unwinding.motor_braking / 100.0 },
     }
 }
@@ -127,7 +134,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
         site_share: line.params.unwinding.site_share / 100.0,
         brake: line.params.unwinding.motor_brake,
         cycle: Some(unwinder_cycle(line)),
-        turn: RPM,
+        radians_per_rpm: RPM,
         load_at_motor: unwinder_load(&line.params, line.mechanics.unwinder),
         rotor: 0.0,
         gear: is_geared(line.params.reduction_ratio).then(|| unwinder_gear(line)),

@@ -7,7 +7,7 @@ use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::interface::{PlcLanguage, SignalRole};
 use crate::machines::ladder::book::Book;
-use crate::machines::ladder::codes::{BUSY, Direction, INTERRUPTED, STARTED, SpindleRequirements};
+use crate::machines::ladder::codes::{BUSY, DirectionSignal, INTERRUPTED, STARTED, SpindleRequirements};
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcWidth, off, on};
 
 /// The axes wait for the unwinder at the restart.
@@ -32,7 +32,7 @@ pub(super) fn ladder(line: &RibbonLine) -> Ladder {
         has_gears: false,
         positions: false,
         emergency_holds: false,
-        direction: Direction::Contacts,
+        direction: DirectionSignal::Contacts,
     };
     book.spindle(&rules, &requirements);
     holds.into_iter().for_each(|contact| book.cite_input(contact, CONTACTS));

@@ -176,7 +176,7 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
     let found = Move {
         speed: speed * reached,
         ramp: run.min(ramp),
-        run: (run - ramp).abs(),
+        seconds_at_speed: (run - ramp).abs(),
         pause: (cycle - run - ramp).max(0.0),
         hold,
     };
@@ -185,7 +185,7 @@ fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Opti
 
 /// Mean speed (r/min) of a repeated move over a run (s) and the pause (s) after it.
 fn mean_speed(of: &Move, run: f64, pause: f64) -> f64 {
-    let running = of.speed * (of.ramp + of.run) / of.cycle() / RPM;
+    let running = of.speed * (of.ramp + of.seconds_at_speed) / of.cycle() / RPM;
     running * run / (run + counted_pause(run, pause))
 }
 

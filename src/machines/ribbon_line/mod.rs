@@ -47,7 +47,7 @@ use crate::machines::machine::{
     ControlContext, Defaults, Design, Machine, MachineInfo, MachineProgram, MachineVariable, PanelSetup, Prepared,
 };
 use crate::machines::machine::{DrawnMachine, Frame};
-use crate::motion::{Plant, Plc, Snapshot, Stretch};
+use crate::motion::{Plant, Plc, RunSegment, Snapshot};
 use crate::msg;
 use crate::text::number::four_digits;
 use crate::text::{Message, units};
@@ -188,7 +188,7 @@ impl DrivenMachine for RibbonLine {
         Some(driven::inverter(self))
     }
 
-    fn resistor_demand(&self, _: &dyn Samples, _: &[Stretch]) -> Option<ResistorDemand> {
+    fn resistor_demand(&self, _: &dyn Samples, _: &[RunSegment]) -> Option<ResistorDemand> {
         driven::resistor(self)
     }
 

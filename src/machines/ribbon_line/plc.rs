@@ -5,7 +5,7 @@ use super::derive::AT_SPEED;
 use super::ladder::ladder;
 use super::program;
 use super::resolved::{KNOB_LIMIT, RibbonLine};
-use crate::drives::speed::{STAGES, Steps};
+use crate::drives::speed::{KnobRange, STAGES};
 use crate::machines::ladder::MachineContact;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{Plc, PlcOrders, PlcSignals, ProgramState, Timeline};
@@ -30,7 +30,7 @@ pub(super) struct RibbonPlc {
 impl RibbonPlc {
     pub(super) fn new(line: &RibbonLine) -> RibbonPlc {
         let wiring = Wiring {
-            knob: Steps { low: 0.0, high: KNOB_LIMIT, step: 1.0 },
+            knob: KnobRange { low: 0.0, high: KNOB_LIMIT, step: 1.0 },
             rules: line.dialect.spindle(),
             at_speed: AT_SPEED,
             meshing: 0.0,

@@ -9,7 +9,7 @@ use super::scene::captions::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::interface::SignalRole;
 use crate::controls::{AnalogOutput, Control, Dialect};
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::drives::web;
 use crate::machines::driven::scaling::{AxisDrive, GearTurns};
 use crate::machines::machine::ControlContext;
@@ -251,13 +251,13 @@ impl RibbonLine {
 }
 
 /// Highest position (%) of a knob that the line takes.
-fn highest(knob: Steps) -> f64 {
+fn highest(knob: KnobRange) -> f64 {
     knob.high.min(KNOB_LIMIT)
 }
 
 /// Results of the formulas with the knob as it is, at its highest and at its lowest position. A locked knob has no other position, a line
 /// at standstill neither.
-fn derive_over_knob(params: &Params, knob: Steps, output: &AnalogOutput) -> [Derived; 3] {
+fn derive_over_knob(params: &Params, knob: KnobRange, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..params.clone() }, output);
     let now = Derived::new(params, output);
     if now.unwinder.actual <= 0.0 || params.knob_is_locked() {

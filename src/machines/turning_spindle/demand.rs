@@ -10,7 +10,7 @@ use crate::drives::shaft_motion::{CutSpan, Motion};
 use crate::machines::driven::{SpindleRun, speed_segments};
 use crate::machines::machine::Samples;
 use crate::math::{self, RPM};
-use crate::motion::Stretch;
+use crate::motion::RunSegment;
 
 /// Least and greatest number of pieces into which a cut is divided, each with one torque; and greatest number of pieces
 /// of all cuts of a run.
@@ -20,16 +20,16 @@ const ALL_PIECES: usize = 2000;
 /// Halvings in the search for the time at which the tool enters or leaves the stock.
 const HALVINGS: u32 = 20;
 
-/// The spindle's motor in stretches of a run, at its shaft.
-pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> SpindleRun {
+/// The spindle's motor in segments of a run, at its shaft.
+pub(super) fn in_run(lathe: &TurningSpindle, run: &dyn Samples, segments: &[RunSegment]) -> SpindleRun {
     let (p, gear) = (&lathe.params, driven::gear(lathe));
-    let idle = Motion::new(speed_segments(stretches, gear * RPM), driven::load_at_motor(lathe), 0.0);
-    p.spindle.run(driven::NAME, idle, cuts(lathe, run, stretches))
+    let idle = Motion::new(speed_segments(segments, gear * RPM), driven::load_at_motor(lathe), 0.0);
+    p.spindle.run(driven::NAME, idle, cuts(lathe, run, segments))
 }
 
 /// The spans of a run in which the tool cuts, up to a time.
 pub(super) fn working(lathe: &TurningSpindle, run: &dyn Samples, until: f64) -> Vec<(f64, f64)> {
-    let whole = Stretch { t: 0.0, seconds: until, from: 0.0, to: 0.0 };
+    let whole = RunSegment { t: 0.0, seconds: until, from: 0.0, to: 0.0 };
     let mut works: Vec<(f64, f64)> = Vec::new();
     for cut in cuts(lathe, run, &[whole]) {
         match works.last_mut() {
@@ -41,9 +41,9 @@ pub(super) fn working(lathe: &TurningSpindle, run: &dyn Samples, until: f64) -> 
 }
 
 /// The spans in which the tool cuts, each so short that its mean torque represents it.
-fn cuts(lathe: &TurningSpindle, run: &dyn Samples, stretches: &[Stretch]) -> Vec<CutSpan> {
+fn cuts(lathe: &TurningSpindle, run: &dyn Samples, segments: &[RunSegment]) -> Vec<CutSpan> {
     let (p, gear) = (&lathe.params, driven::gear(lathe));
-    let Some((from, to)) = stretches.first().zip(stretches.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
+    let Some((from, to)) = segments.first().zip(segments.last()).map(|(a, b)| (a.t, b.t + b.seconds)) else {
         return Vec::new();
     };
     let spans = run.execution_spans(cut_block(p.path), to);

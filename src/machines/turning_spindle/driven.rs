@@ -33,7 +33,7 @@ pub(super) fn inverter(lathe: &TurningSpindle) -> Option<InverterDrive> {
         site_share: p.site_share / 100.0,
         brake: 0.0,
         cycle: None,
-        turn: gear * RPM,
+        radians_per_rpm: gear * RPM,
         load_at_motor: load_at_motor(lathe),
         rotor: p.spindle.rotor,
         // Stages of the headstock.

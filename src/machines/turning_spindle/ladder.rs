@@ -7,7 +7,7 @@ use super::stops::spindle;
 use crate::controls::interface::SignalRole;
 use crate::machines::ladder::book::Book;
 use crate::machines::ladder::codes::{
-    BUSY, Direction, GEAR_LOST, GEAR_RUN, MESHED, SHIFT_OFF, SLOWED, STARTED, SpindleRequirements, TURNS,
+    BUSY, DirectionSignal, GEAR_LOST, GEAR_RUN, MESHED, SHIFT_OFF, SLOWED, STARTED, SpindleRequirements, TURNS,
 };
 use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, RungContact, off, on};
 
@@ -35,7 +35,8 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let rules = lathe.rules();
     let reaction = |at| spindle(lathe, at);
     let reports_speed = rules.reached.is_some();
-    let direction = if lathe.params.output == Output::Unipolar { Direction::Contacts } else { Direction::Sign };
+    let direction =
+        if lathe.params.output == Output::Unipolar { DirectionSignal::Contacts } else { DirectionSignal::Sign };
     let locks = lathe.lock_codes();
     let stages = lathe.params.stages().count().min(WANTED.len());
     // Before the run command: the answer to M3 reads the gears in the same scan.

@@ -46,7 +46,7 @@ use crate::machines::machine::{
 };
 use crate::machines::machine::{DrawnMachine, Frame};
 use crate::machines::verdict::results;
-use crate::motion::{Plant, Plc, Snapshot, Stretch};
+use crate::motion::{Plant, Plc, RunSegment, Snapshot};
 use crate::msg;
 use crate::text::{Message, units};
 use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
@@ -177,12 +177,12 @@ impl DrivenMachine for TurningSpindle {
         driven::inverter(self)
     }
 
-    fn spindle_run(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<SpindleRun> {
-        (self.derived.stage.speed > 0.0).then(|| demand::in_run(self, run, stretches))
+    fn spindle_run(&self, run: &dyn Samples, segments: &[RunSegment]) -> Option<SpindleRun> {
+        (self.derived.stage.speed > 0.0).then(|| demand::in_run(self, run, segments))
     }
 
-    fn resistor_demand(&self, run: &dyn Samples, stretches: &[Stretch]) -> Option<ResistorDemand> {
-        self.spindle_run(run, stretches)?.resistor(self.params.spindle.braking, self.params.pause)
+    fn resistor_demand(&self, run: &dyn Samples, segments: &[RunSegment]) -> Option<ResistorDemand> {
+        self.spindle_run(run, segments)?.resistor(self.params.spindle.braking, self.params.pause)
     }
 
     fn inverter_abilities(&self) -> Vec<Message> {

@@ -36,7 +36,7 @@ options! {
 
 options! {
     /// Direction of rotation.
-    pub(crate) enum Direction {
+    pub(crate) enum SpindleDirection {
         /// M03.
         Clockwise = "cw" "turning.direction.cw",
         /// M04.
@@ -107,13 +107,13 @@ pub(crate) struct Params {
     pub release_code: f64,
     pub positioning_speed: f64,
     pub positioning_acceleration: f64,
-    pub positioning_direction: Direction,
+    pub positioning_direction: SpindleDirection,
     pub speed_mode: SpeedMode,
     pub cutting_speed: f64,
     pub feed: f64,
     pub upper_limit: f64,
     pub lower_limit: f64,
-    pub direction: Direction,
+    pub direction: SpindleDirection,
     pub override_percent: f64,
     pub gear: Gear,
     pub stage_1: f64,
@@ -306,7 +306,7 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("r/min").range(0.1..=10000.0).default(100.0).decimals(1).step(10.0).setting().when(Params::has_keyway),
     number("positioning-acceleration", member!(Params.positioning_acceleration)).group("turning.group.spindle").label("turning.positioning-acceleration").help("turning.positioning-acceleration.help")
         .unit("r/min/s").range(1.0..=1000000.0).default(500.0).decimals(0).step(50.0).setting().when(Params::has_keyway),
-    choice("positioning-direction", member!(Params.positioning_direction: Direction)).group("turning.group.spindle").label("turning.positioning-direction").help("turning.positioning-direction.help")
+    choice("positioning-direction", member!(Params.positioning_direction: SpindleDirection)).group("turning.group.spindle").label("turning.positioning-direction").help("turning.positioning-direction.help")
         .setting().when(Params::has_keyway),
     number("driven-number", member!(Params.driven_number)).group("turning.group.keyway").label("turning.driven-number").help("turning.driven-number.help").symbol("T")
         .range(1.0..=99.0).default(2.0).decimals(0).step(1.0).when(Params::has_driven_tool),
@@ -330,7 +330,7 @@ const ROWS: &[&[Field<Params>]] = &[
         .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
     number("release-code", member!(Params.release_code)).group("turning.group.cut").label("turning.release-code").help("turning.release-code.help").symbol("M")
         .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_keyway),
-    choice("direction", member!(Params.direction: Direction)).group("turning.group.spindle").label("turning.direction").help("turning.direction.help"),
+    choice("direction", member!(Params.direction: SpindleDirection)).group("turning.group.spindle").label("turning.direction").help("turning.direction.help"),
     number("override", member!(Params.override_percent)).group("turning.group.spindle").label("turning.override").help("turning.override.help")
         .unit("%").range(10.0..=200.0).default(100.0).decimals(0).step(10.0),
     choice("gear", member!(Params.gear: Gear)).group("turning.group.spindle").label("turning.gear").help("turning.gear.help")

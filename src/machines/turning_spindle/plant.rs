@@ -4,7 +4,7 @@ use super::gears::gear_times;
 use super::ladder::ladder;
 use super::resolved::TurningSpindle;
 use crate::controls::SpindleRules;
-use crate::drives::speed::{STAGES, Steps};
+use crate::drives::speed::{KnobRange, STAGES};
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{Plant, SpindlePlant};
 
@@ -53,7 +53,7 @@ fn coasting(lathe: &TurningSpindle) -> [f64; STAGES] {
 }
 
 /// A knob in whole percent, which the ladder turns into the positions of a code.
-const ANY_POSITION: Steps = Steps { low: 0.0, high: 200.0, step: 1.0 };
+const ANY_POSITION: KnobRange = KnobRange { low: 0.0, high: 200.0, step: 1.0 };
 
 /// The ladder, wired to knob, inverter and gear box.
 pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {

@@ -4,7 +4,7 @@
 //! writes the operator's variables, so that parts are changed by variables alone. It copies them at its start and checks and cuts by the
 //! copies: an entry that the operator changes while a part is cut passes the checks of the next start.
 
-use super::params::{Direction, Path};
+use super::params::{Path, SpindleDirection};
 use super::resolved::{CodePair, TurningSpindle};
 use super::variables::{
     ALLOWANCE, ANGLE, BEGIN_X, BEGIN_Z, BEGUN, CHUCK_LIMIT, CLEARANCE, CUTTING_SPEED, DEPTH, DRIVEN_SPEED, END_X, FEED,
@@ -431,7 +431,7 @@ fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
 
 /// The spindle: surface speed, or the speed of the largest diameter.
 fn start(b: &mut Builder, lathe: &TurningSpindle) {
-    let turn = m(if lathe.params.direction == Direction::Clockwise { 3 } else { 4 });
+    let turn = m(if lathe.params.direction == SpindleDirection::Clockwise { 3 } else { 4 });
     // n = 1000 v / (π d) at the stock's diameter, cut to a whole number as S is.
     b.n(24).assign(SPEED, (entry(CUTTING_SPEED) * 1000 / (real(crate::math::PI, 6) * entry(STOCK))).fix());
     b.n(25).if_goto(v(SPEED).le(entry(SPEED_LIMIT)), 27);

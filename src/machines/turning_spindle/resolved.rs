@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::derive::Derived;
-use super::params::{self, Direction, Gear, Output, Params, Path, SpeedMode};
+use super::params::{self, Gear, Output, Params, Path, SpeedMode, SpindleDirection};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::cutting::{Chip, CuttingEdge, Kienzle};
@@ -218,7 +218,7 @@ impl TurningSpindle {
         Positioning {
             speed: self.params.positioning_speed,
             acceleration: self.params.positioning_acceleration,
-            clockwise: self.params.positioning_direction == Direction::Clockwise,
+            clockwise: self.params.positioning_direction == SpindleDirection::Clockwise,
         }
     }
 

@@ -84,7 +84,7 @@ pub(super) fn bill(
         figures_in_form(motor).into_iter().flat_map(move |figures| [entered(motor.name, figures), open.clone()])
     });
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
-    let spindle = runs.present.stretches(Mover::Spindle);
+    let spindle = runs.present.run_segments(Mover::Spindle);
     let resistor = prepared.resistor_demand(&runs.present.run, &spindle).map(|asked| resistor(&asked));
     let mut rows: Vec<BillRow> =
         core::iter::once(control).chain(sized).chain(others).chain(resistor).chain(encoder).collect();
@@ -98,10 +98,10 @@ pub(super) fn bill(
         let sensitive = |row: &&mut BillRow| matches!(row.item, BillItem::Amplifier | BillItem::Inverter);
         rows.iter_mut().filter(sensitive).for_each(|row| row.open.push(site.order()));
     }
-    if let Some(cut) = runs.cut() {
+    if let Some(run) = runs.truncated() {
         // A run that broke off may not have asked the drives for anything yet.
         let drives = [BillItem::Motor, BillItem::Amplifier, BillItem::Inverter, BillItem::Gear];
-        rows.iter_mut().filter(|row| drives.contains(&row.item)).for_each(|row| row.open.push(cut.message()));
+        rows.iter_mut().filter(|row| drives.contains(&row.item)).for_each(|row| row.open.push(run.message()));
     }
     rows.extend(devices(prepared, &rows));
     rows

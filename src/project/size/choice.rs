@@ -165,7 +165,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
 /// Share of the time of a part, with the pause after it, in which the mover turns.
 pub(super) fn share_turning(of: &SizingRuns, mover: Mover, pause: f64) -> f64 {
     let timeline = of.present.run.timeline();
-    let all = timeline.stretches(mover, 0.0, timeline.end());
+    let all = timeline.run_segments(mover, 0.0, timeline.end());
     let turning = all.iter().filter(|part| part.from != 0.0 || part.to != 0.0).map(|part| part.seconds).sum::<f64>();
     if timeline.end() > 0.0 { turning / (timeline.end() + pause) } else { 0.0 }
 }

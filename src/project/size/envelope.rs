@@ -4,13 +4,13 @@
 //! spindle, with the knob at the form's position and near both of its ends; formulas check these runs, see `tests/it/sizing`.
 
 use super::choice::ampere_per_torque;
-use super::runs::{KnobRange, SizingRuns, WholeRun, finish, plan};
+use super::runs::{OperatedKnob, SizingRuns, WholeRun, finish, plan};
 use crate::drives::shaft_motion::OperatingPoint;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
 use crate::machines::sheets::say;
 use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::math;
-use crate::motion::{Action, Event, Mover, RunEnd, Stretch};
+use crate::motion::{Action, Event, Mover, RunEnd, RunSegment};
 use crate::msg;
 use crate::project::Project;
 use crate::project::run::Run;
@@ -136,7 +136,7 @@ pub struct EnvelopeRow {
     /// Position (%) of the feed override with this value, if it is not at 100 %.
     pub feed: Option<f64>,
     /// Whether the run was cut while the spindle coasted on: the true value is greater than `value`.
-    pub is_cut: bool,
+    pub is_truncated: bool,
     /// Whether it is the worst of this quantity over all events.
     pub is_worst: bool,
 }
@@ -187,7 +187,7 @@ impl EnvelopeRow {
             verdict: Verdict::None,
             knob: None,
             feed: None,
-            is_cut: false,
+            is_truncated: false,
             is_worst: false,
         }
     }
@@ -296,7 +296,7 @@ impl Envelope<'_> {
                 rows
             }
             OperatingEvent::Knob => {
-                let Some(KnobRange { low, high, stop }) = self.runs.knob else { return Vec::new() };
+                let Some(OperatedKnob { low, high, stop }) = self.runs.knob else { return Vec::new() };
                 let from = whole.knob.unwrap_or(self.present_position());
                 let turn = |percent| vec![(at, Action::SpindleOverride(percent))];
                 let down = stop.into_iter().chain([low]).filter(|percent| *percent < from);
@@ -326,7 +326,7 @@ impl Envelope<'_> {
                 )
             }
             OperatingEvent::SpeedChange => {
-                let Some(KnobRange { low, high, .. }) = self.runs.knob else { return Vec::new() };
+                let Some(OperatedKnob { low, high, .. }) = self.runs.knob else { return Vec::new() };
                 let now = self.present_position();
                 let next = if now + TURN <= high { now + TURN } else { (now - TURN).max(low) };
                 let [there, back] = [next, now].map(Action::SpindleOverride);
@@ -440,19 +440,19 @@ impl Envelope<'_> {
         rows.push(time(event, end - from));
         // A spindle that coasts on lays more ribbon, and takes longer.
         if coasts_on(&run, end) {
-            rows.iter_mut().filter(|row| row.axis.is_none()).for_each(|row| row.is_cut = true);
+            rows.iter_mut().filter(|row| row.axis.is_none()).for_each(|row| row.is_truncated = true);
         }
         rows
     }
 
     /// Stretches of an axis in a part of a run in which its amplifier supplies current: at emergency stop and power failure until it is at
     /// rest, and none where the drive coasts.
-    fn driven(&self, event: OperatingEvent, of: Mover, run: &Run, span: (f64, f64)) -> Vec<Stretch> {
+    fn driven(&self, event: OperatingEvent, of: Mover, run: &Run, span: (f64, f64)) -> Vec<RunSegment> {
         let stops = matches!(event, OperatingEvent::EmergencyStop | OperatingEvent::PowerFailure);
         let coasts = stops && matches!(of, Mover::Turned(_)) && self.prepared.coasts_at_emergency_stop();
-        let mut stretches = if coasts { Vec::new() } else { run.timeline().stretches(of, span.0, span.1) };
-        while stops && stretches.pop_if(|last| last.from == 0.0 && last.to == 0.0).is_some() {}
-        stretches
+        let mut segments = if coasts { Vec::new() } else { run.timeline().run_segments(of, span.0, span.1) };
+        while stops && segments.pop_if(|last| last.from == 0.0 && last.to == 0.0).is_some() {}
+        segments
     }
 
     /// Effective torque of the form's motor over a whole run and the pause after it: it heats the motor.
@@ -478,12 +478,12 @@ impl Envelope<'_> {
         let works = self.prepared.working(run, span.1);
         let gauges = self.prepared.gauges(run, span, POINTS).into_iter().map(|gauge| gauged(event, &gauge));
         let motors = of.axes.iter().flat_map(|(axis, ampere_per_torque)| {
-            let stretches = self.driven(event, axis.mover, run, span);
-            if stretches.is_empty() {
+            let segments = self.driven(event, axis.mover, run, span);
+            if segments.is_empty() {
                 return [None, None].into_iter().flatten();
             }
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
-            let OperatingPoint { torque, speed, .. } = worst_point(axis, &stretches, works.as_deref());
+            let OperatingPoint { torque, speed, .. } = worst_point(axis, &segments, works.as_deref());
             let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.short_time_limit(speed));
             let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
                 id: format!("{}-current", axis.id),
@@ -497,9 +497,9 @@ impl Envelope<'_> {
             });
             [Some(of_torque), of_current].into_iter().flatten()
         });
-        let stretches = run.timeline().stretches_of_driven_spindle(span.0, span.1);
-        let is_driven = self.is_spindle_sized && !stretches.is_empty();
-        let spindle = if is_driven { of.machine.spindle_run(run, &stretches) } else { None };
+        let segments = run.timeline().run_segments_of_driven_spindle(span.0, span.1);
+        let is_driven = self.is_spindle_sized && !segments.is_empty();
+        let spindle = if is_driven { of.machine.spindle_run(run, &segments) } else { None };
         let spindle = spindle.map(|spindle| {
             let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
             let most =
@@ -540,8 +540,8 @@ fn torque_row(event: OperatingEvent, (id, name): (&str, &'static str), torque: f
 
 /// The operating point that uses most of the limit of the axis's motor, of two motions: with the torque of its work
 /// within these spans (s), and with none, because work helps to brake.
-fn worst_point(axis: &DrivenAxis, stretches: &[Stretch], works: Option<&[(f64, f64)]>) -> OperatingPoint {
-    let under = |works| axis.motion(stretches, works).worst_point(&axis.fitted.motor);
+fn worst_point(axis: &DrivenAxis, segments: &[RunSegment], works: Option<&[(f64, f64)]>) -> OperatingPoint {
+    let under = |works| axis.motion(segments, works).worst_point(&axis.fitted.motor);
     let working = under(works);
     let idle = works.map(|_| under(Some(&[])));
     idle.filter(|idle| idle.share > working.share).unwrap_or(working)
@@ -596,7 +596,7 @@ pub struct HoldingLimit {
     /// Decimals shown.
     pub decimals: u8,
     /// Whether a run was cut: the true value is greater.
-    pub is_cut: bool,
+    pub is_truncated: bool,
     /// The entry of the form with this limit; none if the form does not accept it.
     pub entry: Option<FieldEntry>,
 }
@@ -612,16 +612,16 @@ pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<Hol
         let most = most.max(asked_by_rules(project, field));
         let scale = math::pow(10.0, f64::from(of.decimals));
         let value = (most * scale).ceil() / scale;
-        let is_cut = same().any(|row| row.is_cut);
+        let is_truncated = same().any(|row| row.is_truncated);
         let entry = FieldEntry::new(field, number_text(value, of.decimals));
-        let fits = !is_cut && project.with_entries(core::slice::from_ref(&entry)).is_some();
+        let fits = !is_truncated && project.with_entries(core::slice::from_ref(&entry)).is_some();
         let entry = fits.then_some(entry);
         holding_limits.push(HoldingLimit {
             id: of.id.clone(),
             value,
             unit: of.unit,
             decimals: of.decimals,
-            is_cut,
+            is_truncated,
             entry,
         });
     }

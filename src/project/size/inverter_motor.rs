@@ -50,7 +50,9 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         field: drive.fields.map(|fields| fields.name),
         turning,
         loaded: turning.min(in_run.unwrap_or_else(|| {
-            drive.cycle.map_or(turning, |cycle| (cycle.of.run + 2.0 * cycle.of.ramp) / (of.present.end + pause))
+            drive.cycle.map_or(turning, |cycle| {
+                (cycle.motion.seconds_at_speed + 2.0 * cycle.motion.ramp) / (of.present.end + pause)
+            })
         })),
         brake: drive.brake,
         gear: gears::of_inverter(&drive, &catalogue),
@@ -133,7 +135,7 @@ fn induction(
     };
     if let Some(cycle) = &drive.cycle {
         // Power, not torque, limits the end of a ramp above rated speed.
-        let gives = torque.min(rated_power / cycle.of.speed);
+        let gives = torque.min(rated_power / cycle.motion.speed);
         let reason = over_cycle(cycle, of.inertia, (asked, most, gives), &mut shares);
         refusal = refusal.or(reason);
     }
@@ -186,9 +188,9 @@ fn over_cycle(
         }
     }
     let [rise, fall] = ramps;
-    let run = cycle.of.run + 2.0 * cycle.of.ramp;
-    let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.of.run }, fall]);
-    let effective = with_pause(effective, run, cycle.of.pause, cycle.of.hold);
+    let run = cycle.motion.seconds_at_speed + 2.0 * cycle.motion.ramp;
+    let effective = effective(&[rise, Phase { torque: asked, seconds: cycle.motion.seconds_at_speed }, fall]);
+    let effective = with_pause(effective, run, cycle.motion.pause, cycle.motion.hold);
     shares.effective = effective / continuous;
     if effective > continuous {
         let limit = (continuous, 3);
@@ -214,7 +216,7 @@ fn share_of_rated(drive: &InverterDrive, of: &InductionRatings, spindles: &[Spin
     let torque = of.rated_torque.unwrap_or(rated_power / (rated_speed * RPM));
     let curve = MotorCurve::with_torque(rated_power / 1000.0, torque);
     let ramps = drive.cycle.iter().flat_map(|cycle| {
-        let gives = torque.min(rated_power / cycle.of.speed);
+        let gives = torque.min(rated_power / cycle.motion.speed);
         cycle.ramps(of.inertia).map(|ramp| ramp.torque.abs() / gives)
     });
     let runs = spindles.iter().map(|spindle| spindle.share_of_rated(&curve, of.inertia.unwrap_or(drive.rotor)));

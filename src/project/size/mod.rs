@@ -1,6 +1,6 @@
 //! Sizing: motors that carry the machine, envelope of operation, limits of growth, bill of materials.
 //!
-//! Torque and energy come from runs of the program itself, over stretches of constant acceleration; see
+//! Torque and energy come from runs of the program itself, over segments of constant acceleration; see
 //! [`Motion`](crate::drives::shaft_motion::Motion).
 
 mod amplifier;
@@ -26,7 +26,7 @@ pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth, ResultName};
 pub use refusal::Refusal;
-pub use runs::{CutRun, SizingRuns};
+pub use runs::{SizingRuns, TruncatedRun};
 pub use terminals::{TerminalRow, WireEnd};
 pub use tornado::{Swing, Tornado};
 
@@ -82,7 +82,7 @@ pub struct Sizing {
     /// Time and energy of a part; none if the run does not reach the end of the program.
     pub cycle: Option<Cycle>,
     /// Time and reason of a run that ended before the end of the program; none if it reached the end.
-    pub cut: Option<CutRun>,
+    pub truncated: Option<TruncatedRun>,
     /// Worst values at every event of operation.
     pub envelope: Vec<EnvelopeRow>,
     /// Limits of the form that would hold in operation, for those that fail.
@@ -143,7 +143,7 @@ pub fn size_without_envelope(project: &Project, runs: &SizingRuns) -> Sizing {
     Sizing {
         axes,
         cycle: cycle(project, &prepared, runs),
-        cut: runs.cut(),
+        truncated: runs.truncated(),
         envelope: Vec::new(),
         holding_limits: Vec::new(),
         limits,
@@ -163,7 +163,7 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
         axes.iter().map(|axis| (runs.present.motion(axis), axis.fitted.motor.rotor)).collect();
     let inverter = prepared.inverter_drive().map(|drive| {
         let spindle = runs.present.spindle(&**prepared).map(|spindle| spindle.motion);
-        let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.stretches(Mover::Spindle)));
+        let motion = spindle.unwrap_or_else(|| drive.motion(&runs.present.run_segments(Mover::Spindle)));
         motion.motor_load(drive.rotor)
     });
     let loads = motors.iter().map(|(motion, rotor)| motion.motor_load(*rotor)).chain(inverter);

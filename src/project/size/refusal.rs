@@ -1,6 +1,6 @@
 //! Refusals of motors: the reason with its numbers, and the order of the list by reason.
 
-use crate::drives::servo::{Acceptance, MotorDemand, Reason, Servo, Shares, WEIGHT_SHARE};
+use crate::drives::servo::{Acceptance, MotorDemand, Servo, ServoRefusal, Shares, WEIGHT_SHARE};
 use crate::drives::shaft_motion::OperatingPoint;
 use crate::machines::driven::DrivenAxis;
 use crate::msg;
@@ -47,11 +47,11 @@ impl JudgedMotor<'_> {
     pub(super) fn beyond_limit(&self) -> Option<Refusal> {
         let JudgedMotor { motor, limits, demand, shares, worst_point } = self;
         let refusal = match shares.fails(limits)? {
-            Reason::Speed => {
+            ServoRefusal::Speed => {
                 let message = msg!("size.refused-speed", speed = (demand.speed, 0), limit = (motor.top_speed, 0));
                 Refusal::new(Rank::Speed, message)
             }
-            Reason::Peak => {
+            ServoRefusal::Peak => {
                 let gives = motor.short_time_torque(worst_point.speed);
                 let message = msg!(
                     "size.refused-peak",
@@ -62,7 +62,7 @@ impl JudgedMotor<'_> {
                 );
                 Refusal::new(Rank::Peak, message)
             }
-            Reason::Effective => {
+            ServoRefusal::Effective => {
                 let message = msg!(
                     "size.refused-effective",
                     torque = (demand.effective, 3),
@@ -71,7 +71,7 @@ impl JudgedMotor<'_> {
                 );
                 Refusal::new(Rank::Effective, message)
             }
-            Reason::Inertia => {
+            ServoRefusal::Inertia => {
                 let (ratio, limit) = ((shares.inertia_ratio, 1), (limits.inertia_ratio, 1));
                 Refusal::new(Rank::Inertia, msg!("size.refused-inertia", ratio = ratio, limit = limit))
             }
@@ -82,7 +82,7 @@ impl JudgedMotor<'_> {
     /// The refusal of a motor that gives less torque continuously than a long cut or a weight asks; none if it suffices.
     pub(super) fn too_weak_for_long(&self, axis: &DrivenAxis) -> Option<Refusal> {
         let most = self.limits.effective * self.motor.stall;
-        if let Some(torque) = axis.lasting.filter(|torque| *torque > most) {
+        if let Some(torque) = axis.continuous_cut_torque.filter(|torque| *torque > most) {
             let message = msg!("size.refused-long-cut", torque = (torque, 3), limit = (most, 3));
             return Some(Refusal::new(Rank::Effective, message));
         }

@@ -1,10 +1,10 @@
 //! The runs of a sizing: the program on the machine, with the knob near its ends and the feed override at its highest position too.
 
 use crate::drives::shaft_motion::Motion;
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::machines::driven::{DrivenAxis, SpindleRun};
 use crate::machines::{DrivenMachine, PreparedMachine};
-use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, Stretch};
+use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, RunSegment};
 use crate::msg;
 use crate::project::Project;
 use crate::project::program::Written;
@@ -44,7 +44,7 @@ pub(super) struct WholeRun {
 
 /// A run that ended before the end of its program.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CutRun {
+pub struct TruncatedRun {
     /// Time of the end, s.
     pub at: f64,
     /// Reason of the end.
@@ -53,7 +53,7 @@ pub struct CutRun {
     pub is_held: bool,
 }
 
-impl CutRun {
+impl TruncatedRun {
     /// Sentence about the consequence for the sizing.
     pub fn message(&self) -> Message {
         let time = (self.at, 1);
@@ -69,7 +69,7 @@ impl CutRun {
 
 /// Positions (%) of the spindle override in operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct KnobRange {
+pub(super) struct OperatedKnob {
     /// The lowest at which the machine is operated.
     pub(super) low: f64,
     /// The highest.
@@ -89,7 +89,7 @@ pub struct SizingRuns {
     /// At the highest position of the knob, if that is another one.
     pub(super) fast: Option<WholeRun>,
     /// Positions of the spindle override in operation.
-    pub(super) knob: Option<KnobRange>,
+    pub(super) knob: Option<OperatedKnob>,
     /// With the feed override at its highest position, at each of these positions of the knob.
     pub(super) fed: Vec<WholeRun>,
     /// Least and greatest position of the feed override (%), where it acts on the cut.
@@ -128,20 +128,20 @@ impl WholeRun {
         WholeRun { knob, feed, run, contact, end, ended, works }
     }
 
-    /// Its stretches of a mover, from start to rest.
-    pub(super) fn stretches(&self, of: Mover) -> Vec<Stretch> {
+    /// Its segments of a mover, from start to rest.
+    pub(super) fn run_segments(&self, of: Mover) -> Vec<RunSegment> {
         let timeline = self.run.timeline();
-        timeline.stretches(of, 0.0, timeline.end())
+        timeline.run_segments(of, 0.0, timeline.end())
     }
 
     /// The motion of the motor of an axis, under the torque of its work while that lasts.
     pub(super) fn motion(&self, axis: &DrivenAxis) -> Motion {
-        axis.motion(&self.stretches(axis.mover), self.works.as_deref())
+        axis.motion(&self.run_segments(axis.mover), self.works.as_deref())
     }
 
     /// The motor of the main spindle in it; none for other drives.
     pub(super) fn spindle(&self, machine: &dyn DrivenMachine) -> Option<SpindleRun> {
-        machine.spindle_run(&self.run, &self.stretches(Mover::Spindle))
+        machine.spindle_run(&self.run, &self.run_segments(Mover::Spindle))
     }
 
     /// Time (s) of the middle of its work.
@@ -172,10 +172,10 @@ impl SizingRuns {
     }
 
     /// Time and reason of the end, if the run at the form's position of the knob ended before the end of the program.
-    pub(super) fn cut(&self) -> Option<CutRun> {
+    pub(super) fn truncated(&self) -> Option<TruncatedRun> {
         let WholeRun { ended, end, run, .. } = &self.present;
         let is_held = run.is_held_by_plc();
-        (*ended != RunEnd::ProgramEnd).then(|| CutRun { at: *end, ended: ended.clone(), is_held })
+        (*ended != RunEnd::ProgramEnd).then(|| TruncatedRun { at: *end, ended: ended.clone(), is_held })
     }
 
     /// All runs with the feed override at 100 %, the one at the form's position of the knob first.
@@ -199,7 +199,7 @@ impl SizingRuns {
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
         let begun = changed(of_project(&untouched, written, &options));
         let now = prepared.panel().spindle_override;
-        let Steps { low, high, .. } = project.control_context().dialect().spindle().knob;
+        let KnobRange { low, high, .. } = project.control_context().dialect().spindle().knob;
         let stop = (low <= 0.0).then_some(low);
         let (low, high) = (low.max(prepared.lowest_knob()), high.min(prepared.highest_knob()));
         let other = |percent: f64| Some(percent).filter(|_| now.is_some_and(|now| now != percent));
@@ -214,7 +214,7 @@ impl SizingRuns {
             present: at(None, None),
             slow: lowest.map(|percent| at(Some(percent), None)),
             fast: highest.map(|percent| at(Some(percent), None)),
-            knob: now.map(|_| KnobRange { low, high, stop }),
+            knob: now.map(|_| OperatedKnob { low, high, stop }),
             fed: feed.map_or_else(Vec::new, at_feed),
             feed,
         }

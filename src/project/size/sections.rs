@@ -120,7 +120,7 @@ impl Sizing {
             (None, false) => Verdict::Ok,
         };
         // A run that was cut short has not asked all of the motor.
-        let short = if self.cut.is_some() { Verdict::Warn } else { Verdict::None };
+        let short = if self.truncated.is_some() { Verdict::Warn } else { Verdict::None };
         let verdict = order.max(short).max(self.heat(axis).map_or(Verdict::None, |heat| heat.verdict));
         let is_listed = |part: &Part| part.maker == row.maker && part.model == row.model;
         let candidate = axis.candidates.iter().find(|candidate| is_listed(&candidate.part));
@@ -143,7 +143,7 @@ impl Sizing {
             let time = units::text(cycle.seconds, 1, "s");
             sentence(&msg!("size.answer.cycle", time, parts = (cycle.parts_per_hour(), 1)))
         };
-        self.cycle.map(answer).or_else(|| Some(sentence(&self.cut.as_ref()?.message()))).unwrap_or_default()
+        self.cycle.map(answer).or_else(|| Some(sentence(&self.truncated.as_ref()?.message()))).unwrap_or_default()
     }
 
     fn facts_answer(&self) -> (Verdict, String) {

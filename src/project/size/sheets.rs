@@ -127,13 +127,13 @@ impl Sizing {
         });
         let cells = times.into_iter().flatten().chain(pause).chain(change).chain(energies.into_iter().flatten());
         let cells = cells.map(|(label, value)| row([say(label), value], RUNS));
-        let cut = self.cut.iter().map(|cut| row([say("size.cycle-time"), sentence(&cut.message())], RUNS));
+        let truncated = self.truncated.iter().map(|run| row([say("size.cycle-time"), sentence(&run.message())], RUNS));
         Sheet {
             id: "cycle",
             kind: SheetKind::Plain,
             title: "sheet.cycle",
             columns: vec![Column::Plain("sheet.quantity-watched"), Column::Plain("sheet.value")],
-            rows: cut.chain(cells).chain(duties).collect(),
+            rows: truncated.chain(cells).chain(duties).collect(),
             drawing: String::new(),
         }
     }
@@ -317,7 +317,8 @@ impl Sizing {
     /// Limits of the form that would hold at every event, for those that fail.
     fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
         let holding = |of: &&EnvelopeRow| self.holding_limits.iter().find(|limit| limit.id == of.id);
-        let text = |limit: &HoldingLimit| at_least(limit.is_cut, units::text(limit.value, limit.decimals, limit.unit));
+        let text =
+            |limit: &HoldingLimit| at_least(limit.is_truncated, units::text(limit.value, limit.decimals, limit.unit));
         let cells = watched.iter().map(|of| holding(of).map_or(String::new(), text));
         let entries = watched.iter().filter_map(|of| holding(of)?.entry.clone()).collect();
         let would_hold = row([say("size.would-hold")].into_iter().chain(cells).collect::<Vec<_>>(), RUNS);
@@ -332,8 +333,8 @@ fn beside(binding: String, failing_anyway: &[ResultName]) -> String {
 }
 
 /// A value, marked as a lower bound if its run was cut.
-fn at_least(is_cut: bool, value: String) -> String {
-    if is_cut { format!("> {value}") } else { value }
+fn at_least(is_truncated: bool, value: String) -> String {
+    if is_truncated { format!("> {value}") } else { value }
 }
 
 impl Sizing {
@@ -343,7 +344,7 @@ impl Sizing {
         let warning = |row: &EnvelopeRow| {
             let quantity = row.quantity();
             let limit = limit(row).unwrap_or_default();
-            let value = at_least(row.is_cut, units::text(row.value, row.decimals, row.unit));
+            let value = at_least(row.is_truncated, units::text(row.value, row.decimals, row.unit));
             let event = row.event_name();
             Diagnostic::warning(match row.knob {
                 Some(percent) if row.is_hold() => msg!("size.held-at-knob", event, percent),
@@ -352,12 +353,12 @@ impl Sizing {
                 None => msg!("size.beyond", event, quantity, value, limit),
             })
         };
-        let cut = self.cut.iter().map(|cut| Diagnostic::warning(cut.message()));
+        let truncated = self.truncated.iter().map(|run| Diagnostic::warning(run.message()));
         let refused = self.bill.iter().filter_map(|row| {
             let (axis, reason) = (say(row.axis?), sentence(row.refusal.as_ref()?));
             Some(Diagnostic::warning(msg!("size.named-refused", axis, motor = row.part(), reason)))
         });
-        cut.chain(refused).chain(beyond.map(warning)).collect()
+        truncated.chain(refused).chain(beyond.map(warning)).collect()
     }
 }
 
@@ -380,13 +381,13 @@ fn with_minus(number: String) -> String {
 
 /// A value of the envelope with its unit, with a cross beyond its limit.
 fn marked(of: &EnvelopeRow) -> String {
-    let value = at_least(of.is_cut, with_minus(units::text(of.value, of.decimals, of.unit)));
+    let value = at_least(of.is_truncated, with_minus(units::text(of.value, of.decimals, of.unit)));
     if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value }
 }
 
 /// A value of the envelope, with a cross beyond its limit, and a mark if it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
-    let value = at_least(of.is_cut, with_minus(units::plain(of.value, of.decimals, of.unit)));
+    let value = at_least(of.is_truncated, with_minus(units::plain(of.value, of.decimals, of.unit)));
     let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
     if of.is_worst { format!("{value} ▲") } else { value }
 }

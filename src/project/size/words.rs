@@ -39,7 +39,7 @@ impl Sizing {
                 "energy_returned_j": cycle.energy.map(|energy| energy.returned),
                 "energy_returned_on_one_bus_j": cycle.energy.map(|energy| energy.returned_on_one_bus),
             })),
-            "cut": self.cut.as_ref().map(|cut| json!({ "at_s": cut.at, "reason": sentence(&cut.message()) })),
+            "cut": self.truncated.as_ref().map(|run| json!({ "at_s": run.at, "reason": sentence(&run.message()) })),
             "envelope": self.envelope.iter().map(event).collect::<Vec<_>>(),
             "would_hold": self.holding_limits.iter().map(holding_limit).collect::<Vec<_>>(),
             "limits": self.limits.iter().map(limit).collect::<Vec<_>>(),
@@ -123,13 +123,13 @@ fn event(row: &EnvelopeRow) -> Json {
     json!({
         "event": row.event.id(), "id": row.id, "value": row.value, "unit": row.unit,
         "limit": row.limit.map(Limit::value), "bound": row.limit.map(Limit::bound),
-        "verdict": verdict_word(row.verdict), "worst": row.is_worst, "knob_percent": row.knob, "feed_percent": row.feed, "more_than_value": row.is_cut,
+        "verdict": verdict_word(row.verdict), "worst": row.is_worst, "knob_percent": row.knob, "feed_percent": row.feed, "more_than_value": row.is_truncated,
     })
 }
 
 fn holding_limit(of: &HoldingLimit) -> Json {
     json!({
-        "id": of.id, "value": of.value, "unit": of.unit, "more_than_value": of.is_cut,
+        "id": of.id, "value": of.value, "unit": of.unit, "more_than_value": of.is_truncated,
         "field": of.entry.as_ref().map(|entry| entry.field), "entry": of.entry.as_ref().map(|entry| entry.text.as_str()),
     })
 }

@@ -43,7 +43,7 @@ struct Export {
 
 /// A reason that refuses the export.
 #[derive(Clone, PartialEq)]
-struct Reason {
+struct ExportProblem {
     /// Number of the alarm, or name of the field.
     alarm: String,
     text: String,
@@ -53,17 +53,17 @@ struct Reason {
     place: Option<Range>,
 }
 
-fn reasons(page: Page, export: &Export) -> Vec<Reason> {
+fn reasons(page: Page, export: &Export) -> Vec<ExportProblem> {
     let fields = page.project.with(|project| project.machine.fields());
     let label = |id: &str| fields.iter().find(|field| field.id == id).map_or("", |field| t(field.label)).to_owned();
     let wrong = page.wrong_fields().into_iter().map(|found| {
         let field = found.field.unwrap_or_default().to_owned();
-        Reason { alarm: label(&field), text: sentence_with_hints(&found), field, place: None }
+        ExportProblem { alarm: label(&field), text: sentence_with_hints(&found), field, place: None }
     });
-    let mut found: Vec<Reason> = wrong.collect();
+    let mut found: Vec<ExportProblem> = wrong.collect();
     for Remark { alarm, text, field, place, .. } in export.remarks.iter().filter(|remark| remark.refuses).cloned() {
         let alarm = if alarm.is_empty() { label(&field) } else { alarm };
-        let reason = Reason { alarm, text, field, place };
+        let reason = ExportProblem { alarm, text, field, place };
         if !found.contains(&reason) {
             found.push(reason);
         }
@@ -127,14 +127,14 @@ pub(crate) fn ExportDialog() -> impl IntoView {
 #[component]
 fn Refused(
     /// The reasons.
-    reasons: Vec<Reason>,
+    reasons: Vec<ExportProblem>,
     /// The report without programs, as HTML.
     draft: Option<String>,
     /// Closes the dialog.
     close: impl Fn() + Copy + 'static,
 ) -> impl IntoView {
     let page = Page::here();
-    let row = |Reason { alarm, text, field, place }: Reason| {
+    let row = |ExportProblem { alarm, text, field, place }: ExportProblem| {
         let to_field = (!field.is_empty()).then(|| {
             view! { <button type="button" class="link" on:click=move |_| go_to_field(&field)>{t("page.go-to-field")}</button> }
         });
@@ -327,7 +327,7 @@ mod tests {
     async fn wrong_entry_refuses_the_export_and_leads_to_its_field() {
         let bench = mount(|| view! { <ExportDialog /> <input id="pitch" /> }).await;
         bench.worker.answer_here(documents);
-        let wrong = *field("pitch").read("x").unwrap_err();
+        let wrong = *field("pitch").read_metric("x").unwrap_err();
         bench.page.entries.refuse("pitch", wrong.clone());
         asked(&bench).await;
         assert!(!bench.has("#save-all"));

@@ -107,7 +107,7 @@ impl Drag {
         let from = self.info.shown(pull.from);
         let moved = from + steps * step(from, units::decimals(decimals, unit), pull.fine);
         dom::mark("input");
-        if let Some(value) = self.info.taken(moved) {
+        if let Some(value) = self.info.from_displayed(moved) {
             self.page.set(self.info.id, Value::Number(math::clamp(value, min, max)));
         }
         event.prevent_default();

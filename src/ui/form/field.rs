@@ -150,7 +150,7 @@ fn TypedInput(
         let (value, reread) = (value_of(page, &row), page.entries.reread.get());
         let Some(input) = input.get() else { return reread };
         // Text with the same value stays: `1,5` is not rewritten into 1.5.
-        let same = row.typed(&input.value()).is_ok_and(|typed| typed == value);
+        let same = row.read_displayed(&input.value()).is_ok_and(|typed| typed == value);
         let forced = last != Some(reread);
         let kept = untrack(|| page.entries.refused(id)).is_some() && !forced;
         if !same && !kept {
@@ -167,7 +167,7 @@ fn TypedInput(
     let finish = move || {
         entered();
         let Some(input) = input.get() else { return };
-        if let Ok(value) = whole.typed(&input.value())
+        if let Ok(value) = whole.read_displayed(&input.value())
             && number::read(&input.value()).is_none()
         {
             input.set_value(&whole.text(&value));
@@ -176,7 +176,7 @@ fn TypedInput(
     let reader = Arc::clone(&info);
     let take = move |typed: &str| {
         dom::mark("input");
-        match reader.typed(typed) {
+        match reader.read_displayed(typed) {
             Ok(value) => page.set(id, value),
             Err(problem) => {
                 if let Some(before) = before.get_value() {
@@ -191,7 +191,7 @@ fn TypedInput(
     // Brings the value before this entry back; an entry that has not changed leaves the key to others.
     let undo_entry = move |event: &KeyboardEvent| {
         let (Some(before), Some(input)) = (before.get_value(), input.get()) else { return };
-        if kept.typed(&input.value()).is_ok_and(|typed| typed == before) {
+        if kept.read_displayed(&input.value()).is_ok_and(|typed| typed == before) {
             return;
         }
         event.stop_propagation();
@@ -211,9 +211,10 @@ fn TypedInput(
         };
         event.prevent_default();
         let scale = if event.shift_key() { 10.0 } else { 1.0 };
-        let present = info.typed(&input.value()).unwrap_or_else(|_| untrack(|| value_of(page, &info)));
+        let present = info.read_displayed(&input.value()).unwrap_or_else(|_| untrack(|| value_of(page, &info)));
         let Value::Number(from) = present else { return };
-        let stepped = info.taken(info.shown(from) + direction * scale * units::step(*step, unit)).unwrap_or(from);
+        let stepped =
+            info.from_displayed(info.shown(from) + direction * scale * units::step(*step, unit)).unwrap_or(from);
         let text = info.text(&Value::Number(math::clamp(stepped, *min, *max)));
         input.set_value(&text);
         take(&text);

@@ -167,7 +167,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn reset_takes_a_wrong_entry_away() {
         let bench = about("pitch").await;
-        bench.page.entries.refuse("pitch", *field("pitch").read("x").unwrap_err());
+        bench.page.entries.refuse("pitch", *field("pitch").read_metric("x").unwrap_err());
         settled().await;
         bench.press_button(t("page.reset-field")).await;
         assert!(!bench.page.is_stale());

@@ -60,7 +60,7 @@ pub(super) fn Slider(
     let slide = move |event: web_sys::Event| {
         let Some(position) = number(&event) else { return };
         dom::mark("input");
-        if let Some(value) = info.taken(at(position, low, high, step)) {
+        if let Some(value) = info.from_displayed(at(position, low, high, step)) {
             page.set(id, Value::Number(value));
         }
     };
@@ -161,7 +161,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn sliding_mends_a_wrong_entry() {
         let bench = mounted().await;
-        bench.page.entries.refuse("pitch", field("pitch").read("x").map(|_| ()).unwrap_err().as_ref().clone());
+        bench.page.entries.refuse("pitch", field("pitch").read_metric("x").map(|_| ()).unwrap_err().as_ref().clone());
         bench.type_into("input", "300").await;
         assert!(bench.page.entries.refused("pitch").is_none());
     }

@@ -94,7 +94,7 @@ mod tests {
     async fn verdicts_are_old_while_an_entry_is_wrong() {
         let bench = mount(|| view! { <Verdicts /> }).await;
         assert!(!bench.has(".cards.old"));
-        bench.page.entries.refuse("pitch", *field("pitch").read("x").unwrap_err());
+        bench.page.entries.refuse("pitch", *field("pitch").read_metric("x").unwrap_err());
         settled().await;
         assert!(bench.has(".cards.old"));
     }

@@ -19,7 +19,7 @@ use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::parts::{chart_figure, scene};
 use crate::ui::state::{EditKey, Page};
 use crate::ui::words::t;
-use crate::view::{Explorer, Knob, Readout};
+use crate::view::{Explorer, Readout, Slider};
 
 /// The machine with dragged values, or with those of the form.
 fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
@@ -76,11 +76,11 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     let knobs = move || {
         let (fields, first) = page.project.with_untracked(|project| {
             let explorer = project.prepared().explorer(at.get()).unwrap_or_default();
-            (project.machine.fields(), explorer.knobs)
+            (project.machine.fields(), explorer.sliders)
         });
-        let slider = |(at, knob): (usize, Knob)| {
+        let slider = |(at, knob): (usize, Slider)| {
             let info = fields.iter().find(|field| field.id == knob.field)?.clone();
-            Some(view! { <Slider draft=draft seen=seen at=at first=knob info=info /> })
+            Some(view! { <ExplorerSlider draft=draft seen=seen at=at first=knob info=info /> })
         };
         first.into_iter().enumerate().filter_map(slider).collect_view()
     };
@@ -120,7 +120,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
 
 /// A value of the form as a slider.
 #[component]
-fn Slider(
+fn ExplorerSlider(
     /// Values that are dragged.
     draft: RwSignal<Option<Values>, LocalStorage>,
     /// The consequences, with the present sliders.
@@ -128,13 +128,13 @@ fn Slider(
     /// Index among the sliders.
     at: usize,
     /// The slider at first.
-    first: Knob,
+    first: Slider,
     /// The row of its field.
     info: FieldInfo,
 ) -> impl IntoView {
     let page = Page::here();
     let field = first.field;
-    let knob = Memo::new(move |_| seen.with(|seen| seen.knobs.get(at).cloned()).unwrap_or_else(|| first.clone()));
+    let knob = Memo::new(move |_| seen.with(|seen| seen.sliders.get(at).cloned()).unwrap_or_else(|| first.clone()));
     let plain = |number: f64| number_text(number, 6);
     let id = format!("explore-{field}");
     let drag = move |event| {

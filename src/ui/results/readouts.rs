@@ -161,7 +161,7 @@ mod tests {
     async fn results_are_old_while_an_entry_is_wrong() {
         let bench = results().await;
         assert!(!bench.has(".results.old"));
-        bench.page.entries.refuse("pitch", *crate::ui::testing::field("pitch").read("x").unwrap_err());
+        bench.page.entries.refuse("pitch", *crate::ui::testing::field("pitch").read_metric("x").unwrap_err());
         settled().await;
         assert!(bench.has(".results.old"));
     }

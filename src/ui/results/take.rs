@@ -12,7 +12,7 @@ use crate::ui::state::{EditKey, Page};
 pub(super) fn set<'t>(project: &Project, values: &mut Values, entries: impl IntoIterator<Item = (&'t str, &'t str)>) {
     let fields = project.machine.fields();
     for (id, text) in entries {
-        if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok()) {
+        if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read_metric(text).ok()) {
             values.insert(id.to_owned(), value);
         }
     }

@@ -270,7 +270,7 @@ mod tests {
         let bench = section().await;
         bench.press_button(t("page.variant-keep")).await;
         bench.page.set("pitch", Value::Number(20.0));
-        bench.page.entries.refuse("heads", *crate::ui::testing::field("heads").read("x").unwrap_err());
+        bench.page.entries.refuse("heads", *crate::ui::testing::field("heads").read_metric("x").unwrap_err());
         let button: HtmlElement = bench.find("[data-take]").unchecked_into();
         button.focus().unwrap();
         button.click();

@@ -87,7 +87,9 @@ fn form_checks_report_export_and_charts_appear() {
     // The form, with checks of its ranges.
     let fields = FEEDER.fields();
     let length = fields.iter().find(|field| field.id == "length").unwrap();
-    assert!(length.essential && length.read("0").is_err() && length.read("12,5") == Ok(Value::Number(12.5)));
+    assert!(
+        length.essential && length.read_metric("0").is_err() && length.read_metric("12,5") == Ok(Value::Number(12.5))
+    );
     // A rule of its own is a verdict; a value out of range is an error, and refuses the export.
     project.values.insert("speed".to_owned(), Value::Number(12_000.0));
     assert_eq!(project.design().readouts.iter().map(|row| row.verdict).max(), Some(Verdict::Fail));

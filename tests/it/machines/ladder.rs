@@ -72,7 +72,7 @@ fn forms_and_examples() -> impl Iterator<Item = (String, Project)> {
                 let mut project = Project::of_form(machine, macroline::controls::find(control).unwrap());
                 let fields = machine.fields();
                 let field = |id: &str| fields.iter().find(|field| field.id == id).unwrap();
-                let typed = form.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap()));
+                let typed = form.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read_metric(typed).unwrap()));
                 project.values.extend(typed);
                 (format!("{id} on {control} {form:?}"), project)
             })

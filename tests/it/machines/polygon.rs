@@ -435,7 +435,7 @@ fn any_form_values_design_within_the_processor_time() {
                 FieldKindInfo::Text(_) => ["1 2 3", "-0.3 0.3", "0,5", "nonsense"].map(str::to_owned),
                 _ => continue,
             };
-            let typed = if dice(3) == 0 { field.read(&ends[dice(4)]).ok() } else { None };
+            let typed = if dice(3) == 0 { field.read_metric(&ends[dice(4)]).ok() } else { None };
             project.values.extend(typed.map(|value| (field.id.to_owned(), value)));
         }
         let begun = processor_seconds();
@@ -748,17 +748,17 @@ fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
         project.prepared().explorer(0).unwrap()
     };
     let square = look(&[]);
-    let fields: Vec<&str> = square.knobs.iter().map(|knob| knob.field).collect();
+    let fields: Vec<&str> = square.sliders.iter().map(|knob| knob.field).collect();
     assert_eq!(fields, ["sides", "inserts", "work-ratio", "tool-ratio", "tip-radius"]);
-    for knob in &square.knobs {
+    for knob in &square.sliders {
         assert!(knob.range.0 <= knob.value && knob.value <= knob.range.1, "{knob:?}");
         // Each slider alone, with its dependent entries, at both of its ends.
         for end in [knob.range.0, knob.range.1] {
             let text = end.to_string();
             let along = knob.along.iter().map(|entry| (entry.field, entry.text.as_str()));
             let changed = look(&along.chain([(knob.field, text.as_str())]).collect::<Vec<_>>());
-            assert!(changed.knobs.iter().map(|knob| knob.field).eq(fields.iter().copied()));
-            assert_eq!(changed.knobs.iter().find(|other| other.field == knob.field).unwrap().value, end);
+            assert!(changed.sliders.iter().map(|knob| knob.field).eq(fields.iter().copied()));
+            assert_eq!(changed.sliders.iter().find(|other| other.field == knob.field).unwrap().value, end);
             assert_eq!(changed.charts.len(), 1, "{}", knob.field);
             assert_eq!(changed.scene == square.scene, end == knob.value, "{} {end}", knob.field);
         }

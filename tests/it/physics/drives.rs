@@ -2,7 +2,7 @@
 
 use macroline::drives::cutting::torque;
 use macroline::drives::orient::{Approach, Travel, first_travel, travel};
-use macroline::drives::speed::{Steps, limit_diameter, stage_for, surface_rpm, surface_speed};
+use macroline::drives::speed::{KnobRange, limit_diameter, stage_for, surface_rpm, surface_speed};
 use macroline::drives::{Analog, Bound, SpeedLimits, SpeedRange, Stage};
 
 use super::*;
@@ -68,20 +68,20 @@ fn sheet(surface: bool) -> SpeedLimits {
 fn speed_limits_match_the_table_and_name_the_binding_one() {
     // sinumerik-802d.md section 7.
     let constant = sheet(false);
-    assert_eq!(constant.hold(3200.0), (2800.0, Bound::Gear));
-    assert_eq!(constant.hold(2700.0), (2700.0, Bound::None));
-    assert_eq!(sheet(true).hold(2700.0), (2500.0, Bound::Surface));
-    assert_eq!(constant.hold(2600.0 * 1.2), (2800.0, Bound::Gear));
-    assert_eq!(constant.hold(20.0), (50.0, Bound::Lower));
-    assert_eq!(constant.hold(0.0), (0.0, Bound::None));
-    close(sheet(true).hold(surface_rpm(180.0, 84.0) * 0.8).0, 545.674, 1e-6);
+    assert_eq!(constant.limit(3200.0), (2800.0, Bound::Gear));
+    assert_eq!(constant.limit(2700.0), (2700.0, Bound::None));
+    assert_eq!(sheet(true).limit(2700.0), (2500.0, Bound::Surface));
+    assert_eq!(constant.limit(2600.0 * 1.2), (2800.0, Bound::Gear));
+    assert_eq!(constant.limit(20.0), (50.0, Bound::Lower));
+    assert_eq!(constant.limit(0.0), (0.0, Bound::None));
+    close(sheet(true).limit(surface_rpm(180.0, 84.0) * 0.8).0, 545.674, 1e-6);
     for diameter in [10.0, 0.0] {
-        assert_eq!(sheet(true).hold(surface_rpm(180.0, diameter)), (2500.0, Bound::Surface));
+        assert_eq!(sheet(true).limit(surface_rpm(180.0, diameter)), (2500.0, Bound::Surface));
     }
     // The upper limit wins over a lower one above it.
     let crossed = SpeedLimits { set: SpeedRange::new(900.0, 400.0), ..SpeedLimits::NONE };
-    assert_eq!((crossed.hold(600.0), crossed.hold(20.0)), ((400.0, Bound::Upper), (400.0, Bound::Upper)));
-    let each = |limits: SpeedLimits, rpm| limits.hold(rpm).1;
+    assert_eq!((crossed.limit(600.0), crossed.limit(20.0)), ((400.0, Bound::Upper), (400.0, Bound::Upper)));
+    let each = |limits: SpeedLimits, rpm| limits.limit(rpm).1;
     assert_eq!(each(SpeedLimits { machine: 10.0, ..SpeedLimits::NONE }, 11.0), Bound::Machine);
     assert_eq!(each(SpeedLimits { gear: SpeedRange::new(10.0, 99.0), ..SpeedLimits::NONE }, 1.0), Bound::GearLow);
     assert_eq!(each(SpeedLimits { surface: SpeedRange::new(10.0, 99.0), ..SpeedLimits::NONE }, 1.0), Bound::SurfaceLow);
@@ -143,9 +143,9 @@ fn gear_is_kept_where_it_fits_else_selected_by_speed() {
 
 #[test]
 fn knob_value_snaps_to_its_steps() {
-    let knob = Steps { low: 50.0, high: 120.0, step: 10.0 };
+    let knob = KnobRange { low: 50.0, high: 120.0, step: 10.0 };
     assert_eq!([0.0, 54.0, 55.0, 99.0, 130.0].map(|percent| knob.nearest(percent)), [50.0, 50.0, 60.0, 100.0, 120.0]);
-    assert_eq!(Steps { low: 0.0, high: 200.0, step: 0.0 }.nearest(83.758), 83.758);
+    assert_eq!(KnobRange { low: 0.0, high: 200.0, step: 0.0 }.nearest(83.758), 83.758);
 }
 
 #[test]

@@ -16,7 +16,7 @@ fn slide() -> Slide {
     Slide {
         mass: 250.0,
         friction: 250.0,
-        rise: 0.0,
+        inclination: 0.0,
         screw: Cylinder { outer: 0.04, inner: 0.0, length: 1.0, density: STEEL },
         lead: 0.005,
         gear: 1.0,
@@ -57,7 +57,7 @@ fn up_and_down(speed: f64, ramp: f64) -> [SpeedSegment; 5] {
 proptest! {
     #[test]
     fn lifted_weight_comes_back_but_for_friction(degrees in 0.0_f64..90.0, speed in 10.0_f64..300.0, ramp in 0.05_f64..1.0) {
-        let slide = Slide { rise: degrees.to_radians(), efficiency: 1.0, ..slide() };
+        let slide = Slide { inclination: degrees.to_radians(), efficiency: 1.0, ..slide() };
         let motion = |segments: &[SpeedSegment]| Motion::new(segments.to_vec(), slide.load(), 0.0).with_weight(slide.weight());
         let segments = up_and_down(speed, ramp);
         let way = speed * ramp * slide.lead / (2.0 * std::f64::consts::PI);
@@ -74,7 +74,7 @@ proptest! {
 
 #[test]
 fn screw_with_losses_takes_more_up_and_gives_less_down() {
-    let slide = Slide { rise: std::f64::consts::FRAC_PI_4, friction: 0.0, ..slide() };
+    let slide = Slide { inclination: std::f64::consts::FRAC_PI_4, friction: 0.0, ..slide() };
     let motion = Motion::new([], slide.load(), 0.0).with_weight(slide.weight());
     let steady = |speed: f64| motion.torque(&SpeedSegment { t: 0.0, seconds: 1.0, from: speed, to: speed }, 0.0);
     near_share(

@@ -1,7 +1,7 @@
 //! A lathe's spindle over time: surface speed, limits, gears, volts without M03, waits for the speed.
 
 use macroline::controls::spindle::RapidSpeed;
-use macroline::drives::speed::{SpeedLimit, Steps, surface_rpm};
+use macroline::drives::speed::{KnobRange, SpeedLimit, surface_rpm};
 use macroline::drives::{Bound, SpeedRange, Stage};
 use macroline::motion::GearShift;
 
@@ -431,7 +431,7 @@ fn work_zero_off_centre_is_a_finding() {
 #[test]
 fn bench_knob_snaps_to_its_steps() {
     let mut plc = BenchPlc::new(0.05, Some(1033));
-    plc.knob = Some(Steps { low: 50.0, high: 120.0, step: 10.0 });
+    plc.knob = Some(KnobRange { low: 50.0, high: 120.0, step: 10.0 });
     let events = vec![at(1.0, Action::SpindleOverride(47.0)), at(2.0, Action::SpindleOverride(300.0))];
     let mut planner = planner_with(Box::new(plc), &plant(), events, vec![m3(1000.0), dwell(5.0)]);
     finish(&mut planner);

@@ -556,7 +556,7 @@ fn long_coasting_runs_to_its_end() {
     let sizing = sized(&project);
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
         let time = row(&sizing, event, "time");
-        assert!(!time.is_cut && time.value > 300.0, "{time:?}");
+        assert!(!time.is_truncated && time.value > 300.0, "{time:?}");
         super::same(event.id(), time.value, value(&project, "coasting-time"), 0.01);
     }
 }
@@ -571,14 +571,16 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
     let sizing = sized(&project);
     for event in [OperatingEvent::Alarm, OperatingEvent::PowerFailure] {
         let (time, slack) = (row(&sizing, event, "time"), row(&sizing, event, "loop"));
-        assert!(time.is_cut && time.value >= 3600.0, "{time:?}");
-        assert!(slack.is_cut && slack.verdict == Verdict::Fail, "{slack:?}");
+        assert!(time.is_truncated && time.value >= 3600.0, "{time:?}");
+        assert!(slack.is_truncated && slack.verdict == Verdict::Fail, "{slack:?}");
     }
-    assert!(!row(&sizing, OperatingEvent::EmergencyStop, "time").is_cut);
+    assert!(!row(&sizing, OperatingEvent::EmergencyStop, "time").is_truncated);
     let sentences = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
     assert!(sentences.iter().any(|line| line.contains(": Loop comes to > ")), "{sentences:?}");
     // No loop would hold.
-    assert!(sizing.holding_limits.iter().all(|limit| limit.id != "loop" || limit.is_cut && limit.entry.is_none()));
+    assert!(
+        sizing.holding_limits.iter().all(|limit| limit.id != "loop" || limit.is_truncated && limit.entry.is_none())
+    );
 }
 
 #[test]
@@ -586,14 +588,14 @@ fn long_product_is_sized_whole_and_a_cut_run_has_a_reason() {
     let mut project = line();
     project.values.insert("pitch-count".to_owned(), Value::Number(7000.0));
     let sizing = sized(&project);
-    assert_eq!(sizing.cut, None);
+    assert_eq!(sizing.truncated, None);
     super::same("cycle", sizing.cycle.unwrap().seconds, value(&project, "product-time"), 0.02);
 
     let endless = "%\nO1\nG91\n#1=0\nWHILE[#1LT100000]DO1\nG01 X0.1 F1000.\nX-0.1\n#1=#1+1\nEND1\nM30\n%\n";
     project.edited = Some(macroline::nc::Files::one("O1.NC", endless));
     let sizing = sized(&project);
     assert!(sizing.cycle.is_none());
-    let cut = sentence(&sizing.cut.as_ref().unwrap().message());
+    let cut = sentence(&sizing.truncated.as_ref().unwrap().message());
     assert!(cut.starts_with("The run was ended at ") && cut.contains("after 200000 blocks"), "{cut}");
     assert_eq!(sentence(&sizing.findings()[0].message), cut);
     assert_eq!(sizing.json()["cut"]["reason"], cut);
@@ -666,7 +668,7 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     assert!((300.0 + 200.0..300.0 + 320.0).contains(&filled), "{filled}");
     let sentences = sizing.findings().iter().map(|found| sentence(&found.message)).collect::<Vec<_>>();
     assert!(sentences[0].starts_with("A contact of the machine holds the program from 2."), "{sentences:?}");
-    assert_eq!((sizing.cut.as_ref().unwrap().is_held, sizing.cycle), (true, None));
+    assert_eq!((sizing.truncated.as_ref().unwrap().is_held, sizing.cycle), (true, None));
     assert!(
         sentences.iter().any(|line| line.starts_with("Start: a contact of the machine holds the program.")),
         "{sentences:?}"
@@ -675,5 +677,5 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     let sets: Vec<_> = sizing.holding_limits.iter().filter_map(|limit| limit.entry.clone()).collect();
     let after = sized(&project.with_entries(&sets).unwrap());
     assert!(after.envelope.iter().all(|row| row.id != "hold" && (row.id != "loop" || row.verdict == Verdict::Ok)));
-    assert_eq!(after.cut, None);
+    assert_eq!(after.truncated, None);
 }

@@ -127,7 +127,7 @@ fn stops_of_a_slant_bed_tell_the_brake() {
         // From rest under T / (J_L + J_M) for 0.1 s.
         let project = lathe(name, first_control(name), &[("bed-angle", "60")]);
         let x = project.prepared().driven_axes().into_iter().find(|axis| axis.id == "x").unwrap();
-        let acceleration = x.weight / (x.load.inertia + x.fitted.motor.rotor) / x.turn;
+        let acceleration = x.weight / (x.load.inertia + x.fitted.motor.rotor) / x.radians_per_unit;
         let way = x.sinks().unwrap();
         assert!((way / (0.5 * acceleration * 0.01) - 1.0).abs() < 1e-9 && way < 50.0, "{name}: {way} mm");
     }

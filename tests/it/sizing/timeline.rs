@@ -1,10 +1,10 @@
-//! Torque and energy over the stretches of the program's own run against the closed forms.
+//! Torque and energy over the segments of the program's own run against the closed forms.
 
 use macroline::drives::load::{Load, Move, effective};
 use macroline::drives::shaft_motion::{Motion, SpeedSegment};
 use macroline::machines::driven::DrivenAxis;
 use macroline::machines::form::Value;
-use macroline::motion::{Budget, Mover, Retention, Stretch};
+use macroline::motion::{Budget, Mover, Retention, RunSegment};
 use macroline::project::Project;
 use macroline::project::run::{self, Run, RunOptions};
 use macroline::project::size::size;
@@ -32,8 +32,8 @@ fn axis(project: &Project, id: &str) -> DrivenAxis {
     project.prepared().driven_axes().into_iter().find(|axis| axis.id == id).unwrap()
 }
 
-fn travelled(stretches: &[Stretch]) -> f64 {
-    stretches.iter().map(|part| 0.5 * (part.from + part.to) * part.seconds).sum()
+fn travelled(segments: &[RunSegment]) -> f64 {
+    segments.iter().map(|part| 0.5 * (part.from + part.to) * part.seconds).sum()
 }
 
 #[test]
@@ -46,10 +46,10 @@ fn torque_over_the_run_is_that_of_the_results() {
         let result = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
         let (run, axis) = (run_of(&project), axis(&project, "x"));
         let work = axis
-            .motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end()), None)
+            .motion(&run.timeline().run_segments(axis.mover, 0.0, run.timeline().end()), None)
             .motor_load(axis.fitted.motor.rotor);
         // Before and after the product the axis holds the web.
-        let (product, hold) = (result("product-time"), axis.hold);
+        let (product, hold) = (result("product-time"), axis.standstill_torque);
         let square = work.effective * work.effective * work.seconds - hold * hold * (work.seconds - product);
         super::same(&format!("{control}, highest"), work.peak.torque, result("x-peak-torque"), WITHIN);
         super::same(&format!("{control}, effective"), (square / product).sqrt(), result("x-effective-torque"), WITHIN);
@@ -57,7 +57,7 @@ fn torque_over_the_run_is_that_of_the_results() {
 }
 
 #[test]
-fn stretches_of_a_run_add_up_to_its_travel() {
+fn segments_of_a_run_add_up_to_its_travel() {
     for (machine, control) in
         [("ribbon-line", "mitsubishi-e60"), ("ribbon-line", "gsk-980tdc"), ("polygon-lathe", "knd-k2000t")]
     {
@@ -76,8 +76,8 @@ fn stretches_of_a_run_add_up_to_its_travel() {
         let axes = project.prepared().driven_axes();
         assert!(!axes.is_empty());
         for axis in axes {
-            let stretches = run.timeline().stretches(axis.mover, 0.0, end);
-            for pair in stretches.windows(2) {
+            let segments = run.timeline().run_segments(axis.mover, 0.0, end);
+            for pair in segments.windows(2) {
                 assert!(
                     (pair[1].t - pair[0].t - pair[0].seconds).abs() < 1e-9,
                     "{machine} {}: a gap at {}",
@@ -85,13 +85,13 @@ fn stretches_of_a_run_add_up_to_its_travel() {
                     pair[1].t
                 );
             }
-            // Each of the sixty blocks bends the speed twice; where that changes the speed by less than the least increment, both are one stretch.
-            assert!(stretches.len() < 120, "{machine} {}: {} stretches", axis.id, stretches.len());
-            let (sum, travel) = (travelled(&stretches), place(axis.mover));
+            // Each of the sixty blocks bends the speed twice; where that changes the speed by less than the least increment, both are one segment.
+            assert!(segments.len() < 120, "{machine} {}: {} segments", axis.id, segments.len());
+            let (sum, travel) = (travelled(&segments), place(axis.mover));
             let about = format!("{machine} on {control}, {}", axis.id);
             // A slide comes back to where it started.
             if axis.cut.is_some() {
-                let way: f64 = stretches.iter().map(|part| 0.5 * (part.from + part.to).abs() * part.seconds).sum();
+                let way: f64 = segments.iter().map(|part| 0.5 * (part.from + part.to).abs() * part.seconds).sum();
                 assert!(way > 50.0 && (sum - travel).abs() < 1e-6 * way, "{about}: {sum}, {travel}, {way}");
             } else {
                 assert!(travel.abs() > 100.0);
@@ -99,7 +99,7 @@ fn stretches_of_a_run_add_up_to_its_travel() {
             }
         }
         // Turns of the spindle: r/min over seconds.
-        let segments = travelled(&run.timeline().stretches(Mover::Spindle, 0.0, end)) / 60.0;
+        let segments = travelled(&run.timeline().run_segments(Mover::Spindle, 0.0, end)) / 60.0;
         assert!(
             (segments - place(Mover::Spindle)).abs() < 1e-6 * segments.abs().max(1.0),
             "{machine}: {segments} turns"
@@ -116,9 +116,9 @@ fn energy_of_a_run_goes_into_friction_alone() {
     let end = run.timeline().end();
     for id in ["x", "y"] {
         let axis = axis(&project, id);
-        let stretches = run.timeline().stretches(axis.mover, 0.0, end);
-        let work = axis.motion(&stretches, None).motor_load(axis.fitted.motor.rotor);
-        let friction = axis.load.torque * axis.turn * travelled(&stretches);
+        let segments = run.timeline().run_segments(axis.mover, 0.0, end);
+        let work = axis.motion(&segments, None).motor_load(axis.fitted.motor.rotor);
+        let friction = axis.load.torque * axis.radians_per_unit * travelled(&segments);
         assert!(work.given > 1.0, "{id}: {work:?}");
         super::same(&format!("energy of {id}"), work.given - work.returned, friction, WITHIN);
     }
@@ -139,12 +139,12 @@ fn energy_of_a_part_is_that_of_its_motors() {
     let cycle = size(&project, &project.written()).cycle.expect("the program comes to its end");
     let run = run_of(&project);
     let works = project.prepared().driven_axes().into_iter().map(|axis| {
-        axis.motion(&run.timeline().stretches(axis.mover, 0.0, run.timeline().end()), None)
+        axis.motion(&run.timeline().run_segments(axis.mover, 0.0, run.timeline().end()), None)
             .motor_load(axis.fitted.motor.rotor)
     });
     // Includes the unwinder, whose spindle speed is in r/min of its motor.
     let unwinder = project.prepared().inverter_drive().unwrap();
-    let segments = run.timeline().stretches(Mover::Spindle, 0.0, run.timeline().end());
+    let segments = run.timeline().run_segments(Mover::Spindle, 0.0, run.timeline().end());
     let unwinder = unwinder.motion(&segments).motor_load(unwinder.rotor);
     let given = works.map(|work| work.given).sum::<f64>() + unwinder.given;
     super::same("energy of a part", cycle.energy.unwrap().given, given, 1e-9);
@@ -162,7 +162,7 @@ fn energy_of_a_part_is_that_of_its_motors() {
 /// A move from rest to rest as turns, forward or backward.
 fn segments(of: &Move, side: f64) -> Vec<SpeedSegment> {
     let top = side * of.speed;
-    let parts = [(of.ramp, 0.0, top), (of.run, top, top), (of.ramp, top, 0.0), (of.pause, 0.0, 0.0)];
+    let parts = [(of.ramp, 0.0, top), (of.seconds_at_speed, top, top), (of.ramp, top, 0.0), (of.pause, 0.0, 0.0)];
     let mut t = 0.0;
     parts
         .into_iter()
@@ -181,7 +181,7 @@ proptest! {
         (rotor, hold, backward) in (1e-6..0.1_f64, 0.0..5.0_f64, any::<bool>()),
     ) {
         let load = Load { inertia, torque, efficiency };
-        let of = Move { speed, ramp, run, pause, hold };
+        let of = Move { speed, ramp, seconds_at_speed: run, pause, hold };
         let motion = Motion::new(segments(&of, if backward { -1.0 } else { 1.0 }), load, hold);
         let work = motion.motor_load(rotor);
         let phases = load.phases(rotor, of);
@@ -239,8 +239,8 @@ fn starts_by_formula_bound_those_of_the_run() {
         let run = run_of(&project);
         for id in ["x", "z"] {
             let axis = axis(&project, id);
-            let stretches = run.timeline().stretches(axis.mover, 0.0, run.timeline().end());
-            let starts = axis.motion(&stretches, None).starts_per_minute();
+            let segments = run.timeline().run_segments(axis.mover, 0.0, run.timeline().end());
+            let starts = axis.motion(&segments, None).starts_per_minute();
             let about = format!("{} {id}: {starts} of {}", project.machine.id(), axis.starts_per_minute);
             assert!((least..=most).contains(&(starts / axis.starts_per_minute)), "{about}");
         }

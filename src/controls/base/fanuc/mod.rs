@@ -24,7 +24,7 @@ use crate::controls::syntax::{ArcTangent, Function, Percent, RoundBrackets};
 use crate::controls::{
     Address, AddressSet, AnalogOutput, AxisScaling, FeedKnob, Limits, Macros, ScalingKind, SpindleRules, Syntax, Timing,
 };
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::{Citation, Grade};
 
 /// Functions of every control of the family, by their first spelling.
@@ -156,7 +156,7 @@ pub const TIMING: Timing = Timing {
 };
 
 /// Feed override of the panels, 0 to 150 % in tens; the register takes 0 to 254 %.
-pub const FEED_KNOB: FeedKnob = FeedKnob { positions: Steps { low: 0.0, high: 150.0, step: 10.0 }, cite: MEMORY };
+pub const FEED_KNOB: FeedKnob = FeedKnob { positions: KnobRange { low: 0.0, high: 150.0, step: 10.0 }, cite: MEMORY };
 
 /// Analog spindle: S in r/min, constant surface speed, limits.
 pub const SPINDLE: SpindleRules = SpindleRules {
@@ -181,7 +181,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     angle_wraps: false,
     end_stops: false,
     manual_in_automatic: false,
-    knob: Steps { low: 0.0, high: 254.0, step: 1.0 },
+    knob: KnobRange { low: 0.0, high: 254.0, step: 1.0 },
     override_codes: &[],
     offsets: None,
     stage_speeds: None,

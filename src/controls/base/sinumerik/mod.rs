@@ -26,7 +26,7 @@ use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBracket
 use crate::controls::{Address, AddressSet, AnalogOutput, AxisScaling, ScalingKind};
 use crate::controls::{DriveSystem, FeedKnob, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
-use crate::drives::speed::Steps;
+use crate::drives::speed::KnobRange;
 use crate::text::{Citation, Grade};
 
 /// Drive systems of the maker.
@@ -215,7 +215,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     end_stops: true,
     manual_in_automatic: false,
     // Range of the interface signal; the range of the panel's knob is a switch.
-    knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
+    knob: KnobRange { low: 0.0, high: 200.0, step: 1.0 },
     override_codes: &[],
     offsets: None,
     stage_speeds: None,
@@ -238,7 +238,7 @@ pub const TIMING: Timing = Timing {
 
 /// Feed override of the machine control panels; the interface signal takes 0 to 200 %.
 pub const FEED_KNOB: FeedKnob =
-    FeedKnob { positions: Steps { low: 0.0, high: 120.0, step: 5.0 }, cite: switches::KNOB };
+    FeedKnob { positions: KnobRange { low: 0.0, high: 120.0, step: 5.0 }, cite: switches::KNOB };
 
 /// Analog output for the speed of the spindle.
 pub const ANALOG_OUTPUT: AnalogOutput = AnalogOutput { volts: 10.0, bits: 12, cite: MEMORY };

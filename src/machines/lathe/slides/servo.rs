@@ -94,7 +94,7 @@ struct SlidePlace {
     /// Index of its axis on the control.
     axis: usize,
     /// Angle of the positive direction above the horizontal, degrees.
-    rise: f64,
+    inclination_degrees: f64,
     /// Whether it cuts only in its negative direction.
     cuts_downhill: bool,
 }
@@ -102,8 +102,9 @@ struct SlidePlace {
 impl LatheSlides {
     /// X and Z with their motors under a duty.
     pub(in crate::machines) fn servos(&self, duty: SlideDuty) -> [ServoSlide; 2] {
-        let x = SlidePlace { axis: duty.axes.x, rise: self.bed_angle, cuts_downhill: duty.x_cuts_downhill };
-        let z = SlidePlace { axis: duty.axes.z, rise: 0.0, cuts_downhill: false };
+        let x =
+            SlidePlace { axis: duty.axes.x, inclination_degrees: self.bed_angle, cuts_downhill: duty.x_cuts_downhill };
+        let z = SlidePlace { axis: duty.axes.z, inclination_degrees: 0.0, cuts_downhill: false };
         [self.servo(&self.x, x, duty), self.servo(&self.z, z, duty)]
     }
 
@@ -122,7 +123,7 @@ impl LatheSlides {
             slide: Slide {
                 mass: form.mass,
                 friction: form.friction,
-                rise: place.rise * PI / 180.0,
+                inclination: place.inclination_degrees * PI / 180.0,
                 screw,
                 lead: metres(form.lead),
                 gear: form.screw_teeth / form.motor_teeth,
@@ -226,14 +227,14 @@ impl ServoSlide {
             name,
             mover: Mover::Axis(self.axis),
             // Radians of the motor per millimetre.
-            turn: self.slide.motor_speed(1e-3) * 2.0 * PI,
+            radians_per_unit: self.slide.motor_speed(1e-3) * 2.0 * PI,
             load: self.slide.load(),
-            hold: 0.0,
+            standstill_torque: 0.0,
             weight: self.slide.weight(),
             strikes: Strikes::default(),
-            taut: 0.0,
+            taut_torque: 0.0,
             cut: Some(self.slide.torque(self.feed_force)),
-            lasting: Some(self.cut_torque()),
+            continuous_cut_torque: Some(self.cut_torque()),
             starts_per_minute: self.starts_per_minute,
             // Wheels or a belt of the lathe itself.
             gear: None,

@@ -3,7 +3,7 @@
 use super::ids::{group, node};
 use super::layout::{Layout, SIDE, UNIT};
 use crate::machines::polygon_lathe::outlines::closed;
-use crate::machines::polygon_lathe::progress::{Progress, SizedStretch};
+use crate::machines::polygon_lathe::progress::{BarSection, Progress};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
@@ -146,23 +146,23 @@ fn twist(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
 }
 
 /// Stretches of the bar that have become polygons, from the face to the jaws.
-pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<SizedStretch> {
-    let passes: Vec<_> = progress.pass_stretches().collect();
-    stretches(lathe, &passes)
+pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<BarSection> {
+    let passes: Vec<_> = progress.pass_sections().collect();
+    sections(lathe, &passes)
 }
 
 /// Stretches of the bar that are cut, each with the least of its sizes.
-fn stretches(lathe: &PolygonLathe, passes: &[SizedStretch]) -> Vec<SizedStretch> {
+fn sections(lathe: &PolygonLathe, passes: &[BarSection]) -> Vec<BarSection> {
     let mut ends: Vec<f64> = passes.iter().flat_map(|pass| [pass.near, pass.far]).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup();
-    let mut all: Vec<SizedStretch> = Vec::new();
+    let mut all: Vec<BarSection> = Vec::new();
     for (near, far) in ends.iter().zip(ends.iter().skip(1)) {
         let over = passes.iter().filter(|pass| pass.near <= *near && pass.far >= *far);
         let size = over.map(|pass| pass.size).fold(lathe.params.stock_diameter, f64::min);
         match all.last_mut().filter(|last| last.far == *near && last.size == size) {
             Some(last) => last.far = *far,
-            None if size < lathe.params.stock_diameter => all.push(SizedStretch { near: *near, far: *far, size }),
+            None if size < lathe.params.stock_diameter => all.push(BarSection { near: *near, far: *far, size }),
             None => {}
         }
     }
@@ -175,12 +175,12 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, layout: &Layout, progress: &Pr
     let stock = 0.5 * lathe.params.stock_diameter;
     // From the face to the jaws.
     let mut upper = Vec::new();
-    let cut: Vec<_> = progress.pass_stretches().chain(progress.turned_stretches.iter().copied()).collect();
-    let cut = stretches(lathe, &cut);
+    let cut: Vec<_> = progress.pass_sections().chain(progress.turned_sections.iter().copied()).collect();
+    let cut = sections(lathe, &cut);
     if cut.first().is_none_or(|first| first.near > 0.0) {
         upper.push((face, stock));
     }
-    for SizedStretch { near, far, size } in cut {
+    for BarSection { near, far, size } in cut {
         let edge = (near > 0.0).then_some(stock);
         let [near, far] = [near, far].map(|at| (face - at * scale).max(LEFT + 38.0));
         let half = 0.5 * size;

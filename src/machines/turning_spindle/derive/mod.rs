@@ -5,7 +5,7 @@
 mod acceleration;
 mod command;
 mod cut;
-mod held;
+mod limited_speed;
 mod limits;
 mod load;
 mod output;

@@ -3,7 +3,7 @@
 use super::speeds::CutSpeeds;
 use super::stage::EngagedStage;
 use crate::controls::AnalogOutput;
-use crate::machines::turning_spindle::params::{Direction, Params};
+use crate::machines::turning_spindle::params::{Params, SpindleDirection};
 
 /// The command at the analog output.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,7 @@ pub(in crate::machines::turning_spindle) struct OutputCommand {
 impl OutputCommand {
     pub(super) fn new(p: &Params, stage: &EngagedStage, speeds: &CutSpeeds, output: &AnalogOutput) -> OutputCommand {
         let analog = p.analog(stage.speed, output);
-        let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
+        let sign = if p.direction == SpindleDirection::CounterClockwise { -1.0 } else { 1.0 };
         let middle = 0.5 * output.volts;
         OutputCommand {
             volts_largest: analog.output(sign * speeds.largest),

@@ -2,7 +2,7 @@
 
 use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
-use super::held::HeldSpeed;
+use super::limited_speed::LimitedSpeed;
 use super::stage::EngagedStage;
 use crate::drives::Bound;
 use crate::drives::speed::{surface_rpm, surface_speed};
@@ -28,12 +28,12 @@ pub(in crate::machines::turning_spindle) struct CutSpeeds {
     /// Greatest feed, mm/min.
     pub feed_top: f64,
     /// Speed over the diameter under constant surface speed.
-    pub held: HeldSpeed,
+    pub held: LimitedSpeed,
 }
 
 impl CutSpeeds {
     pub(super) fn new(p: &Params, cut: &CutGeometry, stage: &EngagedStage, command: &CommandedSpeed) -> CutSpeeds {
-        let held = |surface: bool| HeldSpeed::new(p, command, stage.top, surface);
+        let held = |surface: bool| LimitedSpeed::new(p, command, stage.top, surface);
         let (surface, constant) = (held(true), held(false));
         // S is a whole number, and at most the operator's limit.
         let asked = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor() * command.before;

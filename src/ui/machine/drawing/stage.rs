@@ -312,7 +312,7 @@ mod tests {
     async fn wrong_values_are_counted_and_lead_to_their_field() {
         let bench = stage().await;
         assert!(bench.has(".wrong-values.gone"));
-        bench.page.entries.refuse("heads", *crate::ui::testing::field("heads").read("x").unwrap_err());
+        bench.page.entries.refuse("heads", *crate::ui::testing::field("heads").read_metric("x").unwrap_err());
         crate::ui::testing::settled().await;
         assert_eq!(bench.text(".wrong-values"), t("page.stale-short"));
         bench.press(".wrong-values").await;

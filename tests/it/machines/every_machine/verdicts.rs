@@ -267,7 +267,7 @@ fn taken(project: &Project, advice: &Advice) -> Project {
     let fields = project.machine.fields();
     for entry in &advice.entries {
         let field = fields.iter().find(|field| field.id == entry.field).unwrap_or_else(|| panic!("no {entry:?}"));
-        let value = field.read(&entry.text).unwrap_or_else(|problem| panic!("{entry:?}: {problem:?}"));
+        let value = field.read_metric(&entry.text).unwrap_or_else(|problem| panic!("{entry:?}: {problem:?}"));
         after.values.insert(entry.field.to_owned(), value);
     }
     after

@@ -84,13 +84,13 @@ fn explorer_and_sequence_have_every_polygon() {
     assert_eq!(prepared.explored(), ["polygon.first", "polygon.second"]);
     let [first, second] = [0, 1].map(|at| prepared.explorer(at).unwrap());
     assert!(prepared.explorer(2).is_none());
-    let fields: Vec<&str> = second.knobs.iter().map(|knob| knob.field).collect();
+    let fields: Vec<&str> = second.sliders.iter().map(|knob| knob.field).collect();
     assert_eq!(
         fields,
         ["second-sides", "second-inserts", "second-work-ratio", "second-tool-ratio", "second-tip-radius"]
     );
-    assert!(second.knobs.iter().all(|knob| knob.along.iter().all(|entry| entry.field.starts_with("second-"))));
-    assert_eq!([first.knobs[4].value, second.knobs[4].value], [45.0, 60.0]);
+    assert!(second.sliders.iter().all(|knob| knob.along.iter().all(|entry| entry.field.starts_with("second-"))));
+    assert_eq!([first.sliders[4].value, second.sliders[4].value], [45.0, 60.0]);
     assert!(first.scene != second.scene && first.charts.len() == 1 && first.charts[0].series.len() == 1);
     assert!(first.results.is_empty() && second.results.contains(&"second-flatness"));
     // The sequence of each: to its own angle, and the time of its own cut.

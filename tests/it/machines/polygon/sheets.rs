@@ -114,7 +114,7 @@ fn own_code_changes_the_cutter_where_the_program_does() {
     let mut shaft = Project::named("polygon-lathe", None, Some("square-and-hexagon")).unwrap();
     let fields = shaft.machine.fields();
     for (id, typed) in third {
-        let value = fields.iter().find(|field| field.id == id).unwrap().read(typed).unwrap();
+        let value = fields.iter().find(|field| field.id == id).unwrap().read_metric(typed).unwrap();
         shaft.values.insert(id.to_owned(), value);
     }
     let cutters = |name: &str| {

@@ -46,7 +46,7 @@ const FACE: [(&str, &str); 21] = [
 fn run(project: &Project) -> SpindleRun {
     let whole = over_time(project);
     let timeline = whole.timeline();
-    project.prepared().spindle_run(&whole, &timeline.stretches(Mover::Spindle, 0.0, timeline.end())).unwrap()
+    project.prepared().spindle_run(&whole, &timeline.run_segments(Mover::Spindle, 0.0, timeline.end())).unwrap()
 }
 
 #[test]
@@ -146,8 +146,8 @@ fn resistor_of_many_passes_takes_each_braking() {
     let lathe = project("gsk-980tdc", &entries);
     let whole = over_time(&lathe);
     let timeline = whole.timeline();
-    let stretches = timeline.stretches(Mover::Spindle, 0.0, timeline.end());
-    let demand = lathe.prepared().resistor_demand(&whole, &stretches).unwrap();
+    let segments = timeline.run_segments(Mover::Spindle, 0.0, timeline.end());
+    let demand = lathe.prepared().resistor_demand(&whole, &segments).unwrap();
     assert_eq!(demand.energies.len(), 21);
     // At the motor, which turns half as fast: J = (0.2 + 0.003157) · 4 · 0.8 + 0.03, friction 2 / (0.5 · 0.8) = 5 Nm over 1.8 s.
     let inertia = 0.203_157 * 4.0 * 0.8 + 0.03;
@@ -169,16 +169,16 @@ fn resistor_of_many_passes_takes_each_braking() {
 }
 
 #[test]
-fn stretches_of_the_spindle_fill_the_requested_span() {
+fn segments_of_the_spindle_fill_the_requested_span() {
     let lathe = project("gsk-980tdc", &FACE);
     let whole = over_time(&lathe);
     let end = whole.timeline().end();
     for from in [0.0, 3.0, 0.5 * end, 0.9 * end] {
-        let all = whole.timeline().stretches(Mover::Spindle, from, end);
+        let all = whole.timeline().run_segments(Mover::Spindle, from, end);
         let mut t = from;
-        for stretch in &all {
-            near(stretch.t, t, 1e-6);
-            t += stretch.seconds;
+        for segment in &all {
+            near(segment.t, t, 1e-6);
+            t += segment.seconds;
         }
         near(t, end, 1e-6);
     }

@@ -1,18 +1,18 @@
 //! From the polygon to the cutter: the flattest possible one first, and why the others are not possible.
 
-use macroline::drives::polygon::choose::{Choice, ChoiceLimit, Cutter, Means, Wanted, choices};
+use macroline::drives::polygon::choose::{Choice, ChoiceLimit, Cutter, LatheLimits, PolygonSpec, choices};
 use macroline::drives::polygon::cut::{self, InsertLoad};
 
 use super::*;
 
-const HEXAGON: Wanted = Wanted { sides: 6, sizes: &[20.0], stock: 12.0, flatness: 0.05, hollow: false };
+const HEXAGON: PolygonSpec = PolygonSpec { sides: 6, sizes: &[20.0], stock: 12.0, flatness: 0.05, hollow: false };
 
 fn cutter(inserts: u32, radius: f64) -> Cutter {
     Cutter { inserts, radius: (radius, radius), relief: 15.0 * PI / 180.0 }
 }
 
-fn means(cutters: Vec<Cutter>) -> Means {
-    Means {
+fn lathe(cutters: Vec<Cutter>) -> LatheLimits {
+    LatheLimits {
         cutters,
         terms: (12, 5),
         against: false,
@@ -29,7 +29,7 @@ fn find(found: &[Choice], cutter: usize, k: Ratio) -> &Choice {
 
 #[test]
 fn flattest_possible_choice_comes_first() {
-    let found = choices(&HEXAGON, &means(vec![cutter(3, 45.0), cutter(3, 60.0), cutter(2, 45.0), cutter(1, 45.0)]));
+    let found = choices(&HEXAGON, &lathe(vec![cutter(3, 45.0), cutter(3, 60.0), cutter(2, 45.0), cutter(1, 45.0)]));
     let best = &found[0];
     assert_eq!((best.cutter, best.ratio, best.limits.is_empty()), (1, ratio(2, 1), true));
     near(best.flatness(), 0.009847, 5e-6);
@@ -47,13 +47,13 @@ fn flattest_possible_choice_comes_first() {
 
 #[test]
 fn choice_names_every_limit_that_excludes_it() {
-    let narrow = Means { terms: (6, 1), ..means(vec![cutter(3, 45.0), cutter(2, 45.0)]) };
+    let narrow = LatheLimits { terms: (6, 1), ..lathe(vec![cutter(3, 45.0), cutter(2, 45.0)]) };
     let found = choices(&HEXAGON, &narrow);
     assert_eq!(find(&found, 0, ratio(2, 1)).limits, []);
     assert_eq!(find(&found, 1, ratio(3, 1)).limits, [ChoiceLimit::Hollow, ChoiceLimit::Flatness]);
     // The wrong sense: its sides would meet 12.895 mm from the centre.
     let wrong = |stock: f64| {
-        let found = choices(&Wanted { stock, ..HEXAGON }, &narrow);
+        let found = choices(&PolygonSpec { stock, ..HEXAGON }, &narrow);
         find(&found, 0, ratio(-2, 1))
             .limits
             .iter()
@@ -63,53 +63,56 @@ fn choice_names_every_limit_that_excludes_it() {
     };
     assert_eq!(wrong(12.85), [ChoiceLimit::Sense, ChoiceLimit::Gap, ChoiceLimit::Hollow, ChoiceLimit::Flatness]);
     assert_eq!(wrong(12.95), [ChoiceLimit::Sense, ChoiceLimit::Hollow, ChoiceLimit::Flatness]);
-    let far = Means { distance: (60.0, 120.0), ..narrow.clone() };
+    let far = LatheLimits { distance: (60.0, 120.0), ..narrow.clone() };
     assert_eq!(find(&choices(&HEXAGON, &far), 0, ratio(2, 1)).limits, [ChoiceLimit::Distance]);
     let mut blunt = narrow.clone();
     blunt.cutters[0].relief = 3.0 * PI / 180.0;
     assert_eq!(find(&choices(&HEXAGON, &blunt), 0, ratio(2, 1)).limits, [ChoiceLimit::Relief]);
-    let hollow = Wanted { hollow: true, flatness: 0.2, ..HEXAGON };
+    let hollow = PolygonSpec { hollow: true, flatness: 0.2, ..HEXAGON };
     assert_eq!(find(&choices(&hollow, &narrow), 1, ratio(3, 1)).limits, []);
-    assert!(choices(&Wanted { sides: 7, ..HEXAGON }, &narrow).is_empty());
+    assert!(choices(&PolygonSpec { sides: 7, ..HEXAGON }, &narrow).is_empty());
 }
 
 #[test]
 fn speeds_reach_the_binding_limit() {
-    let one = means(vec![cutter(3, 45.0)]);
-    let of = |means: &Means| find(&choices(&HEXAGON, means), 0, ratio(2, 1)).clone();
+    let one = lathe(vec![cutter(3, 45.0)]);
+    let of = |lathe: &LatheLimits| find(&choices(&HEXAGON, lathe), 0, ratio(2, 1)).clone();
     let free = of(&one);
     // 318.31 r/min would cut at 200 m/min: the next whole number below.
     assert_eq!((free.speed, free.work_speed, free.tool_speed), (318.0, 318.0, 636.0));
     // 2π n (a + r) / 1000 over the middle of the side.
     close(free.cutting_speed.1, 2.0 * PI * free.work_speed * 100.0 / 1000.0, 1e-12);
-    let slow = of(&Means { tool_speed: 150.0, ..one.clone() });
+    let slow = of(&LatheLimits { tool_speed: 150.0, ..one.clone() });
     close(slow.tool_speed, 150.0, 1e-12);
     assert_eq!(slow.limits, [ChoiceLimit::ToolSpeed]);
     // No whole number above 0 is slow enough: the least one is shown, and excluded.
-    let slower = of(&Means { tool_speed: 1.5, ..one.clone() });
+    let slower = of(&LatheLimits { tool_speed: 1.5, ..one.clone() });
     assert_eq!((slower.tool_speed, &slower.limits[..]), (2.0, &[ChoiceLimit::ToolSpeed][..]));
-    assert_eq!(of(&Means { work_speed: 50.0, ..one.clone() }).limits, [ChoiceLimit::WorkSpeed]);
-    assert_eq!(of(&Means { cutting_speed: (150.0, 150.01), ..one }).limits, [ChoiceLimit::CuttingSpeed]);
+    assert_eq!(of(&LatheLimits { work_speed: 50.0, ..one.clone() }).limits, [ChoiceLimit::WorkSpeed]);
+    assert_eq!(of(&LatheLimits { cutting_speed: (150.0, 150.01), ..one }).limits, [ChoiceLimit::CuttingSpeed]);
 }
 
 #[test]
 fn adjustable_cutter_balances_crown_and_hollow() {
     // No other limit: every radius is possible.
     let range = |inserts| Cutter { radius: (5.0, 60.0), relief: 1.5, ..cutter(inserts, 0.0) };
-    let free =
-        Means { distance: (10.0, 120.0), cutting_speed: (1.0, 200.0), ..means(vec![range(3), range(2), range(5)]) };
-    let wanted = Wanted { hollow: true, flatness: 1.0, ..HEXAGON };
-    let found = choices(&wanted, &free);
+    let free = LatheLimits {
+        distance: (10.0, 120.0),
+        cutting_speed: (1.0, 200.0),
+        ..lathe(vec![range(3), range(2), range(5)])
+    };
+    let spec = PolygonSpec { hollow: true, flatness: 1.0, ..HEXAGON };
+    let found = choices(&spec, &free);
     // Ratio 2: the greatest there is.
     assert_eq!(find(&found, 0, ratio(2, 1)).radius, 60.0);
     // Above it: near the radius that is flat in the middle, and flatter than its neighbours.
     for (at, k, inserts, sides) in [(2, ratio(12, 5), 5, 12), (1, ratio(3, 1), 2, 6)] {
-        let wanted = Wanted { sides, ..wanted };
-        let list = choices(&wanted, &free);
+        let spec = PolygonSpec { sides, ..spec };
+        let list = choices(&spec, &free);
         let best = find(&list, at, k);
         assert_eq!(best.limits, []);
         let error = |radius: f64| {
-            let section = Section::new(&CutterSetup::even(20.0, radius, k, inserts), wanted.stock).unwrap();
+            let section = Section::new(&CutterSetup::even(20.0, radius, k, inserts), spec.stock).unwrap();
             section.sides()[0].flatness()
         };
         near(error(best.radius), best.flatness(), 1e-12);
@@ -124,14 +127,14 @@ fn adjustable_cutter_balances_crown_and_hollow() {
 fn cutter_radius_stays_within_its_range() {
     // No hollow sides: at ratio 3 the largest crowned circle, r = d/3 (curvature 0 in the middle).
     let range = Cutter { radius: (3.0, 60.0), relief: 60.0 * PI / 180.0, ..cutter(2, 0.0) };
-    let near_by = Means { distance: (10.0, 120.0), cutting_speed: (5.0, 200.0), ..means(vec![range]) };
+    let near_by = LatheLimits { distance: (10.0, 120.0), cutting_speed: (5.0, 200.0), ..lathe(vec![range]) };
     let found = choices(&HEXAGON, &near_by);
     let crowned = find(&found, 0, ratio(3, 1));
     assert_eq!(crowned.limits, []);
     near(crowned.radius, 10.0 / 3.0, 0.01);
     // Axes from 30 to 35 mm apart: hollow, and the less so the larger the circle.
-    let apart = Means { distance: (30.0, 35.0), ..near_by };
-    let hollow = Wanted { hollow: true, flatness: 0.2, ..HEXAGON };
+    let apart = LatheLimits { distance: (30.0, 35.0), ..near_by };
+    let hollow = PolygonSpec { hollow: true, flatness: 0.2, ..HEXAGON };
     let found = choices(&hollow, &apart);
     near(find(&found, 0, ratio(3, 1)).radius, 25.0, 1e-3);
     assert_eq!(find(&found, 0, ratio(3, 1)).limits, []);
@@ -167,11 +170,11 @@ fn pass_relief_reaches_the_corners_of_the_pass_before() {
 #[test]
 fn odd_arguments_get_an_answer() {
     for radius in [(f64::NAN, 1.0), (0.0, 0.0), (-5.0, 5.0), (60.0, 5.0), (1.0, f64::INFINITY)] {
-        let strange = means(vec![Cutter { radius, ..cutter(3, 1.0) }, Cutter { inserts: 0, ..cutter(1, 45.0) }]);
+        let strange = lathe(vec![Cutter { radius, ..cutter(3, 1.0) }, Cutter { inserts: 0, ..cutter(1, 45.0) }]);
         for across_flats in [20.0, 0.0, -4.0, f64::NAN] {
-            drop(choices(&Wanted { sizes: &[across_flats], ..HEXAGON }, &strange));
+            drop(choices(&PolygonSpec { sizes: &[across_flats], ..HEXAGON }, &strange));
         }
     }
-    let most = Means { terms: (u32::MAX, u32::MAX), ..means(vec![cutter(u32::MAX, 45.0)]) };
+    let most = LatheLimits { terms: (u32::MAX, u32::MAX), ..lathe(vec![cutter(u32::MAX, 45.0)]) };
     drop(choices(&HEXAGON, &most));
 }

@@ -7,7 +7,7 @@ use crate::machines::turning_spindle::params::Params;
 
 /// Speed of the spindle over the diameter, as the control limits it.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::machines::turning_spindle) struct HeldSpeed {
+pub(in crate::machines::turning_spindle) struct LimitedSpeed {
     limits: SpeedLimits,
     /// Surface speed after an override that acts before the limits, m/min.
     speed: f64,
@@ -17,9 +17,9 @@ pub(in crate::machines::turning_spindle) struct HeldSpeed {
     top: f64,
 }
 
-impl HeldSpeed {
+impl LimitedSpeed {
     /// The limits of constant surface speed (`surface`) or of a fixed speed, with an output of at most `top` r/min.
-    pub(super) fn new(p: &Params, command: &CommandedSpeed, top: f64, surface: bool) -> HeldSpeed {
+    pub(super) fn new(p: &Params, command: &CommandedSpeed, top: f64, surface: bool) -> LimitedSpeed {
         let limits = SpeedLimits {
             machine: p.chuck_limit,
             gear: SpeedRange::new(
@@ -29,7 +29,7 @@ impl HeldSpeed {
             surface: if surface { SpeedRange::new(p.lower_limit, p.upper_limit) } else { SpeedRange::ANY },
             ..SpeedLimits::NONE
         };
-        HeldSpeed { limits, speed: command.surface, after: command.after, top }
+        LimitedSpeed { limits, speed: command.surface, after: command.after, top }
     }
 
     /// Speed (r/min) at a diameter (mm) under constant surface speed, and the limit that binds it.
@@ -44,7 +44,7 @@ impl HeldSpeed {
 
     /// A commanded speed within the limits, and the limit that binds it.
     pub(super) fn within(&self, rpm: f64) -> (f64, Bound) {
-        let (rpm, bound) = self.limits.hold(rpm);
+        let (rpm, bound) = self.limits.limit(rpm);
         let most = self.limits.machine;
         // An override that acts after the limits may exceed all of them except the machine's.
         let bound = if bound == Bound::None && rpm * self.after > most { Bound::Machine } else { bound };

@@ -1,4 +1,4 @@
-//! A run as stretches of constant acceleration: exact motor loads without a sampling step.
+//! A run as segments of constant acceleration: exact motor loads without a sampling step.
 
 use super::path::Path;
 use super::plant::AxisPlant;
@@ -18,7 +18,7 @@ pub enum Mover {
 
 /// A part of a run with a linear change of speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
+pub struct RunSegment {
     /// Start, s.
     pub t: f64,
     /// Duration, s.
@@ -33,31 +33,31 @@ pub struct Stretch {
 const MOMENT: f64 = 1e-9;
 
 impl Timeline {
-    /// The stretches from `from` to `to` seconds, without gaps.
+    /// The segments from `from` to `to` seconds, without gaps.
     ///
     /// The speed of an axis is the commanded one after acceleration. The lag of its position loop is left out; an axis without time
     /// constant gets one of 1 / gain instead. On an arc the acceleration is the mean over each piece of the path.
-    pub fn stretches(&self, of: Mover, from: f64, to: f64) -> Vec<Stretch> {
+    pub fn run_segments(&self, of: Mover, from: f64, to: f64) -> Vec<RunSegment> {
         let from = from.max(self.start);
         match of {
             Mover::Axis(axis) => match self.axes.get(axis) {
-                Some(plant) => self.path.stretches(axis, plant, (from, to)),
+                Some(plant) => self.path.run_segments(axis, plant, (from, to)),
                 None => Vec::new(),
             },
             Mover::Turned(axis) => match self.pmc_axes.get(axis) {
-                Some(plant) => self.pmc.stretches(axis, plant, (from, to)),
+                Some(plant) => self.pmc.run_segments(axis, plant, (from, to)),
                 None => Vec::new(),
             },
-            Mover::Spindle => self.spindle_stretches(from, to, |_| true),
+            Mover::Spindle => self.spindle_segments(from, to, |_| true),
         }
     }
 
-    /// The stretches from `from` to `to` seconds in which the inverter of the spindle supplies current.
-    pub fn stretches_of_driven_spindle(&self, from: f64, to: f64) -> Vec<Stretch> {
-        self.spindle_stretches(from.max(self.start), to, |ramp| !ramp.command.coasts)
+    /// The segments from `from` to `to` seconds in which the inverter of the spindle supplies current.
+    pub fn run_segments_of_driven_spindle(&self, from: f64, to: f64) -> Vec<RunSegment> {
+        self.spindle_segments(from.max(self.start), to, |ramp| !ramp.command.coasts)
     }
 
-    fn spindle_stretches(&self, from: f64, to: f64, counts: impl Fn(&InverterRamp) -> bool) -> Vec<Stretch> {
+    fn spindle_segments(&self, from: f64, to: f64, counts: impl Fn(&InverterRamp) -> bool) -> Vec<RunSegment> {
         let ramps = self.ramps.until(to);
         let mut out = Vec::new();
         for (at, ramp) in ramps.iter().enumerate() {
@@ -76,8 +76,8 @@ impl Timeline {
 }
 
 impl Path {
-    /// The stretches of one axis.
-    fn stretches(&self, k: usize, plant: &AxisPlant, (from, to): (f64, f64)) -> Vec<Stretch> {
+    /// The segments of one axis.
+    fn run_segments(&self, k: usize, plant: &AxisPlant, (from, to): (f64, f64)) -> Vec<RunSegment> {
         let lag = if plant.position_gain > 0.0 { 1.0 / plant.position_gain } else { 0.0 };
         // The slower of ramp and servo loop: a shorter ramp lasts as long as the loop takes to follow it.
         let tau = plant.time_constant.max(lag);
@@ -100,15 +100,15 @@ fn same(one: f64, other: f64) -> bool {
     (one - other).abs() <= ALIKE * one.abs().max(other.abs())
 }
 
-impl Stretch {
+impl RunSegment {
     /// Whether the speed is constant.
     fn is_even(&self) -> bool {
         same(self.from, self.to)
     }
 }
 
-/// Adds the stretches between the given moments (s), in any order.
-fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64) {
+/// Adds the segments between the given moments (s), in any order.
+fn put(out: &mut Vec<RunSegment>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64) {
     moments.sort_by(f64::total_cmp);
     let Some(mut t) = moments.first().copied() else { return };
     let mut from = speed(t);
@@ -116,11 +116,11 @@ fn put(out: &mut Vec<Stretch>, mut moments: Vec<f64>, speed: impl Fn(f64) -> f64
         if next - t > MOMENT {
             let to = speed(next);
             match out.last_mut() {
-                // Consecutive blocks of equal constant speed are one stretch.
+                // Consecutive blocks of equal constant speed are one segment.
                 Some(last) if last.is_even() && same(last.to, from) && same(from, to) => {
                     (last.seconds, last.to) = (next - last.t, to);
                 }
-                _ => out.push(Stretch { t, seconds: next - t, from, to }),
+                _ => out.push(RunSegment { t, seconds: next - t, from, to }),
             }
             (t, from) = (next, to);
         }
