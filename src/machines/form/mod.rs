@@ -2,7 +2,7 @@
 
 pub mod entry;
 pub mod fill;
-mod read;
+pub mod read;
 pub mod rows;
 mod shown;
 
@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 
 use crate::controls::Control;
 pub use crate::text::Provenance;
-use crate::view::FieldEntry;
 
 /// A value of a field, as saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,16 +24,6 @@ pub enum Value {
 
 /// Values by field id; a missing one has its default.
 pub type Values = BTreeMap<String, Value>;
-
-/// The values with other entries. `None` where a field does not take its entry.
-pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[FieldEntry]) -> Option<Values> {
-    let mut values = values.clone();
-    for entry in entries {
-        let field = fields.iter().find(|field| field.id == entry.field)?;
-        values.insert(entry.field.to_owned(), field.read_metric(&entry.text).ok()?);
-    }
-    Some(values)
-}
 
 /// Origins by field id; a missing one is assumed.
 pub type Origins = BTreeMap<String, Provenance>;

@@ -1,11 +1,12 @@
 //! Typed text to a checked value, with a diagnostic for every invalid one.
 
-use super::{FieldInfo, FieldKindInfo, Value};
+use super::{FieldInfo, FieldKindInfo, Value, Values};
 use crate::msg;
 use crate::text::escape::shortened;
 use crate::text::listed;
 use crate::text::quantity::{self, Typed};
 use crate::text::{Diagnostic, catalog::number_text, number, units};
+use crate::view::FieldEntry;
 
 impl FieldInfo {
     /// Reads text; a number without a unit is in the field's own unit. Spaces around it, a decimal comma, a minus sign
@@ -24,6 +25,16 @@ impl FieldInfo {
     pub fn check(&self, value: &Value) -> Result<(), Box<Diagnostic>> {
         check(self, value)
     }
+}
+
+/// The values with other entries. `None` where a field does not take its entry.
+pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[FieldEntry]) -> Option<Values> {
+    let mut values = values.clone();
+    for entry in entries {
+        let field = fields.iter().find(|field| field.id == entry.field)?;
+        values.insert(entry.field.to_owned(), field.read_metric(&entry.text).ok()?);
+    }
+    Some(values)
 }
 
 /// Reads typed text. `in_unit(number, decimals, unit)` converts a number typed without a unit to the field's `unit`.
