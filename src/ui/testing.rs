@@ -14,9 +14,12 @@ use super::dom::{self, script, turns};
 use super::files::LargeFile;
 use super::state::{Page, ProjectStart};
 use super::worker::client::Client;
+use super::worker::server;
 use crate::machines::form::{FieldInfo, Value};
 use crate::motion::Action;
 use crate::project::Project;
+use crate::project::help::texts::Texts;
+use crate::text::catalog;
 use crate::text::units::{self, Lengths};
 
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
@@ -25,7 +28,7 @@ wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 pub(crate) struct ViewBench {
     /// The state of the page.
     pub page: Page,
-    /// The client of the worker. No worker answers, except by [`Client::answer_here`].
+    /// The client of the worker. No worker answers, except by [`Client::answer_here`] and [`work_here`].
     pub worker: Client,
     host: HtmlElement,
     _mounted: Box<dyn Any>,
@@ -110,6 +113,14 @@ async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V
     let (page, worker) = provided.get().unwrap();
     settled().await;
     ViewBench { page, worker, host, _mounted: Box::new(mounted) }
+}
+
+/// Answers requests at once as the worker would.
+pub(crate) fn work_here(worker: Client) {
+    worker.answer_here(|project, request| {
+        let texts = Texts::shipped(catalog::spoken());
+        server::answer(project, request, &mut |_| ()).or_else(|| server::help(project, Some(&texts), request))
+    });
 }
 
 /// Waits until all effects of a change are in the page.

@@ -17,7 +17,7 @@ use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, figure, sentence, sentence_with_hints, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{ExportedDocument, Range, Remark, Request, Response};
+use crate::ui::worker::messages::{ExportDocuments, ExportProject, ExportedDocument, Range, Remark};
 
 /// The bundle that makes archives.
 const ARCHIVE: &str = "archive.js";
@@ -84,8 +84,8 @@ pub(crate) fn ExportDialog() -> impl IntoView {
         page.view.exporting.set(false);
         // The export has the programs of this moment, the ones that the page runs; the documents are about the same project.
         let written = page.program.written.get_untracked();
-        let take = move |response: Option<Response>| {
-            let Some(Response::Export(documents)) = response else {
+        let take = move |documents: Option<ExportDocuments>| {
+            let Some(documents) = documents else {
                 return page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
             };
             let mut coded = documents.programs.into_iter();
@@ -102,7 +102,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
             export.set(Some(Export { files, draft: documents.draft, remarks: documents.remarks }));
             open.set(true);
         };
-        page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
+        page.project.with_untracked(|project| worker.ask(project, ExportProject, take));
     });
     let content = move || {
         let export = export.get()?;
@@ -241,16 +241,17 @@ fn save(files: &[ExportFile], at: usize) {
 
 #[cfg(test)]
 mod tests {
+    use leptos::wasm_bindgen::JsValue;
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
     use crate::machines::form::Value;
     use crate::text::{FileId, Span};
     use crate::ui::testing::{ViewBench, field, mount, settled};
-    use crate::ui::worker::messages::ExportDocuments;
+    use crate::ui::worker::messages::{Ask, Request};
 
-    fn documents(_: &crate::project::Project, _: Request) -> Option<Response> {
-        Some(Response::Export(ExportDocuments {
+    fn documents(_: &Project, _: &Request) -> Option<JsValue> {
+        ExportProject.answer(&ExportDocuments {
             programs: Vec::new(),
             files: vec![ExportedDocument {
                 name: "report.html".to_owned(),
@@ -259,7 +260,7 @@ mod tests {
             }],
             draft: None,
             remarks: Vec::new(),
-        }))
+        })
     }
 
     async fn asked(bench: &ViewBench) {
@@ -351,7 +352,7 @@ mod tests {
             };
             let remarks = vec![remark(true, "refuses"), remark(false, "remarks")];
             let draft = Some("<p>".to_owned());
-            Some(Response::Export(ExportDocuments { programs: Vec::new(), files: Vec::new(), draft, remarks }))
+            ExportProject.answer(&ExportDocuments { programs: Vec::new(), files: Vec::new(), draft, remarks })
         });
         asked(&bench).await;
         assert!(bench.has("#print-draft") && !bench.has("#save-all"));

@@ -10,7 +10,7 @@ use crate::ui::parts::{Dialog, DialogButton};
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, has_all_words, sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Request, Response};
+use crate::ui::worker::messages::DrawExamples;
 use crate::view::Readout;
 
 /// The button of the gallery.
@@ -52,12 +52,12 @@ fn Gallery() -> impl IntoView {
     let page = Page::here();
     let search = RwSignal::new(String::new());
     let pictures = RwSignal::new(Vec::new());
-    let show = move |response| {
-        if let Some(Response::Pictures(drawn)) = response {
+    let show = move |drawn: Option<Vec<String>>| {
+        if let Some(drawn) = drawn {
             let _ = pictures.try_set(drawn);
         }
     };
-    page.project.with_untracked(|project| Client::here().ask(project, Request::Gallery { theme: dom::theme() }, show));
+    page.project.with_untracked(|project| Client::here().ask(project, DrawExamples { theme: dom::theme() }, show));
     let group = move |(machine, examples): Group| {
         let found = move |example: &Example| {
             let text = [machine.name(), example.name, example.about].map(t).join(" ");
@@ -158,17 +158,13 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{ViewBench, mount, until};
-    use crate::ui::worker::pictures;
+    use crate::ui::testing::{ViewBench, mount, until, work_here};
     use crate::view::Verdict;
 
     /// The open gallery.
     async fn gallery() -> ViewBench {
         let bench = mount(|| {
-            Client::here().answer_here(|_, request| match request {
-                Request::Gallery { theme } => Some(Response::Pictures(pictures::gallery(theme))),
-                _ => None,
-            });
+            work_here(Client::here());
             view! { <NewButton /> <GalleryDialog /> }
         })
         .await;

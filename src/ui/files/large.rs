@@ -11,7 +11,7 @@ use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, figure, t};
 use crate::ui::worker::client::Running;
-use crate::ui::worker::messages::{Question, Reply, Request, Response, SHOWN, TextReport};
+use crate::ui::worker::messages::{Ask, CheckText, Question, Reply, SHOWN, TextReport};
 
 /// A text that is too large for the page.
 pub(super) enum Source {
@@ -72,7 +72,7 @@ pub(super) fn check(page: Page, large: LargeFile, source: Source) {
     };
     let all = blob.size();
     let project = page.project.with_untracked(Project::to_json);
-    let mut waiting = Some(Question { number: 0, project, request: Request::Check(blob) });
+    let mut waiting = Some(Question { number: 0, project, request: CheckText(blob).request() });
     let heard = move |reply| match reply {
         Reply::Ready => {
             let question = waiting.take();
@@ -81,11 +81,10 @@ pub(super) fn check(page: Page, large: LargeFile, source: Source) {
             });
         }
         Reply::Progress(_, read) => large.update(|check| check.progress.0 = read),
-        Reply::Answer(_, Response::Check(report)) => large.update(|check| {
+        Reply::Answer(_, report) => large.update(|check| {
             check.progress.0 = check.progress.1;
-            check.report = Some(report);
+            check.report = CheckText::received(report);
         }),
-        Reply::Answer(..) => {}
     };
     let Some(worker) = Running::start(heard, || {}) else {
         page.notices.notify(Tone::Fail, t("page.no-worker").to_owned());

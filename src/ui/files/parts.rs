@@ -9,7 +9,7 @@ use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{ReadParts, Request, Response};
+use crate::ui::worker::messages::{ReadParts, ReadPartsTable};
 
 /// Maximum findings about a table that are listed one by one.
 const NAMED: usize = 4;
@@ -17,8 +17,8 @@ const NAMED: usize = 4;
 /// Adds the parts of a table to the project, as one step of the history, and reports the faulty rows.
 pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
     let name = table.name.clone();
-    let show = move |response: Option<Response>| {
-        let Some(Response::Parts(ReadParts { project, added, remarks })) = response else {
+    let show = move |read: Option<ReadParts>| {
+        let Some(ReadParts { project, added, remarks }) = read else {
             return page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
         };
         for (refuses, text) in remarks.iter().take(NAMED) {
@@ -33,10 +33,10 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
         page.view.tab.set(Tab::Sizing);
         page.notices.announce(sentence(&msg!("page.parts-added", count = added)));
     };
-    let request = Request::Parts(table.name.clone(), table.text.clone());
+    let ask = ReadPartsTable { name: table.name.clone(), text: table.text.clone() };
     // Read before the request, because an immediate answer changes the project.
     let project = page.project.get_untracked();
-    worker.ask(&project, request, show);
+    worker.ask(&project, ask, show);
 }
 
 #[cfg(test)]
@@ -45,16 +45,12 @@ mod tests {
 
     use super::*;
     use crate::project::parts;
-    use crate::ui::testing::{ViewBench, mount, project, settled};
-    use crate::ui::worker::documents;
+    use crate::ui::testing::{ViewBench, mount, project, settled, work_here};
 
     /// A table opened on a page whose worker is here.
     async fn opened(text: &str) -> ViewBench {
         let bench = mount(|| ()).await;
-        bench.worker.answer_here(|project, request| match request {
-            Request::Parts(name, text) => Some(Response::Parts(documents::parts(project.clone(), &name, &text))),
-            _ => None,
-        });
+        work_here(bench.worker);
         take(bench.page, bench.worker, &nc::File { name: "own.csv".to_owned(), text: text.to_owned() });
         settled().await;
         bench

@@ -6,12 +6,11 @@ use leptos::wasm_bindgen::JsValue;
 use leptos::wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::Window;
 
-use crate::project::export::REPORT;
 use crate::ui::dom::{self};
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{ExportDocuments, Request, Response};
+use crate::ui::worker::messages::WriteReport;
 
 #[wasm_bindgen(module = "/src/ui/files/tab.js")]
 extern "C" {
@@ -47,22 +46,14 @@ fn new_tab(page: Page) -> Option<Window> {
 /// The report to print, or its draft. The tab opens at once, for the browser allows it only at a press.
 pub(super) fn show_report(page: Page, worker: Client) {
     let Some(tab) = new_tab(page) else { return };
-    let take = move |response: Option<Response>| {
-        let report = match response {
-            Some(Response::Export(ExportDocuments { files, draft, .. })) => {
-                files.into_iter().find(|file| file.name == REPORT).map(|file| file.text).or(draft)
-            }
-            _ => None,
-        };
-        match report {
-            Some(html) => show_in(page, &tab, &html),
-            None => {
-                let _ = tab.close();
-                page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
-            }
+    let take = move |report: Option<Option<String>>| match report.flatten() {
+        Some(html) => show_in(page, &tab, &html),
+        None => {
+            let _ = tab.close();
+            page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
         }
     };
-    page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
+    page.project.with_untracked(|project| worker.ask(project, WriteReport, take));
 }
 
 /// Shows a document in a tab of its own and prints it; a notice if the browser allows neither.

@@ -11,7 +11,7 @@ use crate::ui::dom::go_to_field;
 use crate::ui::state::{Page, put};
 use crate::ui::words::t;
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Request, Response};
+use crate::ui::worker::messages::FindFlips;
 
 /// Greatest number of facts that are listed.
 const MOST: usize = 5;
@@ -25,8 +25,8 @@ pub(super) fn decisive_facts() -> RwSignal<Vec<String>> {
     let found = RwSignal::new(Vec::new());
     let ask = move || {
         page.project.with_untracked(|project| {
-            worker.ask(project, Request::Flips, move |response| {
-                if let Some(Response::Flips(mut ids)) = response
+            worker.ask(project, FindFlips, move |ids| {
+                if let Some(mut ids) = ids
                     && !found.is_disposed()
                 {
                     // Product fields are the customer's own and come first in the form.
@@ -94,6 +94,7 @@ mod tests {
 
     use super::*;
     use crate::ui::testing::{ViewBench, field, mount, pause, settled, until};
+    use crate::ui::worker::messages::Ask;
 
     async fn listed(ids: &[&str]) -> ViewBench {
         let found: Vec<String> = ids.iter().map(|id| (*id).to_owned()).collect();
@@ -144,7 +145,7 @@ mod tests {
         let _bench = mount(move || {
             Client::here().answer_here(|project, _| {
                 let fields = project.machine.fields().into_iter().filter(|field| field.role.is_fact());
-                Some(Response::Flips(fields.map(|field| field.id.to_owned()).collect()))
+                FindFlips.answer(&fields.map(|field| field.id.to_owned()).collect())
             });
             facts.set(Some(decisive_facts()));
         })
@@ -159,7 +160,7 @@ mod tests {
         let found = Rc::new(Cell::new(None));
         let facts = Rc::clone(&found);
         let bench = mount(move || {
-            Client::here().answer_here(|project, _| Some(Response::Flips(vec![project.name.clone()])));
+            Client::here().answer_here(|project, _| FindFlips.answer(&vec![project.name.clone()]));
             facts.set(Some(decisive_facts()));
         })
         .await;

@@ -14,7 +14,7 @@ use crate::ui::state::Page;
 use crate::ui::state::stepping::SteppingCommand;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{FoundHelp, HelpPageHtml, Hit, Request, Response};
+use crate::ui::worker::messages::{FoundHelp, HelpPageHtml, Hit, ReadHelp, SearchHelp};
 
 /// Keys and their effects.
 const KEYS: [(&str, &str); 14] = [
@@ -88,20 +88,20 @@ impl ReaderState {
         self.at.set(id.clone());
         self.query.set(String::new());
         self.found.set(None);
-        let then = move |response| match response {
+        let request = ReadHelp { id: id.clone(), theme: dom::theme() };
+        let then = move |page: Option<Option<HelpPageHtml>>| match page.flatten() {
             // Only the answer to the last request counts.
-            Some(Response::Help(page)) if self.at.try_get_untracked().as_ref() == Some(&id) => {
+            Some(page) if self.at.try_get_untracked().as_ref() == Some(&id) => {
                 let anchor = page.anchor.clone();
                 self.silent.set(false);
                 self.shown.set(Some(page));
                 dom::soon(move || to_anchor(&anchor));
             }
-            Some(Response::Help(_)) => {}
-            _ => {
+            Some(_) => {}
+            None => {
                 let _ = self.silent.try_set(true);
             }
         };
-        let request = Request::Help { id: self.at.get_untracked(), theme: dom::theme() };
         self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
     }
 
@@ -110,15 +110,15 @@ impl ReaderState {
         if query.trim().is_empty() {
             return self.found.set(None);
         }
-        let then = move |response| match response {
-            Some(Response::Found(found)) if self.query.try_get_untracked().as_ref() == Some(&query) => {
+        let request = SearchHelp(query.clone());
+        let then = move |found: Option<Option<FoundHelp>>| match found.flatten() {
+            Some(found) if self.query.try_get_untracked().as_ref() == Some(&query) => {
                 self.page.notices.announce(title(&found));
                 self.found.set(Some(found));
             }
-            Some(Response::Found(_)) => {}
-            _ => self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned()),
+            Some(_) => {}
+            None => self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned()),
         };
-        let request = Request::FindHelp(self.query.get_untracked());
         self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
     }
 }
@@ -318,29 +318,16 @@ mod tests {
     use web_sys::Element;
 
     use super::*;
-    use crate::project::Project;
-    use crate::project::help::texts::Texts;
-    use crate::text::catalog;
     use crate::ui::help::HelpDialog;
-    use crate::ui::testing::{ViewBench, mount, mount_project, project, settled};
-    use crate::ui::worker::help;
+    use crate::ui::testing::{ViewBench, mount, mount_project, project, settled, work_here};
 
     fn focused() -> Option<Element> {
         document().active_element()
     }
 
-    fn answer(project: &Project, request: Request) -> Option<Response> {
-        let texts = Texts::shipped(catalog::spoken());
-        match request {
-            Request::Help { id, theme } => Some(Response::Help(help::page(project, &texts, &id, theme))),
-            Request::FindHelp(query) => Some(Response::Found(help::found(project, &texts, &query))),
-            _ => None,
-        }
-    }
-
     async fn opened(id: &str) -> ViewBench {
         let bench = mount(|| view! { <HelpDialog /> }).await;
-        bench.worker.answer_here(answer);
+        work_here(bench.worker);
         bench.page.view.explain(id);
         settled().await;
         settled().await;
@@ -350,7 +337,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn help_opens_with_search_pages_and_every_key() {
         let bench = mount(|| view! { <HelpDialog /> }).await;
-        bench.worker.answer_here(answer);
+        work_here(bench.worker);
         assert!(!bench.has("dialog[open]") && !bench.has("#help-search"));
         bench.page.view.helping.set(true);
         settled().await;
@@ -410,7 +397,7 @@ mod tests {
         assert!(!keys::on());
         drop(bench);
         let bench = mount_project(project(), || view! { <HelpDialog /> }).await;
-        bench.worker.answer_here(answer);
+        work_here(bench.worker);
         bench.page.view.helping.set(true);
         settled().await;
         assert!(!bench.checked(".check input"));

@@ -27,7 +27,7 @@ use crate::ui::state::view::Compared;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{Tone, clock, sentence, shown_name, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Request, Response};
+use crate::ui::worker::messages::CompareProjects;
 
 /// Seconds of the runs that are shown.
 const SHOWN: f64 = 60.0;
@@ -139,12 +139,12 @@ fn Sides(
     let rows = RwSignal::new(String::new());
     let worker = Client::here();
     Effect::new(move |_| {
-        let show = move |response: Option<Response>| match response {
-            Some(Response::Html(html)) => drop(rows.try_set(html)),
-            _ => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
+        let show = move |html| match html {
+            Some(html) => drop(rows.try_set(html)),
+            None => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
         };
         if let Some([left, right]) = pair.each(|_, project| project.clone()) {
-            worker.ask(&left, Request::Compare(pair.names(), right.to_json()), show);
+            worker.ask(&left, CompareProjects { names: pair.names(), other: right.to_json() }, show);
         }
     });
     view! {
@@ -353,16 +353,12 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::ui::state::EditKey;
-    use crate::ui::testing::{ViewBench, mount, project, settled, until};
-    use crate::ui::worker::documents;
+    use crate::ui::testing::{ViewBench, mount, project, settled, until, work_here};
 
     /// The dialog on a page whose worker is here.
     async fn dialog() -> ViewBench {
         mount(|| {
-            Client::here().answer_here(|project, request| match request {
-                Request::Compare(names, text) => Some(Response::Html(documents::compared_with(project, names, &text))),
-                _ => None,
-            });
+            work_here(Client::here());
             view! { <CompareDialog /> }
         })
         .await

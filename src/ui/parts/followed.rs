@@ -9,7 +9,7 @@ use crate::ui::dom::delayed::Delayed;
 use crate::ui::state::{Page, put};
 use crate::ui::words::t;
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Request, Response, Sheets};
+use crate::ui::worker::messages::{Ask, CompareVariants, ComparedVariants, Sheets, WriteSheets};
 
 /// The latest answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,19 +53,33 @@ pub(crate) struct AnswerProgress {
 
 /// Follows the sheets of the project that one tab shows.
 pub(crate) fn follow_sheets(tab: fn(Sheets) -> String) -> Followed<String> {
-    let of_tab = move |response| match response {
-        Response::Sheets(sheets) => Some(tab(sheets)),
-        _ => None,
-    };
-    follow(|| Request::Sheets, Duration::ZERO, of_tab)
+    follow_as(WriteSheets, Duration::ZERO, tab, without_variants)
 }
 
 /// Follows an answer. A slow request is sent after a delay, in which the project rests.
-pub(crate) fn follow<T: Send + Sync + 'static>(
-    request: fn() -> Request,
-    rest: Duration,
-    read: impl Fn(Response) -> Option<T> + Copy + Send + Sync + 'static,
-) -> Followed<T> {
+pub(crate) fn follow<A>(ask: A, rest: Duration) -> Followed<A::Answer>
+where
+    A: Ask<Answer: Send + Sync> + Copy + Send + Sync + 'static,
+{
+    follow_as(ask, rest, |answer| answer, without_variants)
+}
+
+/// Follows the differences between the present settings and the variants.
+pub(crate) fn follow_variants(rest: Duration) -> Followed<ComparedVariants> {
+    follow_as(CompareVariants, rest, |answer| answer, |project| project)
+}
+
+fn without_variants(mut project: Project) -> Project {
+    project.variants.clear();
+    project
+}
+
+/// Follows what `read` takes from an answer, which depends on what `concerned` leaves of a project.
+fn follow_as<A, T>(ask: A, rest: Duration, read: fn(A::Answer) -> T, concerned: fn(Project) -> Project) -> Followed<T>
+where
+    A: Ask + Copy + Send + Sync + 'static,
+    T: Send + Sync + 'static,
+{
     let (page, worker) = (Page::here(), Client::here());
     let answer = RwSignal::new(Answered::Waiting);
     let outdated = RwSignal::new(true);
@@ -73,20 +87,19 @@ pub(crate) fn follow<T: Send + Sync + 'static>(
     let is_cancelled = RwSignal::new(false);
     // Number of the request.
     let asked = StoredValue::new(0);
-    let show = move |response: Option<Response>| {
-        let read = response.and_then(read).map_or(Answered::Nothing, Answered::Of);
+    let show = move |found: Option<A::Answer>| {
         // The tab may have been left.
-        let _ = answer.try_set(read);
+        let _ = answer.try_set(found.map(read).map_or(Answered::Nothing, Answered::Of));
         let _ = outdated.try_set(false);
         let _ = far.try_set(None);
     };
-    let ask = move || {
+    let send = move || {
         put(far, Some(0.0));
         put(is_cancelled, false);
         let progress = move |share| {
             let _ = far.try_set(Some(share));
         };
-        let number = page.project.with_untracked(|project| worker.ask_long(project, request(), progress, show));
+        let number = page.project.with_untracked(|project| worker.ask_long(project, ask, progress, show));
         asked.set_value(number);
     };
     let delayed = Delayed::new();
@@ -99,18 +112,16 @@ pub(crate) fn follow<T: Send + Sync + 'static>(
     };
     let before = StoredValue::new_local(None::<Project>);
     Effect::new(move |_| {
-        let mut present = page.project.get();
-        // Variants change no sheet.
-        present.variants.clear();
+        let present = concerned(page.project.get());
         if before.with_value(|before| before.as_ref() == Some(&present)) {
             return;
         }
         before.set_value(Some(present));
         put(outdated, true);
         if rest.is_zero() {
-            ask();
+            send();
         } else {
-            delayed.call(ask, rest);
+            delayed.call(send, rest);
         }
     });
     let progress = AnswerProgress {
@@ -118,7 +129,7 @@ pub(crate) fn follow<T: Send + Sync + 'static>(
         far,
         is_cancelled,
         cancel: Callback::new(cancel),
-        again: Callback::new(move |()| ask()),
+        again: Callback::new(move |()| send()),
     };
     Followed { answer, progress }
 }

@@ -33,16 +33,17 @@ pub(crate) fn SheetView(
 mod tests {
     use std::time::Duration;
 
+    use leptos::wasm_bindgen::JsValue;
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
     use crate::ui::parts::followed::{ProgressBar, follow, follow_sheets};
     use crate::ui::testing::{mount, pause, settled};
     use crate::ui::worker::client::Client;
-    use crate::ui::worker::messages::{Request, Response, Sheets};
+    use crate::ui::worker::messages::{Ask, DrawMachines, Sheets, WriteSheets};
 
-    fn plc(text: String) -> Option<Response> {
-        Some(Response::Sheets(Sheets { plc: format!("<b>{text}</b>"), ..Sheets::default() }))
+    fn plc(text: &str) -> Option<JsValue> {
+        WriteSheets.answer(&Sheets { plc: format!("<b>{text}</b>"), ..Sheets::default() })
     }
 
     #[wasm_bindgen_test]
@@ -54,7 +55,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn sheet_follows_the_project() {
         let bench = mount(|| {
-            Client::here().answer_here(|project, _| plc(project.name.clone()));
+            Client::here().answer_here(|project, _| plc(&project.name));
             view! {
                 <SheetView sheets=follow_sheets(|sheets| sheets.plc) />
                 <SheetView sheets=follow_sheets(|sheets| sheets.ways) />
@@ -71,9 +72,8 @@ mod tests {
     async fn request_cancelled_during_its_delay_is_not_sent() {
         const REST: Duration = Duration::from_millis(60);
         let bench = mount(|| {
-            Client::here().answer_here(|_, _| Some(Response::Html(String::new())));
-            let read = |response| if let Response::Html(html) = response { Some(html) } else { None };
-            let sheets = follow(|| Request::Chance, REST, read);
+            Client::here().answer_here(|_, _| DrawMachines.answer(&String::new()));
+            let sheets = follow(DrawMachines, REST);
             view! { <ProgressBar work="page.runs-work" progress=sheets.progress /> <SheetView sheets=sheets /> }
         })
         .await;
@@ -88,7 +88,7 @@ mod tests {
     #[wasm_bindgen_test]
     async fn kept_variant_asks_for_no_other_sheet() {
         let bench = mount(|| {
-            Client::here().answer_here(|project, _| plc(project.variants.len().to_string()));
+            Client::here().answer_here(|project, _| plc(&project.variants.len().to_string()));
             view! { <SheetView sheets=follow_sheets(|sheets| sheets.plc) /> }
         })
         .await;

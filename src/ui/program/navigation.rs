@@ -13,7 +13,9 @@ use crate::ui::dom::script::{object, set, table};
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, sentence, t, tell_alarm};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Caret, NamedPlace, Places, Proposals, Request, Response};
+use crate::ui::worker::messages::{
+    Ask, Caret, Complete, FindDefinition, FindUses, NamedPlace, Places, Proposals, WriteOutline,
+};
 
 /// Findings in a list at most.
 const FINDINGS: usize = 500;
@@ -46,15 +48,15 @@ impl Navigation {
     }
 
     /// Requests places of the program from the worker; `then` gets them unless the text has changed meanwhile.
-    fn places(self, request: Request, then: impl FnOnce(Option<Places>) + 'static) {
+    fn places(self, ask: impl Ask<Answer = Places>, then: impl FnOnce(Option<Places>) + 'static) {
         let program = self.page.program;
         self.page.take_typed();
         let before = program.written.get_untracked();
-        let then = move |response| {
+        let then = move |places| {
             let same = program.written.try_with_untracked(|written| Rc::ptr_eq(written, &before));
             let typed = program.typed.try_with_value(Option::is_some);
-            match response {
-                Some(Response::Places(places)) if same == Some(true) && typed == Some(false) => then(Some(places)),
+            match places {
+                Some(places) if same == Some(true) && typed == Some(false) => then(Some(places)),
                 Some(_) => then(None),
                 None => {
                     self.page.notices.notify(Tone::Warn, t("page.no-answer").to_owned());
@@ -62,16 +64,16 @@ impl Navigation {
                 }
             }
         };
-        self.page.project.with_untracked(|project| self.worker.ask(project, request, then));
+        self.page.project.with_untracked(|project| self.worker.ask(project, ask, then));
     }
 
     /// Returns a promise of the completion proposals at a place.
     fn complete(self, units: &JsValue) -> JsValue {
-        let request = Request::Complete(self.caret(units));
+        let ask = Complete(self.caret(units));
         let project = self.page.typed_project();
         promise(move |done| {
-            self.worker.ask(&project, request, move |response| {
-                let Some(Response::Proposals(Proposals { from, few, rows })) = response else {
+            self.worker.ask(&project, ask, move |found| {
+                let Some(Proposals { from, few, rows }) = found else {
                     return done(JsValue::NULL);
                 };
                 let rows = table(rows.into_iter().map(|(text, line)| vec![text.into(), line.into()]));
@@ -82,26 +84,33 @@ impl Navigation {
 
     /// Shows where the name at a place is defined.
     fn define(self, units: &JsValue) {
-        let request = Request::Definition(self.caret(units));
-        self.places(request, move |found| match found.map(|found| found.rows.into_iter().next()) {
-            Some(Some(row)) => self.page.show_place(row.place.into()),
-            Some(None) => self.page.notices.confirm(t("page.no-definition").to_owned()),
-            None => {}
+        self.places(FindDefinition(self.caret(units)), move |found| {
+            match found.map(|found| found.rows.into_iter().next()) {
+                Some(Some(row)) => self.page.show_place(row.place.into()),
+                Some(None) => self.page.notices.confirm(t("page.no-definition").to_owned()),
+                None => {}
+            }
         });
     }
 
     /// Returns a promise of a list, by its name; null if it would be empty, undefined if it has to be requested again later.
     fn list(self, name: &JsValue, units: &JsValue) -> JsValue {
-        let (request, title, empty) = match name.as_string().as_deref() {
-            Some("uses") => (Request::Uses(self.caret(units)), "page.uses", "page.no-definition"),
-            Some("outline") => (Request::Outline, "page.go-to-place", "page.nothing-found"),
-            _ => {
-                let findings = self.findings(units);
-                return Promise::resolve(&findings).into();
-            }
-        };
+        match name.as_string().as_deref() {
+            Some("uses") => self.list_places(FindUses(self.caret(units)), "page.uses", "page.no-definition"),
+            Some("outline") => self.list_places(WriteOutline, "page.go-to-place", "page.nothing-found"),
+            _ => Promise::resolve(&self.findings(units)).into(),
+        }
+    }
+
+    /// Returns a promise of the list of places with this title; `empty` is said where there are none.
+    fn list_places(
+        self,
+        ask: impl Ask<Answer = Places> + 'static,
+        title: &'static str,
+        empty: &'static str,
+    ) -> JsValue {
         promise(move |done| {
-            self.places(request, move |found| {
+            self.places(ask, move |found| {
                 let Some(Places { count, rows }) = found else { return done(JsValue::NULL) };
                 let row =
                     |NamedPlace { name, text, below, place }| ((name, text, below), Choice::Show(Place::from(place)));
@@ -221,27 +230,16 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::project::Project;
     use crate::text::{Diagnostic, Span};
     use crate::ui::dom::script::call;
-    use crate::ui::testing::{ViewBench, mount, settled};
-    use crate::ui::worker::editor;
-
-    fn answer(project: &Project, request: Request) -> Option<Response> {
-        Some(match request {
-            Request::Complete(caret) => Response::Proposals(editor::complete(project, caret)),
-            Request::Definition(caret) => Response::Places(editor::definition(project, caret)),
-            Request::Uses(caret) => Response::Places(editor::uses(project, caret)),
-            _ => Response::Places(editor::outline(project)),
-        })
-    }
+    use crate::ui::testing::{ViewBench, mount, settled, work_here};
 
     /// A page, and the options of its editor.
     async fn editor() -> (ViewBench, JsValue) {
         let options = object([]);
         let given = options.clone();
         let bench = mount(move || add(Page::here(), &given)).await;
-        bench.worker.answer_here(answer);
+        work_here(bench.worker);
         (bench, options)
     }
 

@@ -29,30 +29,52 @@ fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
     }
 }
 
+/// What the explorer shows of the machine with the present values.
+#[derive(Clone, PartialEq)]
+struct Explored {
+    explorer: Explorer,
+    readouts: Vec<Readout>,
+}
+
+impl Explored {
+    /// The results concerned.
+    fn results(&self) -> Vec<Readout> {
+        let wanted = &self.explorer.results;
+        let is_wanted =
+            |readout: &&Readout| if wanted.is_empty() { readout.headline } else { wanted.contains(&readout.id) };
+        self.readouts.iter().filter(is_wanted).cloned().collect()
+    }
+
+    fn charts_html(&self) -> String {
+        let mut out = String::new();
+        self.explorer.charts.iter().for_each(|chart| chart_figure::html(&mut out, &chart.clone().shown()));
+        out
+    }
+}
+
 /// Sliders, their consequences, and the listed ways.
 #[component]
 pub(crate) fn ExploreTab() -> impl IntoView {
     let page = Page::here();
     // Values that are dragged and not yet in the form.
-    let draft = RwSignal::new_local(None::<Values>);
-    let seen = RwSignal::new_local(Explorer::default());
-    let readouts = RwSignal::new_local(Vec::<Readout>::new());
+    let draft = RwSignal::new(None::<Values>);
     // Place of the chosen shape in the list of those that can be explored.
     let chosen = RwSignal::new(0_usize);
     let names = Memo::new(move |_| page.project.with(|project| project.prepared().explored()));
     let at = Memo::new(move |_| chosen.get().min(names.with(Vec::len).saturating_sub(1)));
-    let shape_host: NodeRef<html::Div> = NodeRef::new();
-    let (shape, plots) = (RwSignal::new(String::new()), RwSignal::new(String::new()));
-    Effect::new(move |_| {
-        let (machine, design) = page.project.with(|project| {
+    let explored = Memo::new(move |_| {
+        page.project.with(|project| {
             let machine = draft.with(|draft| prepared(project, draft.as_ref()));
-            let design = machine.design(&project.provenance);
-            (machine, design)
-        });
-        let mut found = machine.explorer(at.get()).unwrap_or_default();
-        readouts.set(design.readouts);
-        shape.set(scene::svg(&found.scene));
-        let (view, most) = (found.scene.view, found.scene.unit);
+            let explorer = machine.explorer(at.get()).unwrap_or_default();
+            Explored { explorer, readouts: machine.design(&project.provenance).readouts }
+        })
+    });
+    let shape_host: NodeRef<html::Div> = NodeRef::new();
+    let shape = move || explored.with(|explored| scene::svg(&explored.explorer.scene));
+    let plots = move || explored.with(Explored::charts_html);
+    let results = Signal::derive(move || explored.with(Explored::results));
+    Effect::new(move |_| {
+        let (view, most) = explored.with(|explored| (explored.explorer.scene.view, explored.explorer.scene.unit));
         dom::soon(move || {
             // The tab may have been left.
             let host = shape_host.try_get_untracked().flatten();
@@ -61,28 +83,17 @@ pub(crate) fn ExploreTab() -> impl IntoView {
                 scene::fit(picture.unchecked_ref(), view, most);
             }
         });
-        let mut out = String::new();
-        let charts = core::mem::take(&mut found.charts);
-        charts.into_iter().for_each(|chart| chart_figure::html(&mut out, &chart.shown()));
-        plots.set(out);
-        seen.set(found);
     });
-    let results = Signal::derive(move || {
-        let wanted = seen.with(|seen| seen.results.clone());
-        let is_wanted =
-            |readout: &Readout| if wanted.is_empty() { readout.headline } else { wanted.contains(&readout.id) };
-        readouts.get().into_iter().filter(is_wanted).collect::<Vec<_>>()
-    });
+    let sliders = Memo::new(move |_| explored.with(|explored| explored.explorer.sliders.clone()));
+    let fields =
+        Memo::new(move |_| sliders.with(|sliders| sliders.iter().map(|slider| slider.field).collect::<Vec<_>>()));
     let knobs = move || {
-        let (fields, first) = page.project.with_untracked(|project| {
-            let explorer = project.prepared().explorer(at.get()).unwrap_or_default();
-            (project.machine.fields(), explorer.sliders)
-        });
-        let slider = |(at, knob): (usize, Slider)| {
-            let info = fields.iter().find(|field| field.id == knob.field)?.clone();
-            Some(view! { <ExplorerSlider draft=draft seen=seen at=at first=knob info=info /> })
+        let (all, first) = (page.project.with_untracked(|project| project.machine.fields()), sliders.get_untracked());
+        let slider = |(at, id): (usize, &'static str)| {
+            let (info, first) = (all.iter().find(|field| field.id == id)?.clone(), first.get(at)?.clone());
+            Some(view! { <ExplorerSlider draft=draft sliders=sliders at=at first=first info=info /> })
         };
-        first.into_iter().enumerate().filter_map(slider).collect_view()
+        fields.get().into_iter().enumerate().filter_map(slider).collect_view()
     };
     let shapes = move || {
         let names = names.get();
@@ -110,11 +121,11 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     view! {
         <p class="lead">{t("page.explore-lead")}</p>
         {shapes}
-        <div class="shape" node_ref=shape_host inner_html=move || shape.get()></div>
+        <div class="shape" node_ref=shape_host inner_html=shape></div>
         <div class="knobs">{knobs}</div>
         <div class="row"><VerdictLines readouts=results /></div>
         <div class="ways" hidden=move || { at.get() > 0 } on:click=choose><SheetView sheets=follow_sheets(|sheets| sheets.ways) /></div>
-        <div class="plots" inner_html=move || plots.get()></div>
+        <div class="plots" inner_html=plots></div>
     }
 }
 
@@ -122,9 +133,9 @@ pub(crate) fn ExploreTab() -> impl IntoView {
 #[component]
 fn ExplorerSlider(
     /// Values that are dragged.
-    draft: RwSignal<Option<Values>, LocalStorage>,
-    /// The consequences, with the present sliders.
-    seen: RwSignal<Explorer, LocalStorage>,
+    draft: RwSignal<Option<Values>>,
+    /// The sliders with the present values.
+    sliders: Memo<Vec<Slider>>,
     /// Index among the sliders.
     at: usize,
     /// The slider at first.
@@ -134,7 +145,7 @@ fn ExplorerSlider(
 ) -> impl IntoView {
     let page = Page::here();
     let field = first.field;
-    let knob = Memo::new(move |_| seen.with(|seen| seen.sliders.get(at).cloned()).unwrap_or_else(|| first.clone()));
+    let knob = Memo::new(move |_| sliders.with(|sliders| sliders.get(at).cloned()).unwrap_or_else(|| first.clone()));
     let plain = |number: f64| number_text(number, 6);
     let id = format!("explore-{field}");
     let drag = move |event| {

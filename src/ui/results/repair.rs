@@ -6,7 +6,7 @@ use crate::text::clauses;
 use crate::ui::state::Page;
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{FoundRepairs, Request, Response};
+use crate::ui::worker::messages::{FindRepairs, FoundRepairs};
 use crate::view::FieldEntry;
 
 /// The number of failing results, the button, and the ways that were found; empty while every result holds.
@@ -24,16 +24,16 @@ pub(super) fn RepairAll() -> impl IntoView {
     let repair = move |_| {
         searching.set(true);
         let asked = page.project.get_untracked();
-        worker.ask(&asked.clone(), Request::Repairs, move |response| {
+        worker.ask(&asked.clone(), FindRepairs, move |found| {
             searching.set(false);
-            match response {
-                Some(Response::Repairs(_)) if page.project.with_untracked(|project| *project != asked) => {}
-                Some(Response::Repairs(found)) => match found.as_slice() {
+            match found {
+                Some(_) if page.project.with_untracked(|project| *project != asked) => {}
+                Some(found) => match found.as_slice() {
                     [] => take(page, &FoundRepairs::default()),
                     [only] => take(page, only),
                     _ => ways.set(found),
                 },
-                _ => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
+                None => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
             }
         });
     };
@@ -115,12 +115,8 @@ mod tests {
 
     use super::*;
     use crate::project::Project;
-    use crate::ui::testing::{ViewBench, mount_project, settled};
-    use crate::ui::worker::documents::repairs;
-
-    fn answer(project: &Project, _: Request) -> Option<Response> {
-        Some(Response::Repairs(repairs(project)))
-    }
+    use crate::ui::testing::{ViewBench, mount_project, settled, work_here};
+    use crate::ui::worker::messages::Ask;
 
     async fn failing() -> ViewBench {
         mount_project(Project::named("ribbon-line", None, Some("paper")).unwrap(), || view! { <RepairAll /> }).await
@@ -137,7 +133,7 @@ mod tests {
         let bench = failing().await;
         assert!(bench.text(".repairs p").contains(&sentence(&crate::msg!("page.results-fail", count = 9_u32))));
         bench.page.notices.confirm_as(Tone::Warn, "9 results fail".to_owned());
-        bench.worker.answer_here(answer);
+        work_here(bench.worker);
         bench.press(".repairs button").await;
         settled().await;
         assert!(bench.all(".ways-out li").len() > 1);
@@ -155,7 +151,7 @@ mod tests {
     async fn repair_without_a_remedy_only_gives_a_notice() {
         let bench = failing().await;
         let before = bench.page.project.get_untracked();
-        bench.worker.answer_here(|_, _| Some(Response::Repairs(vec![FoundRepairs::default()])));
+        bench.worker.answer_here(|_, _| FindRepairs.answer(&vec![FoundRepairs::default()]));
         bench.press(".repairs button").await;
         assert!(bench.page.project.with_untracked(|project| *project == before));
         assert!(bench.notices().contains(&t("page.no-repair").to_owned()), "{:?}", bench.notices());

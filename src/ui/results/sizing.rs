@@ -15,7 +15,7 @@ use crate::ui::parts::followed::{Answered, ProgressBar, follow};
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::{Page, put};
 use crate::ui::words::{sentence, t};
-use crate::ui::worker::messages::{Request, Response, ShownSection};
+use crate::ui::worker::messages::{DrawMachines, ShownSection, SizeProject};
 
 /// Delay after the last change before the project is sized, so that a dragged number asks once.
 const REST: Duration = Duration::from_millis(400);
@@ -24,14 +24,7 @@ const REST: Duration = Duration::from_millis(400);
 #[component]
 pub(crate) fn SizingTab() -> impl IntoView {
     let page = Page::here();
-    let sizing = follow(
-        || Request::Sizing,
-        REST,
-        |response| match response {
-            Response::Sizing(sections) => Some(sections),
-            _ => None,
-        },
-    );
+    let sizing = follow(SizeProject, REST);
     let choose = move |event: MouseEvent| {
         if let Some(values) = listed(page, &event) {
             take(page, None, values);
@@ -120,14 +113,7 @@ fn Chances() -> impl IntoView {
 /// Sheet of the drawn machines.
 #[component]
 fn ChanceSheet() -> impl IntoView {
-    let sheet = follow(
-        || Request::Chance,
-        REST,
-        |response| match response {
-            Response::Html(html) => Some(html),
-            _ => None,
-        },
-    );
+    let sheet = follow(DrawMachines, REST);
     view! { <ProgressBar work="page.chance-work" progress=sheet.progress /> <SheetView sheets=sheet /> }
 }
 
@@ -139,6 +125,7 @@ fn moment(event: &MouseEvent) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use leptos::wasm_bindgen::JsValue;
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
@@ -146,8 +133,9 @@ mod tests {
     use crate::ui::testing::{mount, pause, settled, until};
     use crate::ui::words::Tone;
     use crate::ui::worker::client::Client;
+    use crate::ui::worker::messages::{Ask, Request};
 
-    fn sections(entries: &str) -> Option<Response> {
+    fn sections(entries: &str) -> Option<JsValue> {
         let html =
             format!("<table><tbody><tr data-entries=\"{entries}\"><td><button>M1</button></td></tr></tbody></table>");
         let section = |id: &str, html: &str| ShownSection {
@@ -157,14 +145,14 @@ mod tests {
             answer: format!("answer of {id}"),
             html: html.to_owned(),
         };
-        Some(Response::Sizing(vec![section("x", &html), section("bill", "<p>Bill</p>")]))
+        SizeProject.answer(&vec![section("x", &html), section("bill", "<p>Bill</p>")])
     }
 
     #[wasm_bindgen_test]
     async fn motor_of_the_list_is_taken_into_the_form() {
         let bench = mount(|| {
             Client::here().answer_here(|_, request| match request {
-                Request::Sizing => sections("motor-x=Works; M=1\nmotor-peak-x=7.5"),
+                Request::SizeProject(_) => sections("motor-x=Works; M=1\nmotor-peak-x=7.5"),
                 _ => None,
             });
             view! { <SizingTab /> }

@@ -2,20 +2,17 @@
 
 use std::time::Duration;
 
-use leptos::ev::{KeyboardEvent, MouseEvent};
+use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 
 use crate::msg;
-use crate::project::Project;
-use crate::project::variants::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, Variant, variant_name};
+use crate::project::variants::variant::{MAX_VARIANT_NAME, MAX_VARIANTS, variant_name};
 use crate::ui::dom;
-use crate::ui::dom::delayed::Delayed;
+use crate::ui::parts::followed::{Answered, Followed, follow_variants};
+use crate::ui::state::Page;
 use crate::ui::state::view::Compared;
-use crate::ui::state::{Page, put};
-use crate::ui::words::{Tone, sentence, t};
-use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Request, Response};
-use crate::view::svg::escape;
+use crate::ui::words::{sentence, t};
+use crate::ui::worker::messages::ComparedVariants;
 
 /// Delay after the last change before the comparison: longer than a step of a dragged number, and shorter than the delay of the sizing.
 const REST: Duration = Duration::from_millis(100);
@@ -27,121 +24,134 @@ const NAME: &str = "variant-name";
 #[component]
 pub(super) fn Variants() -> impl IntoView {
     let page = Page::here();
-    let typed = RwSignal::new(String::new());
-    // Head and rows of the table, and whether the rows are those before the last change of the project.
-    let (head, rows, outdated) = (RwSignal::new(String::new()), RwSignal::new(String::new()), RwSignal::new(true));
-    let (lead, none) = (RwSignal::new(String::new()), RwSignal::new(true));
-    let ask = asking(page, head, rows, outdated);
-    let delayed = Delayed::new();
-    Effect::new(move |_| {
-        page.project.with(|project| {
-            let present = head_of(&project.variants);
-            // Rows with other columns would be misread, and the text in the field belongs to the former list of names.
-            if head.with_untracked(|head| *head != present) {
-                put(head, present);
-                put(rows, String::new());
-                put(typed, project.free_variant_name());
-                put(lead, lead_of(project.variants.len()));
-                put(none, project.variants.is_empty());
-            }
-        });
-        put(outdated, true);
-        if none.get_untracked() {
-            delayed.cancel();
-        } else {
-            delayed.call(ask, REST);
-        }
+    let names = Memo::new(move |_| {
+        page.project.with(|project| project.variants.iter().map(|kept| kept.name.clone()).collect())
     });
-    // Whether a variant has the typed name, and whether another variant can be kept.
-    let known = Signal::derive(move || typed.with(|typed| page.project.with(|project| is_known(project, typed))));
-    let blocked =
-        Signal::derive(move || !known.get() && page.project.with(|project| project.variants.len() >= MAX_VARIANTS));
-    let enter = move |event: KeyboardEvent| {
-        if event.key() == "Enter" {
-            keep(page, &typed.get_untracked());
+    let compared = follow_variants(REST);
+    let lead = move || {
+        let no_answer = compared.answer.with(|answer| *answer == Answered::Nothing);
+        match names.with(Vec::len) {
+            0 => t("page.variants-lead").to_owned(),
+            _ if no_answer => t("page.no-answer").to_owned(),
+            MAX_VARIANTS => sentence(&msg!("page.variants-full", count = MAX_VARIANTS as u32)),
+            _ => String::new(),
         }
     };
     view! {
-        <section class="variants" aria-labelledby="variants-title" on:click=move |event| act(page, typed, &event)>
+        <section class="variants" aria-labelledby="variants-title">
             <h3 id="variants-title">{t("variants.title")}</h3>
             <p class="lead">{lead}</p>
-            <div class="keep">
-                <input
-                    id=NAME type="text" maxlength=MAX_VARIANT_NAME.to_string() autocomplete="off" aria-label=t("page.variant-name")
-                    prop:value=typed on:input=move |event| typed.set(event_target_value(&event)) on:keydown=enter
-                />
-                <button type="button" data-keep="" disabled=blocked>
-                    {move || t(if known.get() { "page.variant-replace" } else { "page.variant-keep" })}
-                </button>
-            </div>
-            <div
-                class="scroll" tabindex="0" role="group" aria-labelledby="variants-title"
-                class:gone=none aria-busy=move || outdated.get().to_string()
-            >
-                <table>
-                    <thead inner_html=head></thead>
-                    <tbody inner_html=rows></tbody>
-                </table>
-            </div>
+            <NextVariant names=names />
+            <Show when=move || !names.with(Vec::is_empty)>
+                <ComparedTable names=names compared=compared />
+            </Show>
         </section>
     }
 }
 
-/// Asks the worker for the rows of the table.
-fn asking(page: Page, head: RwSignal<String>, rows: RwSignal<String>, outdated: RwSignal<bool>) -> impl Fn() + Copy {
-    let worker = Client::here();
-    move || {
-        let about = head.get_untracked();
-        let show = move |response: Option<Response>| match response {
-            // The columns may have changed, or the tab may have been left.
-            Some(Response::Html(html)) if head.try_get_untracked() == Some(about) => {
-                let _ = rows.try_set(html);
-                let _ = outdated.try_set(false);
-            }
-            Some(_) => {}
-            None => page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
-        };
-        page.project.with_untracked(|project| worker.ask(project, Request::Variants, show));
-    }
-}
-
-/// Sentence above the table, by the number of variants.
-fn lead_of(variants: usize) -> String {
-    match variants {
-        0 => t("page.variants-lead").to_owned(),
-        MAX_VARIANTS => sentence(&msg!("page.variants-full", count = MAX_VARIANTS as u32)),
-        _ => String::new(),
-    }
-}
-
-/// Whether a text is the name of a variant.
-fn is_known(project: &Project, typed: &str) -> bool {
-    variant_name(typed).is_some_and(|name| project.variants.iter().any(|variant| variant.name == name))
-}
-
-/// Head of the table: names, and the buttons of each variant. It depends on the names alone, so that its buttons keep the focus.
-fn head_of(variants: &[Variant]) -> String {
-    let mut out = "<tr>".to_owned();
-    for title in ["variants.row", "variants.now"] {
-        out += &format!("<th scope=\"col\">{}</th>", t(title));
-    }
-    for (at, Variant { name, .. }) in variants.iter().enumerate() {
-        out += "<th scope=\"col\"><span class=\"name\">";
-        escape(&mut out, name);
-        out += "</span><span class=\"acts\">";
-        let acts = [
-            ("take", msg!("page.variant-take-about", variant = name.as_str()), "page.variant-take"),
-            ("compare", msg!("page.variant-compare-about", variant = name.as_str()), "projects.compare"),
-            ("remove", msg!("page.variant-remove-about", variant = name.as_str()), "page.variant-remove"),
-        ];
-        for (act, about, words) in acts {
-            out += &format!("<button type=\"button\" class=\"link\" data-{act}=\"{at}\" aria-label=\"");
-            escape(&mut out, &sentence(&about));
-            out += &format!("\">{}</button>", t(words));
+/// The name of the next variant, with the button that keeps the present settings under it.
+#[component]
+fn NextVariant(
+    /// Names of the variants.
+    names: Memo<Vec<String>>,
+) -> impl IntoView {
+    let page = Page::here();
+    // The typed name with the names for which it was typed: once these have changed, a free name takes its place.
+    let typed = RwSignal::new(None::<(Vec<String>, String)>);
+    let name = Memo::new(move |_| {
+        let own = typed.get().filter(|(about, _)| names.with(|names| names == about)).map(|(_, name)| name);
+        own.unwrap_or_else(|| page.project.with(|project| project.free_variant_name()))
+    });
+    let is_known = Memo::new(move |_| {
+        names.with(|names| name.with(|name| variant_name(name).is_some_and(|name| names.contains(&name))))
+    });
+    let is_full = move || !is_known.get() && names.with(Vec::len) >= MAX_VARIANTS;
+    let enter = move |event: KeyboardEvent| {
+        if event.key() == "Enter" {
+            keep(page, &name.get_untracked());
         }
-        out += "</span></th>";
+    };
+    view! {
+        <div class="keep">
+            <input
+                id=NAME type="text" maxlength=MAX_VARIANT_NAME.to_string() autocomplete="off" aria-label=t("page.variant-name")
+                prop:value=name
+                on:input=move |event| typed.set(Some((names.get_untracked(), event_target_value(&event))))
+                on:keydown=enter
+            />
+            <button type="button" disabled=is_full on:click=move |_| keep(page, &name.get_untracked())>
+                {move || t(if is_known.get() { "page.variant-replace" } else { "page.variant-keep" })}
+            </button>
+        </div>
     }
-    out + "</tr>"
+}
+
+/// The rows in which the present settings and the variants differ.
+#[component]
+fn ComparedTable(
+    /// Names of the variants.
+    names: Memo<Vec<String>>,
+    /// The rows.
+    compared: Followed<ComparedVariants>,
+) -> impl IntoView {
+    let columns = move || names.get().into_iter().enumerate();
+    // Rows with other columns would be misread.
+    let rows = move || {
+        compared.answer.with(|answer| match answer {
+            Answered::Of(found) if names.with(|names| *names == found.names) => found.rows.clone(),
+            _ => String::new(),
+        })
+    };
+    view! {
+        <div
+            class="scroll" tabindex="0" role="group" aria-labelledby="variants-title"
+            aria-busy=move || compared.progress.outdated.get().to_string()
+        >
+            <table>
+                <thead>
+                    <tr>
+                        <th scope="col">{t("variants.row")}</th>
+                        <th scope="col">{t("variants.now")}</th>
+                        <For each=columns key=Clone::clone let:variant>
+                            <VariantHead at=variant.0 name=variant.1 />
+                        </For>
+                    </tr>
+                </thead>
+                <tbody inner_html=rows></tbody>
+            </table>
+        </div>
+    }
+}
+
+/// Head of a variant's column: its name, and what can be done with it.
+#[component]
+fn VariantHead(
+    /// Its place among the variants.
+    at: usize,
+    /// Its name.
+    name: String,
+) -> impl IntoView {
+    let page = Page::here();
+    let take_about = sentence(&msg!("page.variant-take-about", variant = name.as_str()));
+    let compare_about = sentence(&msg!("page.variant-compare-about", variant = name.as_str()));
+    let remove_about = sentence(&msg!("page.variant-remove-about", variant = name.as_str()));
+    let compare = move |_| page.view.compared.set(Some(Compared::Variant(at)));
+    view! {
+        <th scope="col">
+            <span class="name">{name}</span>
+            <span class="acts">
+                <button type="button" class="link take" aria-label=take_about on:click=move |_| take(page, at)>
+                    {t("page.variant-take")}
+                </button>
+                <button type="button" class="link compare" aria-label=compare_about on:click=compare>
+                    {t("projects.compare")}
+                </button>
+                <button type="button" class="link remove" aria-label=remove_about on:click=move |_| remove(page, at)>
+                    {t("page.variant-remove")}
+                </button>
+            </span>
+        </th>
+    }
 }
 
 /// Keeps the present settings under a name.
@@ -156,28 +166,21 @@ fn keep(page: Page, name: &str) {
     }
 }
 
-/// Carries out the clicked button: keeps a variant under the typed name, takes one, shows one in motion beside the present settings,
-/// removes one.
-fn act(page: Page, typed: RwSignal<String>, event: &MouseEvent) {
-    let target = dom::target(event);
-    let place = |act| target.as_ref()?.get_attribute(act)?.parse::<usize>().ok();
-    if target.as_ref().is_some_and(|target| target.has_attribute("data-keep")) {
-        keep(page, &typed.get_untracked());
-    } else if let Some(at) = place("data-take") {
-        // Invalid entries of the form are dropped.
-        page.entries.invalid.set(Vec::new());
-        page.edit(|project| project.take_variant(at));
-        page.entries.show_again();
-        page.notices.announce(t("page.taken"));
-    } else if let Some(at) = place("data-compare") {
-        page.view.compared.set(Some(Compared::Variant(at)));
-    } else if let Some(at) = place("data-remove") {
-        page.edit(|project| project.drop_variant(at));
-        page.notices.announce(t("page.variant-removed"));
-        // The pressed button, which had the focus, no longer exists.
-        if let Some(field) = dom::by_id(NAME) {
-            let _ = field.focus();
-        }
+/// Takes a variant into the form; invalid entries are dropped.
+fn take(page: Page, at: usize) {
+    page.entries.invalid.set(Vec::new());
+    page.edit(|project| project.take_variant(at));
+    page.entries.show_again();
+    page.notices.announce(t("page.taken"));
+}
+
+/// Removes a variant.
+fn remove(page: Page, at: usize) {
+    page.edit(|project| project.drop_variant(at));
+    page.notices.announce(t("page.variant-removed"));
+    // The pressed button, which had the focus, no longer exists.
+    if let Some(field) = dom::by_id(NAME) {
+        let _ = field.focus();
     }
 }
 
@@ -189,16 +192,13 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{ViewBench, mount, settled, until};
-    use crate::ui::worker::documents;
+    use crate::ui::testing::{ViewBench, mount, settled, until, work_here};
+    use crate::ui::worker::client::Client;
 
     /// The section on a page whose worker is here.
     async fn section() -> ViewBench {
         mount(|| {
-            Client::here().answer_here(|project, request| match request {
-                Request::Variants => Some(Response::Html(documents::variants(project))),
-                _ => None,
-            });
+            work_here(Client::here());
             view! { <Variants /> }
         })
         .await
@@ -212,7 +212,7 @@ mod tests {
     async fn empty_section_of_variants_explains_their_use() {
         let bench = section().await;
         assert_eq!((bench.text(".lead").as_str(), bench.value("input").as_str()), (t("page.variants-lead"), "A"));
-        assert!(bench.has(".scroll.gone"));
+        assert!(!bench.has("table"));
     }
 
     #[wasm_bindgen_test]
@@ -229,7 +229,7 @@ mod tests {
         let bench = section().await;
         bench.press_button(t("page.variant-keep")).await;
         assert_eq!((heads(&bench), bench.value("input").as_str()), (vec!["A".to_owned()], "B"));
-        assert!(!bench.has(".scroll.gone"));
+        assert!(bench.has("table"));
         bench.type_into("input", "Wide").await;
         bench.key("input", "Enter", false).await;
         assert_eq!((heads(&bench), bench.value("input").as_str()), (vec!["A".to_owned(), "Wide".to_owned()], "B"));
@@ -271,12 +271,12 @@ mod tests {
         bench.press_button(t("page.variant-keep")).await;
         bench.page.set("pitch", Value::Number(20.0));
         bench.page.entries.refuse("heads", *crate::ui::testing::field("heads").read_metric("x").unwrap_err());
-        let button: HtmlElement = bench.find("[data-take]").unchecked_into();
+        let button: HtmlElement = bench.find(".take").unchecked_into();
         button.focus().unwrap();
         button.click();
         settled().await;
         assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
-        assert_eq!(document().active_element().unwrap().get_attribute("data-take").as_deref(), Some("0"));
+        assert_eq!(document().active_element().as_ref(), Some(button.as_ref()));
         assert!(!untrack(|| bench.page.is_stale()), "the wrong entry gave way");
         assert_eq!(heads(&bench), ["A"]);
         bench.page.undo();
@@ -287,10 +287,10 @@ mod tests {
     async fn variant_is_asked_to_be_shown_in_motion() {
         let bench = section().await;
         bench.press_button(t("page.variant-keep")).await;
-        bench.press("[data-compare]").await;
+        bench.press(".compare").await;
         assert!(bench.page.view.compared.with_untracked(|compared| matches!(compared, Some(Compared::Variant(0)))));
         assert_eq!(
-            bench.attribute("[data-compare]", "aria-label"),
+            bench.attribute(".compare", "aria-label"),
             sentence(&msg!("page.variant-compare-about", variant = "A"))
         );
     }
@@ -300,7 +300,7 @@ mod tests {
         let bench = section().await;
         bench.press_button(t("page.variant-keep")).await;
         bench.press_button(t("page.variant-keep")).await;
-        let button: HtmlElement = bench.find("[data-remove]").unchecked_into();
+        let button: HtmlElement = bench.find(".remove").unchecked_into();
         button.focus().unwrap();
         button.click();
         settled().await;

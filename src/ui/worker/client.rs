@@ -4,11 +4,13 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
 use leptos::wasm_bindgen::closure::Closure;
+use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::{MessageEvent, Worker};
 
-use super::messages::{Question, Reply, Request, Response};
+#[cfg(test)]
+use super::messages::Request;
+use super::messages::{Ask, Question, Reply};
 use crate::project::Project;
 use crate::project::help::texts::Texts;
 use crate::text::{catalog, units};
@@ -75,11 +77,11 @@ struct State {
 }
 
 #[cfg(test)]
-type Answer = fn(&Project, Request) -> Option<Response>;
+type Answer = fn(&Project, &Request) -> Option<JsValue>;
 
 struct Waiting {
     question: Question,
-    then: Box<dyn FnOnce(Option<Response>)>,
+    then: Box<dyn FnOnce(Option<JsValue>)>,
     /// Receives the progress of the answer.
     progress: Rc<dyn Fn(f64)>,
 }
@@ -97,30 +99,31 @@ impl Client {
         expect_context()
     }
 
-    /// Sends a request about a project; `then` gets the response, or `None` where no worker runs.
-    pub(crate) fn ask(self, project: &Project, request: Request, then: impl FnOnce(Option<Response>) + 'static) {
-        self.ask_long(project, request, |_| (), then);
+    /// Sends a request about a project; `then` gets the answer, or `None` where no worker runs.
+    pub(crate) fn ask<A: Ask>(self, project: &Project, ask: A, then: impl FnOnce(Option<A::Answer>) + 'static) {
+        self.ask_long(project, ask, |_| (), then);
     }
 
     /// Asks for a slow answer and reports its progress. Returns the number by which it can be [cancelled](Client::cancel).
-    pub(crate) fn ask_long(
+    pub(crate) fn ask_long<A: Ask>(
         self,
         project: &Project,
-        request: Request,
+        ask: A,
         progress: impl Fn(f64) + 'static,
-        then: impl FnOnce(Option<Response>) + 'static,
+        then: impl FnOnce(Option<A::Answer>) + 'static,
     ) -> u32 {
+        let then = move |answer: Option<JsValue>| then(answer.and_then(A::received));
         let Some(state) = self.0.try_get_value() else { return 0 };
         let mut state = state.borrow_mut();
         #[cfg(test)]
         if let Some(answer) = state.here {
             drop(state);
-            then(answer(project, request));
+            then(answer(project, &ask.request()));
             return 0;
         }
         state.last += 1;
         let number = state.last;
-        let question = Question { number, project: project.to_json(), request };
+        let question = Question { number, project: project.to_json(), request: ask.request() };
         if state.worker.is_none() {
             state.worker = self.start();
         }
@@ -180,12 +183,12 @@ impl Client {
                     state.waiting.iter().for_each(|waiting| running.send(&waiting.question));
                 }
             }
-            Reply::Answer(number, response) => {
+            Reply::Answer(number, answer) => {
                 let at = state.waiting.iter().position(|waiting| waiting.question.number == number);
                 let waiting = at.map(|at| state.waiting.remove(at));
                 drop(state);
                 if let Some(waiting) = waiting {
-                    (waiting.then)(Some(response));
+                    (waiting.then)(Some(answer));
                 }
             }
             Reply::Progress(number, far) => {
@@ -206,6 +209,7 @@ mod tests {
 
     use super::*;
     use crate::ui::testing::mount;
+    use crate::ui::worker::messages::FindFlips;
 
     #[wasm_bindgen_test]
     async fn request_without_a_worker_is_answered_by_none() {
@@ -213,7 +217,7 @@ mod tests {
         let answer = Rc::new(RefCell::new(Vec::new()));
         let heard = Rc::clone(&answer);
         bench.page.project.with_untracked(|project| {
-            bench.worker.ask(project, Request::Flips, move |response| heard.borrow_mut().push(response.is_none()));
+            bench.worker.ask(project, FindFlips, move |found| heard.borrow_mut().push(found.is_none()));
         });
         assert_eq!(*answer.borrow(), [true]);
     }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use leptos::prelude::*;
 
 use super::client::Client;
-use super::messages::{Request, Response};
+use super::messages::{Finding, ReviewProgram};
 use crate::ui::state::{Page, put};
 
 /// Keeps the page's diagnostics up with its program. A generated program that reads without an error needs no review.
@@ -26,17 +26,17 @@ pub(crate) fn follow(page: Page, worker: Client) {
             return;
         }
         let last = Rc::clone(&last);
-        let take = move |response: Option<Response>| {
+        let take = move |findings: Option<Vec<Finding>>| {
             if last.get() != number {
                 return;
             }
-            if let Some(Response::Review(findings)) = response {
+            if let Some(findings) = findings {
                 let found = findings.into_iter().filter_map(|finding| finding.diagnostic(control)).collect();
                 put(program.reviewed, Some(found));
             }
             put(program.pending, false);
         };
-        page.project.with_untracked(|project| worker.ask(project, Request::Review, take));
+        page.project.with_untracked(|project| worker.ask(project, ReviewProgram, take));
     });
 }
 
@@ -46,11 +46,12 @@ mod tests {
 
     use super::*;
     use crate::ui::testing::{mount, settled};
+    use crate::ui::worker::messages::Ask;
 
     #[wasm_bindgen_test]
     async fn only_a_doubtful_program_is_reviewed() {
         let bench = mount(|| follow(Page::here(), Client::here())).await;
-        bench.worker.answer_here(|_, _| Some(Response::Review(Vec::new())));
+        bench.worker.answer_here(|_, _| ReviewProgram.answer(&Vec::new()));
         bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
         settled().await;
         assert!(bench.page.program.reviewed.with_untracked(Option::is_none));

@@ -1,16 +1,18 @@
 //! Documents of a project for the page: its sheets by tabs, its sizing, comparisons, and the documents of an export.
 
 use super::messages::{
-    ExportDocuments, ExportedDocument, FoundRepairs, Range, ReadParts, Remark, Sheets, ShownSection,
+    CompareProjects, ComparedVariants, ExportDocuments, ExportedDocument, FoundRepairs, Range, ReadParts,
+    ReadPartsTable, Remark, Sheets, ShownSection,
 };
 use super::sheet_html::{html, section_html, table, tagged};
 use crate::controls::options::CommentCharacters;
 use crate::nc::File;
 use crate::project::Project;
 use crate::project::chance;
-use crate::project::export::ExportOptions;
+use crate::project::export::{Export, ExportOptions, REPORT};
 use crate::project::files::encode;
 use crate::project::parts;
+use crate::project::program::Written;
 use crate::project::repairs::{self, RepairWay};
 use crate::project::saved::with_line;
 use crate::project::size::sections::SizingSection;
@@ -38,7 +40,7 @@ pub(super) fn sheets(project: &Project) -> Sheets {
 }
 
 /// Ways to make the failing results of a project hold.
-pub(in crate::ui) fn repairs(project: &Project) -> Vec<FoundRepairs> {
+pub(super) fn repairs(project: &Project) -> Vec<FoundRepairs> {
     repairs::ways(project).iter().map(found_repairs).collect()
 }
 
@@ -60,7 +62,8 @@ fn found_repairs(way: &RepairWay) -> FoundRepairs {
 }
 
 /// A project with the sound parts of a table.
-pub(in crate::ui) fn parts(mut project: Project, name: &str, text: &str) -> ReadParts {
+pub(super) fn parts(project: &Project, ReadPartsTable { name, text }: &ReadPartsTable) -> ReadParts {
+    let mut project = project.clone();
     let (read, found) = parts::read(text, name);
     let added = read.len() as u32;
     project.add_parts(read);
@@ -89,14 +92,20 @@ pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> String {
 
 /// The rows in which the present settings and the variants of a project differ, under titles; cells that differ from the present ones are
 /// marked.
-pub(in crate::ui) fn variants(project: &Project) -> String {
-    project.compared_variants(t("variants.now")).map(|comparison| differences(&comparison)).unwrap_or_default()
+pub(super) fn variants(project: &Project) -> ComparedVariants {
+    ComparedVariants {
+        names: project.variants.iter().map(|variant| variant.name.clone()).collect(),
+        rows: project
+            .compared_variants(t("variants.now"))
+            .map(|comparison| differences(&comparison))
+            .unwrap_or_default(),
+    }
 }
 
-/// Table of the differences between a project and another one, under these names, with the table's head.
-pub(in crate::ui) fn compared_with(project: &Project, names: [String; 2], text: &str) -> String {
-    let Some(other) = Project::from_json(text).project else { return String::new() };
-    let [name, other_name] = names;
+/// Table of the differences between a project and another one, with the table's head.
+pub(super) fn compared_with(project: &Project, CompareProjects { names, other }: &CompareProjects) -> String {
+    let Some(other) = Project::from_json(other).project else { return String::new() };
+    let [name, other_name] = names.clone();
     let comparison = compare(&[(name, project.clone()), (other_name, other)]);
     let mut out = "<thead><tr>".to_owned();
     for head in std::iter::once(t("variants.row")).chain(comparison.names.iter().map(String::as_str)) {
@@ -173,12 +182,22 @@ fn finding_text(found: &Diagnostic) -> String {
     }
 }
 
+fn exported(project: &Project, written: &Written) -> Export {
+    let (advice, date, sizing) = (project.advice(written), today(), size(project, written));
+    project.export_with(written, &ExportOptions { advice: &advice, date: &date, sizing: Some(&sizing) })
+}
+
+/// The report of a project as HTML; its draft where the export is refused.
+pub(super) fn report(project: &Project) -> Option<String> {
+    let export = exported(project, &project.written());
+    let report = export.documents().find(|(file, _)| file.name == REPORT).map(|(file, _)| file.text.clone());
+    report.or(export.draft)
+}
+
 /// The documents of a project's export, with the findings that refuse it or accompany it.
-pub(super) fn documents(project: &Project) -> ExportDocuments {
+pub(super) fn export(project: &Project) -> ExportDocuments {
     let written = project.written();
-    let (advice, date, sizing) = (project.advice(&written), today(), size(project, &written));
-    let options = ExportOptions { advice: &advice, date: &date, sizing: Some(&sizing) };
-    let export = project.export_with(&written, &options);
+    let export = exported(project, &written);
     let remark = |found: &Diagnostic| Remark {
         refuses: found.severity == Severity::Error,
         tone: found.severity.into(),
@@ -216,7 +235,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn remark_about_assumed_facts_has_no_ids_of_fields() {
         let project = project();
-        let remarks = documents(&project).remarks;
+        let remarks = export(&project).remarks;
         assert!(remarks.iter().any(|remark| remark.text.contains("only assumed")));
         for field in project.machine.fields().iter().filter(|field| field.id.contains('-')) {
             assert!(remarks.iter().all(|remark| !remark.text.contains(field.id)), "{}", field.id);

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::messages::{FoundHelp, HelpPageHtml, Hit};
+use super::messages::{FoundHelp, HelpPageHtml, Hit, ReadHelp};
 use super::sheet_html::tagged;
 use crate::machines;
 use crate::project::Project;
@@ -45,13 +45,13 @@ fn with<T>(project: &Project, texts: &Texts, ask: impl FnOnce(&Help) -> T) -> T 
 
 /// The page with this id, or with a section or entry of this id; otherwise the page of the present machine. `theme` is that of its
 /// drawing.
-pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, theme: Theme) -> HelpPageHtml {
+pub(super) fn page(project: &Project, texts: &Texts, ReadHelp { id, theme }: &ReadHelp) -> HelpPageHtml {
     with(project, texts, |help| {
         let own = help.pages.iter().find(|page| page.id == id);
         let place = if own.is_none() { help.find(id) } else { None };
         let page = own.or(place.map(|place| place.page)).or(help.pages.first());
         let mut html = String::new();
-        page.iter().for_each(|page| write(&mut html, page, theme));
+        page.iter().for_each(|page| write(&mut html, page, *theme));
         HelpPageHtml {
             page: page.map_or_else(String::new, |page| page.id.to_owned()),
             title: page.map_or_else(String::new, |page| page.title.clone()),
@@ -63,7 +63,7 @@ pub(in crate::ui) fn page(project: &Project, texts: &Texts, id: &str, theme: The
 }
 
 /// Search results of a query, the best first; where no place has all of its words, those that have some.
-pub(in crate::ui) fn found(project: &Project, texts: &Texts, query: &str) -> FoundHelp {
+pub(super) fn found(project: &Project, texts: &Texts, query: &str) -> FoundHelp {
     with(project, texts, |help| {
         let hit = |place: &HelpPlace| Hit {
             id: place.id(),
@@ -188,10 +188,13 @@ mod tests {
     use crate::text::catalog;
     use crate::ui::testing::project;
 
+    fn shown(id: &str, theme: Theme) -> HelpPageHtml {
+        page(&project(), &Texts::shipped(catalog::spoken()), &ReadHelp { id: id.to_owned(), theme })
+    }
+
     #[wasm_bindgen_test]
     fn alarm_is_on_the_page_of_its_control_with_cause_and_source() {
-        let texts = Texts::shipped(catalog::spoken());
-        let shown = page(&project(), &texts, "alarm.P62", Theme::Light);
+        let shown = shown("alarm.P62", Theme::Light);
         assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("mitsubishi-e60", "help-alarm.P62"));
         assert!(shown.html.contains("<article tabindex=\"-1\" id=\"help-alarm.P62\"><h4><code>P62</code>"));
         assert!(shown.html.contains("p.52"));
@@ -199,17 +202,14 @@ mod tests {
 
     #[wasm_bindgen_test]
     fn unknown_id_opens_the_page_of_the_machine_and_is_never_shown() {
-        let texts = Texts::shipped(catalog::spoken());
-        let shown = page(&project(), &texts, "<script>", Theme::Light);
+        let shown = shown("<script>", Theme::Light);
         assert_eq!((shown.page.as_str(), shown.anchor.as_str()), ("ribbon-line", ""));
         assert!(!shown.html.contains("<script") && shown.html.contains("data:image/svg+xml;base64,"));
     }
 
     #[wasm_bindgen_test]
     fn dark_page_has_a_light_drawing_for_paper() {
-        let texts = Texts::shipped(catalog::spoken());
-        let [light, dark] =
-            [Theme::Light, Theme::Dark].map(|theme| page(&project(), &texts, "ribbon-line", theme).html);
+        let [light, dark] = [Theme::Light, Theme::Dark].map(|theme| shown("ribbon-line", theme).html);
         let drawing = |html: &str, class: &str| {
             let (_, from) = html.split_once(&format!("<img class=\"{class}\" "))?;
             from.split_once('>').map(|(drawing, _)| drawing.to_owned())
@@ -224,7 +224,7 @@ mod tests {
         let FoundHelp { hits, has_all_words } = found(&project(), &texts, "slack");
         assert!(hits.len() > 5 && has_all_words);
         for hit in hits.iter().filter(|hit| hit.id.contains('.')) {
-            let shown = page(&project(), &texts, &hit.id, Theme::Light);
+            let shown = shown(&hit.id, Theme::Light);
             assert!(shown.html.contains(&format!("id=\"{}\"", shown.anchor)), "{}", hit.id);
         }
     }

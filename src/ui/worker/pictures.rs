@@ -15,7 +15,7 @@ pub(super) fn before_start(project: &Project, theme: Theme) -> String {
 }
 
 /// Addresses of the pictures of all examples in the middle of their runs, in the order of machines and examples.
-pub(in crate::ui) fn gallery(theme: Theme) -> Vec<String> {
+pub(super) fn examples(theme: Theme) -> Vec<String> {
     let examples =
         machines::ALL.iter().flat_map(|machine| machine.examples().iter().map(|example| (*machine, example)));
     let drawn = |(machine, example): (&dyn AnyMachine, &Example)| {

@@ -9,7 +9,7 @@ use leptos::wasm_bindgen::{JsCast, JsValue, throw_str};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
-use super::messages::{Finding, Question, Reply, Request, Response, SHOWN, TextReport};
+use super::messages::{Ask, Finding, Question, Reply, Request, SHOWN, TextReport};
 use super::{documents, editor, help, pictures, shelf};
 use crate::nc::{self, Files};
 use crate::project::Project;
@@ -59,58 +59,71 @@ pub fn work(sentences: String, lengths: &str, load: Function) {
         let Some(project) = Project::from_json(&project).project else {
             throw_str("the project of the page does not read")
         };
-        let mut progress = |share| send(&page, &Reply::Progress(number, share));
-        let response = match request {
-            Request::Review => Response::Review(review(&project)),
-            Request::Sheets => Response::Sheets(documents::sheets(&project)),
-            Request::Sizing => Response::Sizing(documents::sizing(&project, &mut progress)),
-            Request::Chance => Response::Html(documents::chance(&project, &mut progress)),
-            Request::Variants => Response::Html(documents::variants(&project)),
-            Request::Compare(names, text) => Response::Html(documents::compared_with(&project, names, &text)),
-            Request::Shelf(shelf) => Response::Projects(shelf::list(&project, &shelf)),
-            Request::Gallery { theme } => Response::Pictures(pictures::gallery(theme)),
-            Request::Parts(name, text) => Response::Parts(documents::parts(project, &name, &text)),
-            Request::Flips => Response::Flips(
-                Sensitivity::new(&project).flips().into_iter().map(|flip| flip.field.to_owned()).collect(),
-            ),
-            Request::Repairs => Response::Repairs(documents::repairs(&project)),
-            Request::Help { .. } | Request::FindHelp(_) => {
-                let (page, load) = (page.clone(), load.clone());
-                return wasm_bindgen_futures::spawn_local(async move {
-                    let response = match (texts(&load).await, request) {
-                        (Some(texts), Request::Help { id, theme }) => {
-                            Response::Help(help::page(&project, &texts, &id, theme))
-                        }
-                        (Some(texts), Request::FindHelp(query)) => {
-                            Response::Found(help::found(&project, &texts, &query))
-                        }
-                        _ => Response::NoHelp,
-                    };
-                    send(&page, &Reply::Answer(number, response));
-                });
-            }
-            Request::Export => Response::Export(documents::documents(&project)),
-            Request::Complete(caret) => Response::Proposals(editor::complete(&project, caret)),
-            Request::Definition(caret) => Response::Places(editor::definition(&project, caret)),
-            Request::Uses(caret) => Response::Places(editor::uses(&project, caret)),
-            Request::Outline => Response::Places(editor::outline(&project)),
-            Request::Check(blob) => {
-                let page = page.clone();
+        let page = page.clone();
+        match request {
+            Request::ReadHelp(_) | Request::SearchHelp(_) => {
+                let load = load.clone();
                 // Leptos' own `spawn_local` waits for a mounted page.
-                return wasm_bindgen_futures::spawn_local(async move {
-                    let text = read(&blob, &page, number).await;
-                    send(&page, &Reply::Answer(number, Response::Check(check(text, &project))));
+                wasm_bindgen_futures::spawn_local(async move {
+                    let texts = texts(&load).await;
+                    send(&page, number, help(&project, texts.as_ref(), &request));
                 });
             }
-        };
-        send(&page, &Reply::Answer(number, response));
+            Request::CheckText(ask) => wasm_bindgen_futures::spawn_local(async move {
+                let text = read(&ask.0, &page, number).await;
+                send(&page, number, ask.answer(&check(text, &project)));
+            }),
+            _ => {
+                let mut progress = |far| post(&page, &Reply::Progress(number, far));
+                send(&page, number, answer(&project, &request, &mut progress));
+            }
+        }
     });
     scope.set_onmessage(Some(listener.as_ref().unchecked_ref()));
     listener.forget();
-    send(&scope, &Reply::Ready);
+    post(&scope, &Reply::Ready);
 }
 
-fn send(page: &DedicatedWorkerGlobalScope, reply: &Reply) {
+/// Answers a request that waits for nothing; reports progress where the work is long.
+pub(in crate::ui) fn answer(project: &Project, request: &Request, progress: &mut dyn FnMut(f64)) -> Option<JsValue> {
+    match request {
+        Request::ReviewProgram(ask) => ask.answer(&review(project)),
+        Request::WriteSheets(ask) => ask.answer(&documents::sheets(project)),
+        Request::SizeProject(ask) => ask.answer(&documents::sizing(project, progress)),
+        Request::DrawMachines(ask) => ask.answer(&documents::chance(project, progress)),
+        Request::FindFlips(ask) => {
+            ask.answer(&Sensitivity::new(project).flips().into_iter().map(|flip| flip.field.to_owned()).collect())
+        }
+        Request::FindRepairs(ask) => ask.answer(&documents::repairs(project)),
+        Request::CompareVariants(ask) => ask.answer(&documents::variants(project)),
+        Request::CompareProjects(ask) => ask.answer(&documents::compared_with(project, ask)),
+        Request::ListProjects(ask) => ask.answer(&shelf::list(project, &ask.0)),
+        Request::DrawExamples(ask) => ask.answer(&pictures::examples(ask.theme)),
+        Request::ExportProject(ask) => ask.answer(&documents::export(project)),
+        Request::WriteReport(ask) => ask.answer(&documents::report(project)),
+        Request::ReadPartsTable(ask) => ask.answer(&documents::parts(project, ask)),
+        Request::Complete(ask) => ask.answer(&editor::complete(project, ask.0)),
+        Request::FindDefinition(ask) => ask.answer(&editor::definition(project, ask.0)),
+        Request::FindUses(ask) => ask.answer(&editor::uses(project, ask.0)),
+        Request::WriteOutline(ask) => ask.answer(&editor::outline(project)),
+        Request::ReadHelp(_) | Request::SearchHelp(_) | Request::CheckText(_) => None,
+    }
+}
+
+/// Answers a request about help; without its texts there is nothing to answer with.
+pub(in crate::ui) fn help(project: &Project, texts: Option<&Texts>, request: &Request) -> Option<JsValue> {
+    match request {
+        Request::ReadHelp(ask) => ask.answer(&texts.map(|texts| help::page(project, texts, ask))),
+        Request::SearchHelp(ask) => ask.answer(&texts.map(|texts| help::found(project, texts, &ask.0))),
+        _ => None,
+    }
+}
+
+fn send(page: &DedicatedWorkerGlobalScope, number: u32, answer: Option<JsValue>) {
+    post(page, &Reply::Answer(number, answer.unwrap_or_default()));
+}
+
+fn post(page: &DedicatedWorkerGlobalScope, reply: &Reply) {
     if let Ok(reply) = serde_wasm_bindgen::to_value(reply) {
         let _ = page.post_message(&reply);
     }
@@ -126,7 +139,7 @@ async fn read(blob: &Blob, page: &DedicatedWorkerGlobalScope, number: u32) -> St
         let Ok(buffer) = JsFuture::from(piece.array_buffer()).await else { break };
         bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
         at += PIECE;
-        send(page, &Reply::Progress(number, at.min(all)));
+        post(page, &Reply::Progress(number, at.min(all)));
     }
     String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
 }

@@ -15,7 +15,7 @@ use crate::ui::state::view::Compared;
 use crate::ui::state::{EditKey, Page};
 use crate::ui::words::{Tone, has_all_words, sentence, shown_name, t};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{BEFORE_VERSION, ListedProject, Request, Response, Shelf, ShelfState};
+use crate::ui::worker::messages::{BEFORE_VERSION, ListProjects, ListedProject, Shelf, ShelfState};
 
 /// Name of the archive of all projects.
 const ARCHIVE: &str = "macroline-projects.zip";
@@ -125,18 +125,18 @@ impl ProjectActions {
             })
             .collect();
         self.states.set_value(states.iter().chain(&aside).cloned().collect());
-        let request = Shelf {
+        let shelf = Shelf {
             present: shelf::present(self.page).id,
             states,
             aside,
             steps: self.page.step_texts(),
             theme: dom::theme(),
         };
-        let show = move |response: Option<Response>| match response {
-            Some(Response::Projects(listed)) => drop(self.listed.try_set(listed)),
-            _ => self.page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
+        let show = move |listed| match listed {
+            Some(listed) => drop(self.listed.try_set(listed)),
+            None => self.page.notices.notify(Tone::Fail, t("page.no-answer").to_owned()),
         };
-        self.page.project.with_untracked(|project| self.worker.ask(project, Request::Shelf(request), show));
+        self.page.project.with_untracked(|project| self.worker.ask(project, ListProjects(shelf), show));
     }
 
     /// The state of an id; of the present project as it is now.

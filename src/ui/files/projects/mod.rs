@@ -105,11 +105,10 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::msg;
-    use crate::ui::testing::{ViewBench, mount, project, until};
+    use crate::ui::testing::{ViewBench, mount, project, until, work_here};
     use crate::ui::words::{day, sentence};
     use crate::ui::worker::client::Client;
-    use crate::ui::worker::messages::{BEFORE_VERSION, Request, Response, ShelfState};
-    use crate::ui::worker::shelf as worker;
+    use crate::ui::worker::messages::{BEFORE_VERSION, ShelfState};
 
     /// Fields with the names of the projects.
     const NAMES: &str = ".projects > li > .what input";
@@ -130,10 +129,7 @@ mod tests {
 
     async fn opened() -> ViewBench {
         let bench = mount(|| {
-            Client::here().answer_here(|project, request| match request {
-                Request::Shelf(shelf) => Some(Response::Projects(worker::list(project, &shelf))),
-                _ => None,
-            });
+            work_here(Client::here());
             view! { <ProjectsButton /> <ProjectsDialog /> }
         })
         .await;

@@ -46,6 +46,15 @@ pub(crate) struct ShownSection {
     pub html: String,
 }
 
+/// The differences between the present settings and the variants of a project.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ComparedVariants {
+    /// Names of the variants, by column.
+    pub names: Vec<String>,
+    /// Rows of the table as HTML.
+    pub rows: String,
+}
+
 /// A page of help.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct HelpPageHtml {
