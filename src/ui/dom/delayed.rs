@@ -12,18 +12,25 @@ impl Delayed {
     /// Nothing is called yet.
     pub(crate) fn new() -> Delayed {
         let delayed = Delayed(StoredValue::new(None));
-        on_cleanup(move || delayed.cancel());
+        on_cleanup(move || {
+            delayed.cancel();
+        });
         delayed
     }
 
     /// Calls `work` after a delay, in place of the call that waits.
     pub(crate) fn call(self, work: impl FnOnce() + 'static, delay: Duration) {
         self.cancel();
-        self.0.set_value(set_timeout_with_handle(work, delay).ok());
+        let ended = move || {
+            self.0.try_set_value(None);
+            work();
+        };
+        self.0.set_value(set_timeout_with_handle(ended, delay).ok());
     }
 
-    /// Cancels the waiting call.
-    pub(crate) fn cancel(self) {
-        self.0.update_value(|timer| timer.take().into_iter().for_each(|timer| timer.clear()));
+    /// Cancels the call; returns whether one was waiting.
+    pub(crate) fn cancel(self) -> bool {
+        let timer = self.0.try_update_value(Option::take).flatten();
+        timer.inspect(TimeoutHandle::clear).is_some()
     }
 }
