@@ -254,6 +254,11 @@ impl Control {
         self.codes.iter().any(|row| row.code == code)
     }
 
+    /// Whether the feed of each axis has a clamp of its own; otherwise the largest velocity of the axis holds for feed, too.
+    pub fn clamps_feed(&self) -> bool {
+        self.param(ParamRole::AxisClamp).is_some()
+    }
+
     /// The parameter for a role.
     pub fn param(&self, role: ParamRole) -> Option<&'static ParamDef> {
         self.params.iter().find(|row| row.role == role)

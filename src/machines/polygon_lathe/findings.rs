@@ -175,8 +175,11 @@ fn turned_corners(lathe: &PolygonLathe) -> Option<Diagnostic> {
         let corners = polygon.params.section_in(0.5 * polygon.params.stock_diameter)?.corners();
         Some(2.0 * corners.iter().map(|corner| corner.radius).fold(0.0, f64::max))
     };
+    // A polygon that lies on the end as a whole has its section in it.
     let cuts = |polygon: &PolygonLathe| {
-        end.diameter >= polygon.params.across_flats && corner(polygon).is_some_and(|corner| end.diameter < corner)
+        end.diameter >= polygon.params.across_flats
+            && polygon.params.blank() >= polygon.params.stock_diameter
+            && corner(polygon).is_some_and(|corner| end.diameter < corner)
     };
     let (number, _) = within(lathe, end).find(|(_, polygon)| end.on && cuts(polygon))?;
     let message = msg!("polygon.corners-turned", number, diameter = (end.diameter, 3));

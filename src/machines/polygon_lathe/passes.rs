@@ -28,7 +28,15 @@ impl Params {
     /// tips, touches stock beside the polygon if this reach is more than `h`. Source: mechanics, with the distance of
     /// the axes a = AF/2 + r and a body of the radius r - h.
     pub(super) fn reach(&self) -> f64 {
-        (0.5 * (self.blank() - self.across_flats)).max(0.0)
+        (0.5 * (self.stock_beside() - self.across_flats)).max(0.0)
+    }
+
+    /// Diameter (mm) of the stock beside the polygon. Where it lies on a turned end, the body of the cutter meets the bar at its shoulder: it is
+    /// taken to be an insert wider than the inserts towards the chuck (an assumption: the form has no width of the body).
+    fn stock_beside(&self) -> f64 {
+        let [before, _] = &*self.turned_ends;
+        let body_end = self.far_end() + self.insert_width;
+        if body_end > before.length { self.stock_diameter } else { self.blank() }
     }
 
     /// Number of passes; the last one finishes.

@@ -401,7 +401,8 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
     b.n(10).if_goto(v(ON).eq(1), alarm_block(ON_ALREADY));
     let limits = [(D, p.work_limit, WORK_TOO_FAST), (Q, p.tool_limit, TOOL_TOO_FAST)];
     for (at, (term, limit, alarm)) in (11..).zip(limits) {
-        b.n(at).if_goto((v(B) * v(term)).abs().gt(real(limit, 0)), alarm_block(alarm));
+        let most = lathe.limit_at_full_feed(limit).floor();
+        b.n(at).if_goto((v(B) * v(term)).abs().gt(real(most, 0)), alarm_block(alarm));
     }
     for argument in [A, E] {
         b.if_then(v(argument).eq(v(0)), argument, 0);

@@ -100,6 +100,12 @@ impl PolygonLathe {
         Some((highest, self.at_highest_feed.get_or_init(lathe)))
     }
 
+    /// The speed (r/min) of work or tool at 100 % of the feed override with which it keeps a limit at every position of the knob.
+    pub(super) fn limit_at_full_feed(&self, limit: f64) -> f64 {
+        let highest = knobs::highest_feed(self.control.feed_knob.positions).filter(|_| self.overrides());
+        limit * 100.0 / highest.unwrap_or(100.0)
+    }
+
     /// All polygons of the part, in the order in which they are turned.
     pub(super) fn polygons(&self) -> impl Iterator<Item = &PolygonLathe> {
         core::iter::once(self).chain(&self.further)

@@ -425,6 +425,11 @@ impl Params {
     pub(super) fn stops_exactly(&self, control: &Control) -> bool {
         control.can(Code::ExactStop) || control.can(Code::ExactStopOnce)
     }
+
+    /// Whether the control clamps the feed of each axis.
+    pub(super) fn has_clamp(&self, control: &Control) -> bool {
+        control.clamps_feed()
+    }
 }
 
 /// Macro input with the override, if the control has one.
@@ -537,9 +542,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
     pause("ribbon.group.job", member!(Params.pause)),
     number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact().when(Params::has_clamp),
     number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
-        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact().when(Params::has_clamp),
     number("rapid-x", member!(Params.rapid_x)).group("ribbon.group.axes").label("ribbon.rapid-x").help("ribbon.rapid-x.help")
         .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
     number("rapid-y", member!(Params.rapid_y)).group("ribbon.group.axes").label("ribbon.rapid-y").help("ribbon.rapid-y.help")

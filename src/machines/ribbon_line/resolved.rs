@@ -63,6 +63,9 @@ impl RibbonLine {
         if !form.stops_exactly(control) {
             params.path_mode = PathMode::Continuous;
         }
+        if !form.has_clamp(control) {
+            (params.clamp_x, params.clamp_y) = (form.rapid_x, form.rapid_y);
+        }
         params.typed_override = form.types_override(control);
         let knob = dialect.spindle().knob;
         params.knob_lowest = params.knob_lowest.max(knob.low);

@@ -37,6 +37,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
         turning.push((print, ParamValue::Answer(false)));
     }
     let yes = |on: bool| one(ParamValue::Answer(on));
+    let rules = line.dialect.spindle();
     let mut values = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
@@ -46,7 +47,11 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::SpindleRatedVolts, one(number(100.0))),
         (ParamRole::SpindleMaximum, one(number(p.top_speed()))),
         (ParamRole::SpindleGearMaximum(1), one(number(p.top_speed().min(p.speed_at_10v)))),
+        (ParamRole::SpindleStageMaximum, vec![("1", number(p.top_speed()))]),
         (ParamRole::SpindleMinimum, one(number(0.0))),
+        (ParamRole::SpindleTolerance, one(number(rules.reached.unwrap_or(0.1)))),
+        (ParamRole::SpindleReached, yes(rules.reached.is_some())),
+        (ParamRole::SpindleReachedDelay, one(number(0.0))),
         (ParamRole::SpindleEncoder, yes(p.spindle_encoder)),
         // The guards of a restart are in the first blocks.
         (ParamRole::RewindAtReset, yes(true)),

@@ -4,7 +4,8 @@ use crate::machines::machine::Example;
 
 /// All examples, the first that of a new project.
 ///
-/// An upper limit of 1800 r/min keeps the spindle's ramp ahead of the surface speed: `dn/dt ~ f n³ / v`. The motor turns at 3000 r/min with
+/// An upper limit of 1800 r/min keeps the spindle's ramp ahead of the surface speed, of a face with the feed override at its highest position,
+/// too: `dn/dt ~ f n³ / v`. The motor turns at 3000 r/min with
 /// 10 V, twice its base speed. With forced cooling it has the torque for a cut of C45 at the ends of both override knobs.
 pub(super) const EXAMPLES: &[Example] = &[
     Example {
@@ -13,6 +14,7 @@ pub(super) const EXAMPLES: &[Example] = &[
         about: "turning.example.facing.about",
         entries: &[
             ("upper-limit", "1800"),
+            ("spindle-ramp", "2.5"),
             ("material", "c45"),
             ("motor-top", "3000"),
             ("motor-forced-cooling", "true"),

@@ -1,7 +1,7 @@
 //! The form of the turning spindle: every input with unit, range and default, and the parameters that it fills.
 
 use crate::controls::Address;
-use crate::controls::{Code, Control};
+use crate::controls::{Code, Control, ParamRole, ParamUnit};
 use crate::drives::inertia::STEEL;
 use crate::machines::driven::site;
 use crate::machines::driven::spindle_encoder::{self, EncoderParams};
@@ -184,6 +184,16 @@ impl Params {
         control.spindle.signed_output
     }
 
+    /// Whether the control clamps the feed of each axis.
+    pub(super) fn has_clamp(&self, control: &Control) -> bool {
+        control.clamps_feed()
+    }
+
+    /// Whether the control has parameters for the offsets of its output.
+    pub(super) fn has_offsets(&self, control: &Control) -> bool {
+        control.param(ParamRole::SpindleOffsetZero).is_some_and(|row| row.unit == ParamUnit::Millivolts)
+    }
+
     /// Whether the control has a word that positions the spindle.
     pub(super) fn can_position(&self, control: &Control) -> bool {
         has_address(control, Address::Spos)
@@ -360,9 +370,9 @@ const ROWS: &[&[Field<Params>]] = &[
     choice("output", member!(Params.output: Output)).group("turning.group.output").label("turning.output").help("turning.output.help")
         .fact().when(Params::has_signed_output),
     number("offset-zero", member!(Params.offset_zero)).group("turning.group.output").label("turning.offset-zero").help("turning.offset-zero.help")
-        .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact(),
+        .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact().when(Params::has_offsets),
     number("offset-full", member!(Params.offset_full)).group("turning.group.output").label("turning.offset-full").help("turning.offset-full.help")
-        .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact(),
+        .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact().when(Params::has_offsets),
     choice("material", member!(Params.material: Material)).group("turning.group.power").label("turning.material").help("turning.material.help"),
     number("edge-angle", member!(Params.edge_angle)).group("turning.group.power").label("turning.edge-angle").help("turning.edge-angle.help").symbol("κ")
         .unit("°").range(10.0..=170.0).default(95.0).decimals(1).step(1.0).when(Params::has_material),
@@ -389,9 +399,9 @@ const ROWS: &[&[Field<Params>]] = &[
     number("rapid-z", member!(Params.slides.z.rapid)).group("turning.group.axes").label("turning.rapid-z").help("turning.rapid-z.help")
         .unit("mm/min").range(1.0..=1000000.0).default(10000.0).decimals(0).step(500.0).fact(),
     number("clamp-x", member!(Params.slides.x.clamp)).group("turning.group.axes").label("turning.clamp-x").help("turning.clamp-x.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(4000.0).decimals(0).step(500.0).fact(),
+        .unit("mm/min").range(1.0..=1000000.0).default(4000.0).decimals(0).step(500.0).fact().when(Params::has_clamp),
     number("clamp-z", member!(Params.slides.z.clamp)).group("turning.group.axes").label("turning.clamp-z").help("turning.clamp-z.help")
-        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact().when(Params::has_clamp),
     number("travel-x", member!(Params.travel_x)).group("turning.group.axes").label("turning.travel-x").help("turning.travel.help")
         .unit("mm").range(0.0..=10000.0).default(0.0).decimals(1).step(10.0).fact(),
     number("travel-z", member!(Params.travel_z)).group("turning.group.axes").label("turning.travel-z").help("turning.travel.help")

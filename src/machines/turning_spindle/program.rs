@@ -4,6 +4,7 @@
 //! writes the operator's variables, so that parts are changed by variables alone. It copies them at its start and checks and cuts by the
 //! copies: an entry that the operator changes while a part is cut passes the checks of the next start.
 
+use super::derive::TRACE;
 use super::params::{Path, SpindleDirection};
 use super::resolved::{CodePair, TurningSpindle};
 use super::variables::{
@@ -171,9 +172,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(gear) = gear(lathe) {
         b.n(22).words(gear);
     }
-    // Away from the work first: a start after a reset may begin anywhere.
-    b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
-    b.words([z(entry(CLEARANCE))]);
+    approach(b, lathe);
     // A reset at the angle leaves the spindle locked.
     release_spindle(b, lathe);
     start(b, lathe);
@@ -181,11 +180,9 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         b.assign(BEGUN, 1).note("A PART IS BEGUN");
     }
     let face = lathe.params.path == Path::Facing;
-    let (whole, step) = match lathe.params.path {
-        Path::Facing => (entry(way(lathe)), entry(DEPTH)),
-        Path::Turning => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
-        Path::Taper => (entry(STOCK) - entry(FINISHED), entry(DEPTH) * 2),
-    };
+    let whole = if face { entry(way(lathe)) } else { entry(STOCK) - entry(FINISHED) };
+    let step = || if face { entry(DEPTH) } else { entry(DEPTH) * 2 };
+    let trace = || real(TRACE, 4);
     if lathe.params.path == Path::Taper {
         b.n(29).assign(SLOPE, 0);
         b.if_goto(entry(FINISHED).eq(entry(TAPER_END)), 30);
@@ -196,13 +193,21 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         b.if_goto(entry(FINISHED).le(entry(TAPER_END)), 31);
         b.assign(LEFT, entry(STOCK) - entry(TAPER_END)).note("SMALL AT THE END");
     }
-    b.n(31).while_do(v(LEFT).gt(0), 1);
-    b.n(32).assign(LEFT, v(LEFT) - step);
-    b.n(33).if_goto(v(LEFT).ge(0), 35);
+    // A tool that is set deeper than the stock would be retracted by as much.
+    b.n(31).if_goto(step().le(v(LEFT)), 32);
+    b.assign(copy(DEPTH), if face { v(LEFT) } else { v(LEFT) / 2 }).note("ONE PASS");
+    b.n(32).while_do(v(LEFT).gt(trace()), 1);
+    b.n(33).assign(LEFT, v(LEFT) - step());
+    b.if_goto(v(LEFT).gt(trace()), 35);
     b.n(34).assign(LEFT, 0).note("LAST PASS TAKES LESS");
     pass(b, lathe);
     b.n(44).end_do(1);
-    b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, entry(START_X)), z(entry(START_Z))]));
+    if lathe.params.tailstock {
+        b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, entry(START_X))]));
+        b.words([z(entry(START_Z))]);
+    } else {
+        b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, entry(START_X)), z(entry(START_Z))]));
+    }
     b.n(51).words([m(5)]);
     if lathe.surface() {
         b.n(52).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]));
@@ -243,6 +248,15 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
     }
+}
+
+/// The way from the start to the work. A start after a reset may begin anywhere: away from the work first, or along it where in front of it is
+/// the tailstock.
+fn approach(b: &mut Builder, lathe: &TurningSpindle) {
+    let (across, along) = (cross(lathe, clear()), z(entry(CLEARANCE)));
+    let [first, then] = if lathe.params.tailstock { [along, across] } else { [across, along] };
+    b.n(23).words(block(lathe, Code::Rapid, [first]));
+    b.words([then]);
 }
 
 /// Copies the operator's variables, and jumps to the alarms of values that the operator must not set.
@@ -372,7 +386,7 @@ fn away_alarm(lathe: &TurningSpindle) -> u32 {
 }
 
 /// Conditions under which the program refuses entries above zero, with the texts of their alarms: no core of the work
-/// is left, nothing is cut, the cut is longer than the work, the keyway does not fit. Their alarm numbers follow that
+/// is left, nothing is cut, the cut is longer than the work, the start is in the stock, the keyway does not fit. Their alarm numbers follow that
 /// of a tool that is not clear.
 fn refusals(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     let name = |number: u32| lathe.control.variable(number);
@@ -381,7 +395,10 @@ fn refusals(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
         ends.iter().map(|end| (entry(*end).ge(entry(STOCK)), format!("{} IS NOT BELOW {}", name(*end), name(STOCK))));
     let [way_name, reach] = [way(lathe), REACH].map(name);
     let too_long = (entry(way(lathe)).gt(entry(REACH)), format!("{way_name} IS MORE THAN {reach}"));
-    core_guard(lathe).into_iter().chain(nothing_to_cut).chain([too_long]).chain(keyway_guards(lathe)).collect()
+    let start_in_stock =
+        (entry(START_X).le(clear()), format!("{} IS NOT ABOVE {}+2*{}", name(START_X), name(STOCK), name(CLEARANCE)));
+    let all = [core_guard(lathe)].into_iter().chain(nothing_to_cut).chain([too_long, start_in_stock]);
+    all.chain(keyway_guards(lathe)).collect()
 }
 
 /// Conditions under which the program refuses a keyway, with the texts of their alarms: longer than its cylinder,
@@ -403,14 +420,15 @@ fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     ]
 }
 
-/// Condition of a finished diameter that leaves nothing of the work, and the text of its alarm. A face ends at the centre or behind it, and a
-/// taper may begin there.
-fn core_guard(lathe: &TurningSpindle) -> Option<(Condition, String)> {
+/// Condition of a finished diameter that leaves nothing of the work, and the text of its alarm. A face ends at the centre or a little behind it,
+/// where the edge leaves no pip; farther on, the work would move against the back of the edge. A taper may begin at the centre, unless that of
+/// the tailstock is there.
+fn core_guard(lathe: &TurningSpindle) -> (Condition, String) {
     let name = lathe.control.variable(FINISHED);
     match lathe.params.path {
-        Path::Facing => None,
-        Path::Turning => Some((entry(FINISHED).le(0), format!("{name} MUST BE ABOVE ZERO"))),
-        Path::Taper => Some((entry(FINISHED).lt(0), format!("{name} MUST NOT BE BELOW ZERO"))),
+        Path::Facing => ((entry(FINISHED) + entry(CLEARANCE) * 2).lt(0), format!("{name} IS FAR BEHIND THE CENTRE")),
+        Path::Taper if !lathe.params.tailstock => (entry(FINISHED).lt(0), format!("{name} MUST NOT BE BELOW ZERO")),
+        Path::Turning | Path::Taper => (entry(FINISHED).le(0), format!("{name} MUST BE ABOVE ZERO")),
     }
 }
 
@@ -496,7 +514,7 @@ fn pass(b: &mut Builder, lathe: &TurningSpindle) {
             let at_face = || entry(FINISHED) + v(LEFT);
             let at_end = || entry(TAPER_END) + v(LEFT);
             b.n(35).assign(BEGIN_X, smaller(at_face, clear)).note("PASS BEGINS, DIAMETER");
-            b.assign(BEGIN_Z, (v(BEGIN_X) - at_face()) * v(SLOPE)).note("PASS BEGINS, Z");
+            b.assign(BEGIN_Z, (at_face() - v(BEGIN_X)) * v(SLOPE)).note("PASS BEGINS, Z");
             b.assign(END_X, smaller(at_end, clear)).note("PASS ENDS, DIAMETER");
             b.words(rapid(vec![cross(lathe, v(BEGIN_X))]));
             b.words([z(v(BEGIN_Z) + entry(CLEARANCE))]);
@@ -526,7 +544,7 @@ fn setup(b: &mut Builder, lathe: &TurningSpindle) {
         (FINISHED, p.finished_diameter, 3, if is_taper { "DIAMETER AT THE FACE" } else { "FINISHED DIAMETER" }, true),
         (TAPER_END, p.large_diameter, 3, "DIAMETER AT THE END", is_taper),
         (way(lathe), p.cut_length(), 3, if is_face { "ALLOWANCE" } else { "LENGTH" }, true),
-        (DEPTH, p.depth, 3, "DEPTH OF CUT", true),
+        (DEPTH, lathe.form.depth, 3, "DEPTH OF CUT", true),
         (SPEED_LIMIT, p.upper_limit, 0, "SPEED LIMIT", true),
         (CLEARANCE, p.clearance, 3, "CLEARANCE", true),
         (START_X, p.start_x, 3, "START X, DIAMETER", true),

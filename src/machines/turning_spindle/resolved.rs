@@ -73,8 +73,15 @@ impl TurningSpindle {
         if !form.has_signed_output(control) {
             params.output = Output::Unipolar;
         }
+        if !form.has_clamp(control) {
+            (params.slides.x.clamp, params.slides.z.clamp) = (form.slides.x.rapid, form.slides.z.rapid);
+        }
+        if !form.has_offsets(control) {
+            (params.offset_zero, params.offset_full) = (0.0, 0.0);
+        }
         // A face is turned to the centre of the work, where the tailstock's centre would be.
         params.tailstock &= params.path != Path::Facing;
+        params.depth = params.greatest_depth();
         // The nearest position of the knob, and S as a whole number where the control reads it so.
         params.override_percent = dialect.spindle().knob.nearest(params.override_percent);
         if control.syntax.integer_addresses.contains(Address::S) {
@@ -225,6 +232,13 @@ impl TurningSpindle {
     /// Spindle rules of the control under its settings.
     pub(super) fn rules(&self) -> SpindleRules {
         self.dialect.spindle()
+    }
+
+    /// Whether no slower gear stage reaches the speeds of the cut.
+    pub(super) fn is_best_stage(&self) -> bool {
+        let best = Params { gear: Gear::Best, ..self.params.clone() };
+        let best = Derived::new(&best, &self.control.analog_output, &self.rules());
+        best.stage.speed >= self.derived.stage.speed
     }
 
     /// Number of the gear stage that the program engages.

@@ -16,7 +16,9 @@ pub(super) fn needed(lathe: &TurningSpindle) -> [f64; 2] {
     let outermost = if p.path == Path::Taper { p.stock_diameter + 2.0 * (p.clearance + p.depth) } else { 0.0 };
     let cut = if p.path == Path::Facing { 0.0 } else { p.length };
     let far = if lathe.keyway().is_some() { cut.max(p.keyway_start + p.keyway_length) } else { cut };
-    [0.5 * (p.start_x.max(outermost) - smallest), p.start_z + far]
+    // A face begins in front of its allowance.
+    let front = if p.path == Path::Facing { p.clearance.max(p.allowance) } else { p.clearance };
+    [0.5 * (p.start_x.max(outermost) - smallest), p.start_z.max(front) + far]
 }
 
 /// Errors about needed travels beyond those of the slides, if these are known.

@@ -459,13 +459,18 @@ impl<'a> Reader<'a> {
         if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if !matches!(op, Op::Atan | Op::Power)) {
             return;
         }
-        let text = self.cursor.line.get(from..self.cursor.at).unwrap_or_default().trim_ascii_end();
+        let read = self.cursor.line.get(from..self.cursor.at).unwrap_or_default();
+        // The reader has passed a comment behind the formula, looking for an operator.
+        let comment = read.iter().position(|&byte| byte == b'(').filter(|_| !self.formulas.rounds);
+        let text = read.get(..comment.unwrap_or(read.len())).unwrap_or_default().trim_ascii_end();
         let mut depth = 0_i32;
         let closed = text.iter().position(|&byte| {
             depth += i32::from(byte == b'[') - i32::from(byte == b']');
             depth <= 0
         });
-        if closed.map(|at| at + 1) != Some(text.len()) {
+        // Behind the closing bracket a round one is that of a comment, on a control that calculates with round ones, too.
+        let rest = closed.map(|at| text.get(at + 1..).unwrap_or_default().trim_ascii_start());
+        if rest.is_none_or(|rest| !rest.is_empty() && !rest.starts_with(b"(")) {
             let to = from + text.len();
             let finding = self.finding(Alarm::Format, from, to, msg!("nc.formula-brackets"));
             self.report_enclosing(Alarm::Format, finding, from, to);

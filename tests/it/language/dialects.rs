@@ -1,8 +1,8 @@
 //! Differences between the controls in reading: one text, read by each of them.
 
 use expect_test::{Expect, expect};
-use macroline::controls;
-use macroline::nc::Parsed;
+use macroline::controls::{self, Switches};
+use macroline::nc::{self, Files, Parsed};
 
 use super::trees::tree;
 use super::{findings, read_on};
@@ -27,6 +27,21 @@ pub(super) fn check(block: &str, expected: Expect) {
         out += &format!("--- {}\n{}", control.name, reading(&read_on(control, &format!("{block}\nM30\n%\n"))));
     }
     expected.assert_eq(&out);
+}
+
+/// On a control that wants a formula in brackets, the comment behind it is no part of it.
+#[test]
+fn comment_behind_a_formula_in_brackets_is_no_part_of_it() {
+    let switches = Switches(vec![("word-formula".to_owned(), "in-brackets".to_owned())]);
+    for control in ["fanuc-0i-tf", "gsk-980tdc"] {
+        let found = |block: &str| {
+            let text = format!("%\nO0001\n{block}\nM30\n%\n");
+            let parsed = nc::parse_with(&Files::one("O0001.nc", &text), controls::find(control).unwrap(), &switches);
+            parsed.diagnostics().iter().map(|found| found.message.id).collect::<Vec<_>>()
+        };
+        assert_eq!(found("G04 X[#8*0.001] (SPINDLE COMES TO ITS SPEED)"), <[&str; 0]>::default());
+        assert_eq!(found("G04 X#8*0.001 (SPINDLE COMES TO ITS SPEED)"), ["nc.formula-brackets"]);
+    }
 }
 
 #[test]

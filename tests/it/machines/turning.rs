@@ -30,7 +30,7 @@ use macroline::view::Verdict;
 
 use super::every_machine::drawn::area;
 use crate::queries;
-use crate::queries::value;
+use crate::queries::{near, value};
 
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
 
@@ -625,6 +625,8 @@ fn part_beyond_the_travels_is_an_error() {
     ));
     // Unknown, or far enough: from the start at 150 mm to a diameter of 20 mm, 100 mm and the length along the part.
     expect![[""]].assert_eq(&findings("gsk-980tdc", &[("path", "turning"), ("travel-x", "65"), ("travel-z", "160")]));
+    // A face begins in front of its allowance, which may be farther out than the start.
+    near(value(&project("gsk-980tdc", &[("allowance", "70"), ("start-z", "10")]), "z-travel"), 70.0, 1e-9);
 }
 
 #[test]

@@ -11,14 +11,14 @@ use crate::view::Limit::{AtLeast, AtMost, Within};
 
 pub(super) fn tool_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
-    too_fast(lathe.derived.speeds.tool, p.tool_limit, p.tool_ratio, |speed| {
+    too_fast(lathe, lathe.derived.speeds.tool, p.tool_limit, p.tool_ratio, |speed| {
         msg!("polygon.tool-too-fast", limit = (p.tool_limit, 0), speed)
     })
 }
 
 pub(super) fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
-    too_fast(lathe.derived.speeds.work, p.work_limit, p.work_ratio, |speed| {
+    too_fast(lathe, lathe.derived.speeds.work, p.work_limit, p.work_ratio, |speed| {
         msg!("polygon.work-too-fast", limit = (p.work_limit, 0), speed)
     })
 }
@@ -43,7 +43,16 @@ pub(super) fn fastest(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-fast", speed = (speed, 0)))])
 }
 
-fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) -> Option<Judgement> {
+/// Judges a speed (r/min) of an axis against its limit, `term` its ratio to B. Where the feed override acts on work and tool, the limit is that
+/// at 100 % with which the axis keeps its own at the highest position.
+fn too_fast(
+    lathe: &PolygonLathe,
+    speed: f64,
+    limit: f64,
+    term: f64,
+    advice: impl Fn(f64) -> Message,
+) -> Option<Judgement> {
+    let limit = lathe.limit_at_full_feed(limit);
     if speed.abs() <= limit {
         return ok(Within(limit));
     }

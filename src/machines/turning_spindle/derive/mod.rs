@@ -14,7 +14,7 @@ mod speeds;
 mod stage;
 mod times;
 
-pub(super) use passes::PASSES;
+pub(super) use passes::{PASSES, TRACE};
 
 use super::params::Params;
 use crate::controls::{AnalogOutput, SpindleRules};

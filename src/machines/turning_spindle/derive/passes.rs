@@ -4,31 +4,41 @@ use crate::drives::cutting::Cut;
 use crate::machines::turning_spindle::params::{Params, Path};
 use crate::math;
 
+/// Stock (mm) that is no pass of its own: half of the least increment of X and Z. The sums of the program end within it.
+pub(in crate::machines::turning_spindle) const TRACE: f64 = 0.0005;
+
 /// Greatest number of passes.
 pub(in crate::machines::turning_spindle) const PASSES: f64 = 2000.0;
 
 impl Params {
+    /// Stock to cut, mm: along Z on a face, else in diameter.
+    fn stock(&self) -> f64 {
+        match self.path {
+            Path::Facing => self.allowance,
+            Path::Turning => self.stock_diameter - self.finished_diameter,
+            Path::Taper => self.stock_diameter - self.finished_diameter.min(self.large_diameter),
+        }
+    }
+
+    /// What a depth of cut of 1 mm takes from the stock to cut, mm.
+    fn taken(&self) -> f64 {
+        if self.path == Path::Facing { 1.0 } else { 2.0 }
+    }
+
+    /// The entered depth of cut, at most the whole stock: deeper, the tool would still cut no more in its single pass. mm.
+    pub(in crate::machines::turning_spindle) fn greatest_depth(&self) -> f64 {
+        let whole = self.stock() / self.taken();
+        if whole > 0.0 { self.depth.min(whole) } else { self.depth }
+    }
+
     /// Passes from stock to finished part.
     pub(in crate::machines::turning_spindle) fn passes(&self) -> f64 {
-        let depth = match self.path {
-            Path::Facing => self.allowance,
-            Path::Turning => 0.5 * (self.stock_diameter - self.finished_diameter),
-            Path::Taper => 0.5 * (self.stock_diameter - self.finished_diameter.min(self.large_diameter)),
-        };
-        // Nine decimals: 0.3 / 0.1 is three passes.
-        math::clamp(math::whole_up(depth / self.depth), 0.0, PASSES)
+        math::clamp(math::whole_up((self.stock() - TRACE) / (self.taken() * self.depth)), 0.0, PASSES)
     }
 
     /// Stock that remains after pass `pass` (from 1), mm: along Z on a face, else in diameter.
     pub(in crate::machines::turning_spindle) fn left(&self, pass: f64) -> f64 {
-        match self.path {
-            Path::Facing => (self.allowance - pass * self.depth).max(0.0),
-            Path::Turning => (self.stock_diameter - self.finished_diameter - 2.0 * pass * self.depth).max(0.0),
-            Path::Taper => {
-                let small = self.finished_diameter.min(self.large_diameter);
-                (self.stock_diameter - small - 2.0 * pass * self.depth).max(0.0)
-            }
-        }
+        (self.stock() - pass * self.taken() * self.depth).max(0.0)
     }
 
     /// The cuts of a pass (from 1), one or two. They begin at the clearance.

@@ -22,6 +22,8 @@ pub(super) fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
     }
     if p.path == Path::Turning && p.finished_diameter <= 0.0 || largest <= 0.0 && p.path == Path::Taper {
         found.push(Diagnostic::error(msg!("turning.nothing-left")).about("finished-diameter"));
+    } else if p.tailstock && p.finished_diameter <= 0.0 {
+        found.push(Diagnostic::error(msg!("turning.cone-in-tailstock")).about("finished-diameter"));
     }
     if p.passes() >= PASSES {
         found.push(Diagnostic::error(msg!("turning.too-many-passes", count = PASSES)).about("depth"));

@@ -22,11 +22,12 @@ fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= FEW_VOLTS {
         return ok(limit);
     }
-    let several = lathe.params.stages().nth(1).is_some();
-    let advice = if several {
-        with_best_stage(lathe, msg!("turning.few-volts", volts = (volts, 3)))
-    } else {
+    let advice = if lathe.params.stages().nth(1).is_none() {
         msg!("turning.few-volts-alone", volts = (volts, 3)).into()
+    } else if lathe.is_best_stage() {
+        msg!("turning.few-volts-lowest", volts = (volts, 3)).into()
+    } else {
+        with_best_stage(lathe, msg!("turning.few-volts", volts = (volts, 3)))
     };
     warn(limit, [advice])
 }
@@ -36,8 +37,12 @@ pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { derived: d, params: p, .. } = lathe;
     if d.speeds.bound == Bound::Output {
         let asked = if lathe.rules().low_always { d.speeds.asked.max(p.lower_limit) } else { d.speeds.asked };
-        let advice =
-            msg!("turning.output-full", stage = f64::from(d.stage.number), full = (d.stage.top, 0), speed = (asked, 0));
+        let (full, speed) = ((d.stage.top, 0), (asked, 0));
+        let advice = if lathe.params.stages().nth(1).is_some() {
+            msg!("turning.output-full", stage = f64::from(d.stage.number), full, speed)
+        } else {
+            msg!("turning.output-full-alone", full, speed)
+        };
         return fail(None, [full_output::remedy(lathe, advice)]);
     }
     if d.speeds.bound == Bound::Gear && lathe.surface() && d.stage.top < p.upper_limit {

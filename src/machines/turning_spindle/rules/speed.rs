@@ -1,10 +1,11 @@
 //! The rules of the spindle's speed: the chuck's limit, the diameter at which the limit binds, and the acceleration needed in the cut.
 
+use super::knob_positions::at_knobs;
 use super::remedies::with_feed;
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::machines::form::entry::at_most;
 use crate::machines::turning_spindle::params::{FIELDS, Params};
-use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
 use crate::machines::turning_spindle::run_up::programmed_speed_of;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
@@ -61,8 +62,17 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
             [with_feed(lathe, d.acceleration.ramp / d.acceleration.needed, advice)],
         );
     }
-    // A spindle without a ramp has no limit.
-    ok(Some(AtMost(d.acceleration.ramp)).filter(|_| d.acceleration.ramp.is_finite()))
+    if d.acceleration.ramp.is_infinite() {
+        return ok(None);
+    }
+    at_knobs(lathe, d.acceleration.ramp, acceleration_demand, |cut, (needed, ramp)| {
+        let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
+        msg!("turning.lags-at-knobs", feed, spindle, needed = (needed, 0), acceleration = (ramp, 0))
+    })
+}
+
+fn acceleration_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    (cut.derived.acceleration.needed, cut.derived.acceleration.ramp)
 }
 
 /// The limits of the speed against each other.

@@ -355,6 +355,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("slides.no-ramp", "a deed: another motor"),
     ("slides.weight-too-heavy", "a deed: another screw or motor, or a counterweight"),
     ("turning.few-volts-alone", "a deed: a spindle with gear stages"),
+    ("turning.few-volts-lowest", "a deed: a spindle with more gear stages"),
     ("lathe.friction-stalls-at-knob", "a deed: the knob below its end"),
     ("lathe.friction-stalls", "a deed: less friction, or another motor"),
     ("turning.gear-delay-too-short", "a deed: a parameter of the control, with its value in the sheet"),

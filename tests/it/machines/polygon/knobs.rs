@@ -83,6 +83,21 @@ fn feed_knob_on_all_axes_leaves_the_chips() {
     assert_eq!(readout(&fast, "tool-torque").verdict, Verdict::Ok);
 }
 
+/// The knob at 150 % turns them at one and a half times their speeds: two thirds of each limit are left at 100 %.
+#[test]
+fn feed_knob_on_all_axes_lowers_the_limits_of_speed() {
+    let mut fast = project(&[("speed", "200"), ("work-limit", "299"), ("tool-limit", "601")]);
+    assert_eq!(readout(&fast, "work-speed").verdict, Verdict::Ok);
+    fast.switches.0.push(("pmc-override".to_owned(), "acts".to_owned()));
+    let [work, tool] = ["work-speed", "tool-speed"].map(|id| readout(&fast, id));
+    assert_eq!((work.verdict, tool.verdict), (Verdict::Fail, Verdict::Ok));
+    near(work.limit.unwrap().value(), 299.0 / 1.5, 1e-9);
+    let slower = fast.with_entries(&work.advice[0].entries).unwrap();
+    assert_eq!(readout(&slower, "work-speed").verdict, Verdict::Ok);
+    // The program refuses what the result refuses.
+    assert!(fast.written().files.0.iter().any(|file| file.text.contains("GT 199.]")));
+}
+
 #[test]
 fn feed_knob_that_overloads_the_main_motor_warns() {
     // 1750 N/mm² · 2 mm · 0.5 mm: 23.9 of 32.2 Nm, and 34.8 Nm at 150 %.

@@ -89,6 +89,17 @@ impl Dice {
     }
 }
 
+/// A polygon on a turned end is as deep as that end, until the body of the cutter comes to the bar at its shoulder.
+#[test]
+fn cutter_meets_the_bar_at_the_shoulder_of_a_turned_end() {
+    let reach = |length| {
+        let end = [("before", "true"), ("before-diameter", "24"), ("before-length", "40"), ("insert-width", "8")];
+        let square = [("stock-diameter", "60"), ("across-flats", "20"), ("length", length)];
+        value(&project(&[&end[..], &square].concat()), "reach")
+    };
+    assert_eq!((reach("32"), reach("32.001"), reach("40")), (2.0, 20.0, 20.0));
+}
+
 #[test]
 fn no_rapid_goes_through_stock_shoulders_or_jaws() {
     let mut dice = Dice(13);

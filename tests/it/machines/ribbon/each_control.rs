@@ -403,7 +403,9 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
             No.069 |  |  | 1 |  | 1: spindle encoder fitted
             No.070 |  |  | 1024 |  | lines of the spindle encoder, 100 to 10000
+            No.072 |  |  | 0 | ms | delay until the signal of reached speed is looked at
             No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
+            No.175#6 |  |  | 0 |  | 1: cuts wait for the signal of reached speed
             No.187#0 |  | C | 01 |  | kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none
             No.196#4 |  |  | 0 |  | 1: several spindles
             No.252 |  | X | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
@@ -444,6 +446,8 @@ fn lathe_parameter_sheets_match_their_goldens() {
             2179 |  | Z | 809 |  | denominator of the reference counter, where it is no whole number
             3202#4 | NE9 |  | 0 |  | 1: programs 9000 to 9999 cannot be edited; 0 to load O9120
             3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog; or 3716#0, where 0 is analog
+            3708#0 | SAR |  | 0 |  | 1: cuts wait for the signal of reached speed
+            3740 |  |  | 0 | ms | delay until the signal of reached speed is looked at
             3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
             3771 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
             3772 |  |  | 1480 | r/min | spindle speed clamp, 0: none

@@ -225,6 +225,8 @@ fn entries_that_cut_too_deep_or_too_far_are_refused() {
             ("taper", 103, -1.0, "MUST NOT BE BELOW ZERO"),
             ("turning", 105, 500.0, "IS MORE THAN"),
             ("facing", 114, 500.0, "IS MORE THAN"),
+            ("facing", 103, -50.0, "IS FAR BEHIND THE CENTRE"),
+            ("turning", 111, 20.0, "IS NOT ABOVE"),
         ] {
             let mut planner = run_set(&project(control, &[("path", path), ("depth", "5")]), number, value);
             let before = planner.timeline().words_at(0.0);

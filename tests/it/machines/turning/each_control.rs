@@ -230,12 +230,12 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     N36 G01 X#4 F#2
             mitsubishi-e60  N36 G01 X[#4/2] F#2
         jump of the loop
-            gsk-980tdc      N31 WHILE[#11 GT 0]DO1
-            sinumerik-802d  N31 LB31: IF R11<=0 GOTOF LB50
-            sinumerik-808d  N31 LB31: IF R11<=0 GOTOF LB50
-            knd-k2000t      N31 WHILE[#11 GT 0]DO1
-            fanuc-0i-tf     N31 WHILE[#11 GT 0]DO1
-            mitsubishi-e60  N31 WHILE[#11 GT 0]DO1
+            gsk-980tdc      N31 IF[#7 LE #11]GOTO32
+            sinumerik-802d  N31 IF R7<=R11 GOTOF LB32
+            sinumerik-808d  N31 IF R7<=R11 GOTOF LB32
+            knd-k2000t      N31 IF[#7 LE #11]GOTO32
+            fanuc-0i-tf     N31 IF[#7 LE #11]GOTO32
+            mitsubishi-e60  N31 IF[#7 LE #11]GOTO32
         entry of 0
             gsk-980tdc      alarm 5902
             sinumerik-802d  message, stop

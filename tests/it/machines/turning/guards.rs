@@ -122,10 +122,10 @@ fn lower_limit_that_lifts_the_cutting_speed_is_named() {
     assert!(!shaft("1023").contains(&"turning.lower-limit-lifts"));
 }
 
-/// A feed above the clamp of its slide is cut at the clamp: 7.5 mm at 50 mm/min and 36 mm at 500.
+/// A feed above the clamp of its slide is cut at the clamp: 7.5 mm at 50 mm/min and 36 mm at 500. On this control rapid traverse clamps it.
 #[test]
 fn keyway_takes_the_time_of_its_clamps() {
-    let fast = keyway(&[("keyway-feed", "20000"), ("clamp-z", "500")]);
+    let fast = keyway(&[("keyway-feed", "20000"), ("rapid-z", "500")]);
     assert!(warnings(&fast).contains(&"turning.keyway-above-clamp"));
     near(value(&fast, "keyway-time"), 60.0 * (7.5 / 50.0 + 36.0 / 500.0), 0.01);
 }
@@ -311,13 +311,100 @@ fn passes_of_a_taper_stay_at_the_stock() {
                 )
             };
             for t in cuts.iter().flat_map(|(from, to)| [*from, *to]) {
-                assert!(place(t).0 < 84.001, "{control} {face} to {end}: {:?} at {t}", place(t));
+                let (diameter, z) = place(t);
+                assert!(diameter < 84.001 && z < 2.001, "{control} {face} to {end}: {:?} at {t}", place(t));
             }
             // Every second of these blocks goes along the cone.
             let last = cuts.last().map(|(from, to)| (place(*from), place(*to))).unwrap();
             let wanted = ((face, 0.0), (end, -60.0));
             let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-3 && (a.1 - b.1).abs() < 1e-3;
             assert!(near(last.0, wanted.0) && near(last.1, wanted.1), "{control} {face} to {end}: {last:?}");
+        }
+    }
+}
+
+/// A cone that falls towards the chuck is cut for as long as its results say, although its first passes begin behind the face.
+#[test]
+fn falling_cone_takes_the_calculated_time() {
+    for depth in ["1", "3", "12", "40"] {
+        let entries = [
+            ("path", "taper"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "58"),
+            ("large-diameter", "30"),
+            ("length", "60"),
+            ("depth", depth),
+        ];
+        let lathe = ideal("fanuc-0i-tf", &entries);
+        let planner = over_time(&lathe);
+        let took: f64 = cuts(&lathe, &planner).iter().map(|(from, to)| to - from).sum();
+        near(took, value(&lathe, "cutting-time"), 1e-4 * took);
+    }
+}
+
+/// The start of the tool is where it crosses the work on its way back: by variables, too, it stays outside of the stock.
+#[test]
+fn program_refuses_a_start_in_the_stock() {
+    let (_, log) = with_variables(&keyway(&[]), &[(102, 180.0), (103, 176.0)]);
+    assert!(log.iter().any(|line| line.contains("R111 IS NOT ABOVE R102+2*R108")), "{log:?}");
+    assert!(!log.iter().any(|line| line.contains("rapid")), "nothing moves: {log:?}");
+}
+
+/// In front of work that a tailstock holds are its centre and its quill: the tool goes along beside the work, and across only at the face.
+#[test]
+fn tool_keeps_beside_a_tailstock() {
+    for control in machine().controls() {
+        let held = [("path", "turning"), ("tailstock", "true"), ("stock-diameter", "20"), ("finished-diameter", "16")];
+        let lathe = ideal(control, &[&held[..], &[("length", "60")]].concat());
+        let planner = over_time(&lathe);
+        let [x, z] = [Address::X, Address::Z].map(|letter| lathe.control.axis(letter).unwrap());
+        let end = planner.timeline().end();
+        for at in 0..=2000 {
+            let axes = planner.timeline().at(end * f64::from(at) / 2000.0).axes;
+            let (diameter, along) = (2.0 * axes[x].position, axes[z].position);
+            assert!(along < 2.001 || diameter > 149.999, "{control}: Ø {diameter} at Z {along}");
+        }
+    }
+}
+
+#[test]
+fn cone_to_the_centre_excludes_a_tailstock() {
+    let cone = |tailstock| {
+        let entries = [("path", "taper"), ("finished-diameter", "0"), ("tailstock", tailstock)];
+        errors(&project("fanuc-0i-tf", &entries))
+    };
+    assert_eq!(cone("false"), []);
+    assert_eq!(cone("true"), [("finished-diameter", "turning.cone-in-tailstock")]);
+}
+
+/// The entered depth may be more than the stock: one pass of what there is, with its force, and no way back beyond the stock.
+#[test]
+fn depth_above_the_stock_is_one_pass_of_the_stock() {
+    for path in ["facing", "turning", "taper"] {
+        let lathe = |depth| {
+            let entries =
+                [("path", path), ("allowance", "0.3"), ("stock-diameter", "60"), ("finished-diameter", "59.4")];
+            let more = [("large-diameter", "59.7"), ("material", "c45"), ("depth", depth)];
+            ideal("fanuc-0i-tf", &[&entries[..], &more].concat())
+        };
+        let [exact, deep] = ["0.3", "60"].map(lathe);
+        for id in ["passes", "power", "torque", "cutting-time", "x-travel", "z-travel"] {
+            near(value(&deep, id), value(&exact, id), 1e-9);
+        }
+        let (_, log) = with_variables(&deep, &[]);
+        assert_eq!(log, with_variables(&exact, &[]).1, "{path}");
+    }
+}
+
+/// Sums of tenths end beside zero: no pass cuts nothing.
+#[test]
+fn passes_of_a_tenth_are_as_many_as_calculated() {
+    for control in machine().controls() {
+        for entries in [[("path", "turning"), ("depth", "0.1")], [("path", "facing"), ("depth", "0.1")]] {
+            let stock = [("stock-diameter", "60"), ("finished-diameter", "50"), ("allowance", "1"), ("length", "20")];
+            let lathe = ideal(control, &[&entries[..], &stock].concat());
+            let passes = cuts(&lathe, &over_time(&lathe)).len();
+            near(passes as f64, value(&lathe, "passes"), 0.1);
         }
     }
 }

@@ -84,14 +84,16 @@ fn force_on_the_slides_is_judged_at_the_feed_knob() {
 #[test]
 fn bending_is_judged_at_the_end_of_the_feed_knob() {
     let lathe = |length: &'static str| {
-        shaft("gsk-980tdc", &[("work-length", length), ("motor-power", "30"), ("finished-diameter", "64")])
+        let cut =
+            [("work-length", length), ("motor-power", "30"), ("stock-diameter", "70"), ("finished-diameter", "64")];
+        shaft("gsk-980tdc", &cut)
     };
-    let bends = readout(&lathe("310"), "bending");
+    let bends = readout(&lathe("340"), "bending");
     assert!((0.075..0.1).contains(&bends.value), "{}", bends.value);
-    let advice = warning(&lathe("310"), "bending");
+    let advice = warning(&lathe("340"), "bending");
     let shown = format!("{:.2} mm", bends.value * math::pow(1.5, 0.78));
     assert!(advice.contains(&shown) && advice.contains("150 %"), "{advice}: {shown}");
-    assert_eq!(mended(&lathe("310"), "bending").verdict, Verdict::Ok);
+    assert_eq!(mended(&lathe("340"), "bending").verdict, Verdict::Ok);
 }
 
 fn row(sizing: &Sizing, event: OperatingEvent, id: &str) -> (f64, Option<f64>) {
