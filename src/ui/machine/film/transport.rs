@@ -3,6 +3,8 @@
 use leptos::html;
 use leptos::prelude::*;
 
+use crate::msg;
+use crate::text::LineIndex;
 use crate::text::catalog::number_text;
 use crate::ui::dom;
 use crate::ui::parts::input::{Choice, number};
@@ -56,7 +58,7 @@ fn Clock() -> impl IntoView {
     player.paint(move |moment| {
         let now = Some(moment.speed).filter(|_| player.speed.get_untracked() == 0.0);
         if let Some(rate) = rate.get_untracked().filter(|_| now != last_rate) {
-            let words = now.map(|now| sentence(&crate::msg!("page.rate-now", rate = speed_text(now))));
+            let words = now.map(|now| sentence(&msg!("page.rate-now", rate = speed_text(now))));
             dom::set_text(&rate, &words.unwrap_or_default());
             last_rate = now;
         }
@@ -79,23 +81,35 @@ fn Clock() -> impl IntoView {
     }
 }
 
-/// Text of the running block; where there is little room, its number alone.
+/// Text of the running block; where there is little room, its number or its line alone, in a slot of fixed width.
 #[component]
 fn RunningBlock() -> impl IntoView {
     let page = Page::here();
-    let text = move || {
+    let block = Memo::new(move |_| {
         let place = page.player.running.get()?;
         page.program.written.with(|written| {
             let file = written.files.get(place.file)?;
-            Some(place.span.of(&file.text).trim().to_owned())
+            let text = place.span.of(&file.text).trim().to_owned();
+            let line = sequence_number(&text).is_none().then(|| LineIndex::new(&file.text).line_of(place.span.start));
+            Some((text, line))
+        })
+    });
+    let parts = move || {
+        block.with(|block| {
+            let (text, line) = block.as_ref()?;
+            let (number, words) = text.split_at(sequence_number(text).map_or(0, str::len));
+            let line = line.map(|line| view! { <i>{sentence(&msg!("page.block-line", line))}</i> });
+            Some(view! { {line}{number.to_owned()}<span>{words.to_owned()}</span> })
         })
     };
-    let parts = move || {
-        let text = text().unwrap_or_default();
-        let (number, words) = text.split_at(text.find(' ').filter(|_| text.starts_with('N')).unwrap_or(text.len()));
-        view! { {number.to_owned()}<span>{words.to_owned()}</span> }
-    };
-    view! { <code class="where">{parts}</code> }
+    let title = move || block.with(|block| block.as_ref().map(|(text, _)| text.clone()));
+    view! { <code class="where" title=title>{parts}</code> }
+}
+
+/// The sequence number `N10` at the start of a block.
+fn sequence_number(text: &str) -> Option<&str> {
+    let digits = text.strip_prefix('N')?.bytes().take_while(u8::is_ascii_digit).count();
+    (digits != 0).then(|| text.get(..=digits)).flatten()
 }
 
 /// Input of a time (s) to which the play head goes.
@@ -197,8 +211,46 @@ mod tests {
         bench.seek(3.0).await;
         let place = bench.page.player.running.get_untracked().unwrap();
         let text = bench.page.program.text(place.file.0 as usize);
-        assert_eq!(bench.text(".where"), place.span.of(&text).trim());
-        assert!(!bench.text(".where").is_empty());
+        let block = place.span.of(&text).trim();
+        assert!(!block.is_empty() && bench.text(".where").ends_with(block));
+        assert_eq!(bench.attribute(".where", "title"), block);
+    }
+
+    #[wasm_bindgen_test]
+    async fn running_block_without_a_number_has_its_line() {
+        let bench = transport().await;
+        let page = bench.page;
+        let place = |is_numbered: bool| {
+            page.program.written.with_untracked(|written| {
+                let deck = written.parsed.deck();
+                let found = deck.programs.iter().find_map(|program| {
+                    let text = &written.files.get(program.file)?.text;
+                    let fits = |block: &&crate::nc::Block| {
+                        let block = block.span.of(text).trim();
+                        !block.is_empty() && sequence_number(block).is_some() == is_numbered
+                    };
+                    let block = deck.blocks_of(program).iter().find(fits)?;
+                    Some((crate::text::Place { file: program.file, span: block.span }, text.clone()))
+                });
+                found.unwrap()
+            })
+        };
+        let (numbered, _) = place(true);
+        page.player.running.set(Some(numbered));
+        settled().await;
+        assert!(!bench.has(".where i") && bench.text(".where").starts_with('N'));
+        let (other, text) = place(false);
+        page.player.running.set(Some(other));
+        settled().await;
+        let line = LineIndex::new(&text).line_of(other.span.start);
+        assert_eq!(bench.text(".where i"), sentence(&msg!("page.block-line", line)));
+        assert_eq!(bench.text(".where span"), other.span.of(&text).trim());
+    }
+
+    #[wasm_bindgen_test]
+    fn sequence_number_is_n_with_digits() {
+        let read = ["N45 G01", "N7", "NEXT:", "G04 X1", "/N10 G0"].map(sequence_number);
+        assert_eq!(read, [Some("N45"), Some("N7"), None, None, None]);
     }
 
     #[wasm_bindgen_test]
@@ -217,7 +269,7 @@ mod tests {
         let bench = transport().await;
         bench.seek(3.0).await;
         let visible = bench.page.project.with_untracked(|project| project.machine.info().speed);
-        let told = |speed| sentence(&crate::msg!("page.rate-now", rate = speed_text(speed)));
+        let told = |speed| sentence(&msg!("page.rate-now", rate = speed_text(speed)));
         assert!([visible, 2.0].map(told).contains(&bench.text(".rate")), "{}", bench.text(".rate"));
         bench.choose(".speed", "0.1").await;
         bench.drawn().await;
