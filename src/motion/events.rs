@@ -99,7 +99,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.scan(0.0);
     }
 
-    /// Records a change of the control's mode or of the executing block.
+    /// Records a change of the control's mode or of the executing block, and each start of a block.
     fn mark(&mut self, t: f64) {
         let mode = self.state.exec.mode(self.holding());
         let runs = self.state.exec.runs() && mode != Mode::Hold;
@@ -108,10 +108,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.state.clock.since = runs.then_some(t);
         }
         self.state.mode = mode;
-        let mark = Activity { t, mode, place: self.state.place.unwrap_or_default(), begun: self.state.place.is_some() };
-        let same = |last: &Activity| last.mode == mark.mode && last.begun == mark.begun && last.place == mark.place;
-        if !self.out.timeline.marks.last().is_some_and(same) {
-            self.out.timeline.marks.put(mark);
+        let (place, begun) = (self.state.place.unwrap_or_default(), self.state.place.is_some());
+        let begins = core::mem::take(&mut self.state.begins);
+        let last = self.out.timeline.marks.last().filter(|last| last.begun == begun && last.place == place);
+        if begins || last.is_none_or(|last| last.mode != mode) {
+            // A mark of the same time is replaced; the start of the same block stays.
+            let is_start = begins || last.is_some_and(|last| last.t == t && last.is_start);
+            self.out.timeline.marks.put(Activity { t, mode, place, begun, is_start });
         }
     }
 }

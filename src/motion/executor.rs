@@ -108,6 +108,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.state.reader.executed = block;
         self.state.operator.stepped |= first;
         self.state.place = Some(place);
+        self.state.begins |= first;
         match canon {
             Canon::Rapid { to } => {
                 let end = self.goal(&to);

@@ -170,6 +170,8 @@ pub(super) struct SimState<P> {
     pub(super) exec: Exec,
     /// The executing block.
     pub(super) place: Option<Place>,
+    /// Whether the executing block began with the present event.
+    pub(super) begins: bool,
     pub(super) path: PathState,
     pub(super) operator: OperatorState,
     pub(super) suppressed: Suppressed,
@@ -194,6 +196,7 @@ impl<P> SimState<P> {
             reader: ReaderState::default(),
             exec: Exec::Idle,
             place: None,
+            begins: false,
             path: PathState {
                 position: [0.0; AXES],
                 rest_since: f64::NEG_INFINITY,

@@ -19,6 +19,8 @@ pub(super) struct Activity {
     pub(super) mode: Mode,
     /// Whether a block has begun since the start of the run.
     pub(super) begun: bool,
+    /// Whether an execution of the block begins here; not so where its next step begins, or the mode changes.
+    pub(super) is_start: bool,
 }
 
 /// A common variable has this value from `t` on; NaN is vacant.
@@ -233,6 +235,16 @@ impl Timeline {
         // A block may have several marks, for instance a wait and its motion.
         let begins = move |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
         (0..marks.len()).filter(begins).map(move |at| marks[at].t)
+    }
+
+    /// Times (s) at which executions of a block within a place begin, in the planned part; also those that follow one another directly.
+    /// Executions without duration have none.
+    pub fn starts(&self, place: Place) -> impl Iterator<Item = f64> {
+        let span = place.span.start..place.span.end;
+        let there = move |mark: &&Activity| {
+            mark.is_start && mark.place.file == place.file && span.contains(&mark.place.span.start)
+        };
+        self.marks.until(f64::INFINITY).iter().filter(there).map(|mark| mark.t)
     }
 
     /// Visits of two axes, by their commands, to the region where both are below their limits, up to `t`. Deviations of arcs are ignored.

@@ -3,9 +3,11 @@
 use leptos::prelude::*;
 
 use crate::msg;
+use crate::nc::{Parsed, Stmt};
+use crate::text::Place;
 use crate::ui::state::player::next_begin;
 use crate::ui::state::{Page, stepping};
-use crate::ui::words::{clock, sentence};
+use crate::ui::words::{clock, sentence, t};
 
 /// The times of the block at the cursor. Without a block there it is absent.
 #[component]
@@ -15,15 +17,22 @@ pub(super) fn BlockTimes() -> impl IntoView {
     let times = Memo::new(move |_| {
         let (_, place) = stepping::at_cursor(page)?;
         player.plans.track();
-        Some(player.ask_planner(|run| run.timeline().begins(place).collect::<Vec<_>>()).unwrap_or_default())
+        Some(player.ask_planner(|run| run.timeline().starts(place).collect::<Vec<_>>()).unwrap_or_default())
+    });
+    let calculates = Memo::new(move |_| {
+        let Some((_, place)) = stepping::at_cursor(page) else { return false };
+        page.program.written.with(|written| is_calculation(&written.parsed, place))
     });
     let shown = Memo::new(move |_| {
         times.with(|times| {
             let times = times.as_ref()?;
-            let next = next_begin(times, player.now.with(|now| now.t));
-            Some(match next {
-                Some(t) => sentence(&msg!("page.block-begins", count = times.len() as u32, at = clock(t))),
-                None => sentence(&msg!("page.block-never-begins")),
+            let head = player.now.with(|now| now.t);
+            let count = times.len() as u32;
+            Some(match next_begin(times, head) {
+                Some(at) if at > head => sentence(&msg!("page.block-begins", count, at = clock(at))),
+                Some(at) => sentence(&msg!("page.block-began", count, at = clock(at))),
+                None if calculates.get() => t("page.block-calculates").to_owned(),
+                None => t("page.block-never-begins").to_owned(),
             })
         })
     });
@@ -37,6 +46,26 @@ pub(super) fn BlockTimes() -> impl IntoView {
     }
 }
 
+/// Whether a block calculates or jumps: it acts when the control reads it, and has no time of its own in the run.
+fn is_calculation(parsed: &Parsed, place: Place) -> bool {
+    let deck = parsed.deck();
+    let programs = deck.programs.iter().filter(|program| program.file == place.file);
+    let block = programs.flat_map(|program| deck.blocks_of(program)).find(|block| block.span == place.span);
+    block.is_some_and(|block| {
+        matches!(
+            block.stmt,
+            Stmt::Assign { .. }
+                | Stmt::Assigns { .. }
+                | Stmt::If { .. }
+                | Stmt::Ifs { .. }
+                | Stmt::IfThen { .. }
+                | Stmt::Goto { .. }
+                | Stmt::While { .. }
+                | Stmt::End { .. }
+        )
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
@@ -44,7 +73,6 @@ mod tests {
     use super::*;
     use crate::text::FileId;
     use crate::ui::testing::{ViewBench, mount, settled};
-    use crate::ui::words::t;
 
     /// Sets the cursor to the first line of the first program that has a text.
     async fn cursor(bench: &ViewBench, text: &str) {
@@ -63,18 +91,35 @@ mod tests {
         bench.run().await;
         assert!(!bench.has(".begins"));
         cursor(&bench, "M30").await;
-        assert!(bench.text(".begins").contains("Runs 1 time "), "{}", bench.text(".begins"));
+        assert!(bench.text(".begins").starts_with("Runs 1 time · next at "), "{}", bench.text(".begins"));
         assert_eq!(bench.page.player.head(), 0.0);
         bench.press(".begins").await;
         let head = bench.page.player.head();
-        assert!(head > 0.0 && bench.text(".begins").contains(&clock(head)), "{}", bench.text(".begins"));
+        let last = format!("Runs 1 time · last at {}", clock(head));
+        assert!(head > 0.0 && bench.text(".begins").starts_with(&last), "{}", bench.text(".begins"));
     }
 
     #[wasm_bindgen_test]
-    async fn block_that_does_not_run_has_a_note() {
+    async fn executions_in_direct_succession_are_counted() {
         let bench = mount(|| view! { <BlockTimes /> }).await;
         bench.run().await;
-        cursor(&bench, "#3000").await;
-        assert_eq!(bench.text(".begins"), t("page.block-never-begins"));
+        // Between two dots there are calculations alone.
+        cursor(&bench, "N44 G01").await;
+        let (_, place) = untrack(|| stepping::at_cursor(bench.page)).unwrap();
+        let player = bench.page.player;
+        let count = player.ask_planner(|run| run.timeline().starts(place).count()).unwrap();
+        let once = player.ask_planner(|run| run.timeline().begins(place).count()).unwrap();
+        assert!(count > once, "{count} {once}");
+        let told = bench.text(".begins");
+        assert!(told.starts_with(&format!("Runs {count} times")), "{told}");
+    }
+
+    #[wasm_bindgen_test]
+    async fn calculation_is_said_to_take_no_time() {
+        let bench = mount(|| view! { <BlockTimes /> }).await;
+        bench.run().await;
+        cursor(&bench, "N45 #").await;
+        assert_eq!(bench.text(".begins"), t("page.block-calculates"));
+        assert!(bench.has(".begins:disabled"));
     }
 }

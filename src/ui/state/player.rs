@@ -246,10 +246,10 @@ impl Player {
         planned.is_over && self.head() >= planned.end
     }
 
-    /// Goes to the next time at which a block within a place begins; from the end of the run to the first one.
+    /// Goes to the next start of a block within a place; after the last one, back to that.
     pub(crate) fn seek_block(self, place: Place) {
         let head = self.head();
-        let to = self.ask_planner(|run| next_begin(&run.timeline().begins(place).collect::<Vec<_>>(), head)).flatten();
+        let to = self.ask_planner(|run| next_begin(&run.timeline().starts(place).collect::<Vec<_>>(), head)).flatten();
         if let Some(t) = to {
             self.playing.set(false);
             self.seek(t);
@@ -486,7 +486,7 @@ impl Player {
     }
 }
 
-/// The first of these rising times after the play head, else the first of all; none without times.
+/// The first of these rising times after the play head, else the last of all; none without times.
 pub(crate) fn next_begin(times: &[f64], head: f64) -> Option<f64> {
-    times.get(times.partition_point(|t| *t <= head)).or(times.first()).copied()
+    times.get(times.partition_point(|t| *t <= head)).or(times.last()).copied()
 }

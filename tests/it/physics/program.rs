@@ -5,6 +5,7 @@ use std::rc::Rc;
 use macroline::controls::{Address, Dialect, Switches};
 use macroline::interp::{Interp, StartProgram};
 use macroline::nc::{Files, parse, parse_with};
+use macroline::text::{FileId, Place, Span};
 
 use super::*;
 use crate::queries::first_at;
@@ -116,6 +117,29 @@ fn hour_of_blocks_stays_small_and_replans_from_a_checkpoint() {
     assert!(steps < 2000, "{steps}");
     assert_eq!(planner.timeline().at(3590.0), old);
     close(planner.timeline().at(t + 1.0).axes[0].feed, 0.8 * 15079.645, 3e-6);
+}
+
+#[test]
+fn executions_in_direct_succession_have_their_own_starts() {
+    let text = "O1\n#1=0\nWHILE [#1 LT 5] DO1\n#1=#1+1\nN9 G01 X#1 F6000\nEND1\nM30\n%\n";
+    let mut planner = Planner::new(Setup {
+        program: Interp::new(Rc::new(parse(&Files::one("O1.nc", text), control())), StartProgram::First),
+        control: control(),
+        plant: &plant(),
+        plc: Box::new(BenchPlc::new(0.05, None)),
+        panel: Panel::default(),
+        limits: Budget { blocks: 100, seconds: 10.0 },
+        keep: Retention::Timeline,
+        findings: Vec::new(),
+    });
+    planner.advance(f64::INFINITY, usize::MAX);
+    let start = text.find("N9").unwrap() as u32;
+    let place = Place { file: FileId(0), span: Span::new(start, start + 2) };
+    let (timeline, starts) = (planner.timeline(), planner.timeline().starts(place).collect::<Vec<_>>());
+    // Between the executions there are calculations alone: no other block begins.
+    assert_eq!((starts.len(), timeline.begins(place).count()), (5, 1));
+    assert!(starts.windows(2).all(|pair| pair[0] < pair[1]), "{starts:?}");
+    assert_eq!(timeline.begins(place).next(), starts.first().copied());
 }
 
 /// The sample of the GSK manual (gsk-980tdc.md section 1.3), on the bench of its control.
