@@ -16,11 +16,13 @@ use crate::ui::words::t;
 /// Positions of a slider.
 const POSITIONS: f64 = 400.0;
 
-/// The range that a slider reaches around the default, and its step, in the unit that is shown: from a quarter of the default to four times,
-/// within the limits of the field.
-fn reach(info: &FieldInfo) -> Option<(f64, f64, f64)> {
+/// The range of a slider and its step, in the unit that is shown: from a quarter of the present value (in the unit of the project) to four
+/// times, widened to the default, within the limits of the field.
+fn reach(info: &FieldInfo, present: f64) -> Option<(f64, f64, f64)> {
     let FieldKindInfo::Number { unit, min, max, default, step, .. } = info.kind else { return None };
-    let (low, high) = (default / 4.0, default * 4.0);
+    let centre = if present > 0.0 { present } else { default };
+    let low = (centre / 4.0).min(default).min(present);
+    let high = (centre * 4.0).max(default).max(present);
     let [low, high] = [low, high].map(|end| info.shown(math::clamp(end, min, max)));
     Some((low, high, units::step(step, unit)))
 }
@@ -46,20 +48,35 @@ pub(super) fn Slider(
     info: Arc<FieldInfo>,
 ) -> impl IntoView {
     let page = Page::here();
-    let (low, high, step) = reach(&info)?;
+    let number_of = move |row: &FieldInfo| match value_of(page, row) {
+        Value::Number(value) => value,
+        _ => 0.0,
+    };
+    let (low, high, step) = reach(&info, untrack(|| number_of(&info)))?;
     if low >= high {
         return None;
     }
     let label = t(info.label);
     let id = info.id;
     let row = Arc::clone(&info);
-    let place = Memo::new(move |_| match value_of(page, &row) {
-        Value::Number(value) => position(row.shown(value), low, high),
-        _ => 0.0,
+    // Sliding keeps the range; a value from elsewhere beyond it is the centre of the next one.
+    let range = Memo::new(move |old: Option<&(f64, f64)>| {
+        let present = number_of(&row);
+        let shown = row.shown(present);
+        let (low, high) = old.copied().unwrap_or((low, high));
+        let is_within = (low - step / 2.0..=high + step / 2.0).contains(&shown);
+        let other = || reach(&row, present).map(|(low, high, _)| (low, high));
+        Some((low, high)).filter(|_| is_within).or_else(other).unwrap_or((low, high))
+    });
+    let row = Arc::clone(&info);
+    let place = Memo::new(move |_| {
+        let (low, high) = range.get();
+        position(row.shown(number_of(&row)), low, high)
     });
     let slide = move |event: web_sys::Event| {
         let Some(position) = number(&event) else { return };
         dom::mark("input");
+        let (low, high) = range.get_untracked();
         if let Some(value) = info.from_displayed(at(position, low, high, step)) {
             page.set(id, Value::Number(value));
         }
@@ -100,7 +117,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn default_is_in_the_middle_of_the_slider() {
+    async fn value_is_in_the_middle_of_the_slider() {
         let bench = mounted().await;
         assert_eq!((bench.value("input").as_str(), bench.style("input", "--part").as_str()), ("200", "50%"));
         assert_eq!(bench.attribute("input", "aria-label"), t(field("pitch").label));
@@ -141,11 +158,33 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn slider_shows_a_value_beyond_its_range_at_its_end() {
+    async fn slider_reaches_a_value_from_elsewhere() {
         let bench = mounted().await;
-        bench.page.set("pitch", Value::Number(500.0));
+        bench.page.set("pitch", Value::Number(50.0));
         settled().await;
-        assert_eq!((bench.value("input").as_str(), bench.setting("pitch")), ("400", Some(Value::Number(500.0))));
+        let (low, high, _) = reach(&field("pitch"), 50.0).unwrap();
+        assert!(low <= 8.0 && high > 50.0, "{low} {high}");
+        assert_eq!(bench.value("input"), position(50.0, low, high).to_string());
+        bench.type_into("input", "400").await;
+        assert_eq!((bench.value("input").as_str(), bench.setting("pitch")), ("400", Some(Value::Number(high))));
+    }
+
+    #[wasm_bindgen_test]
+    async fn slider_keeps_its_range_while_it_slides() {
+        let bench = mounted().await;
+        for (position, value) in [("400", 32.0), ("200", 8.0), ("0", 2.0), ("300", 16.0)] {
+            bench.type_into("input", position).await;
+            assert_eq!((bench.value("input").as_str(), bench.setting("pitch")), (position, Some(Value::Number(value))));
+        }
+    }
+
+    #[wasm_bindgen_test]
+    fn range_has_the_present_value_and_the_default() {
+        // The default is 8.
+        let ends = |present| reach(&field("pitch"), present).map(|(low, high, _)| (low, high)).unwrap();
+        assert_eq!([ends(8.0), ends(10.0)], [(2.0, 32.0), (2.5, 40.0)]);
+        assert_eq!(ends(48.0).0, 8.0);
+        assert_eq!(ends(1.0).1, 8.0);
     }
 
     #[wasm_bindgen_test]
@@ -154,7 +193,7 @@ mod tests {
         if let FieldKindInfo::Number { min, max, .. } = &mut info.kind {
             (*min, *max) = (5.0, 10.0);
         }
-        let (low, high, ..) = reach(&info).unwrap();
+        let (low, high, ..) = reach(&info, 8.0).unwrap();
         assert_eq!((low, high), (5.0, 10.0));
     }
 
