@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use super::checked_plant::CheckedPlant;
 use super::events::EventSource;
+use super::exec::Exec;
 use super::gate::{Gate, Gatekeeper};
 use super::panel::{Action, Event, Panel};
 use super::path::Segment;
@@ -81,6 +82,11 @@ impl<P: RunningProgram> Planner<P> {
     /// Whether the PLC holds the program at the end of the planned part.
     pub fn is_held_by_plc(&self) -> bool {
         self.state.plc.orders.program_held
+    }
+
+    /// Whether the program waits at its start after a reset: cycle start begins it anew.
+    pub fn is_reset(&self) -> bool {
+        matches!(self.state.exec, Exec::Ready)
     }
 
     /// Message of the PLC about its hold of the program at the end of the planned part.

@@ -120,10 +120,11 @@ pub(crate) fn tell_alarm(diagnostic: &Diagnostic) -> String {
     alarm.map(|part| format!("{part} ")).collect::<String>() + &sentence_with_hints(diagnostic)
 }
 
-/// Why a run is over.
-pub(crate) fn end_words(end: &RunEnd) -> String {
+/// Why a run is over; after a reset a stop waits at the start of the program.
+pub(crate) fn end_words(end: &RunEnd, is_reset: bool) -> String {
     match end {
         RunEnd::ProgramEnd => t("page.end-program").to_owned(),
+        RunEnd::Stop if is_reset => t("page.end-reset").to_owned(),
         RunEnd::Stop => t("page.end-stop").to_owned(),
         RunEnd::Alarm(alarm) => tell_alarm(alarm),
         RunEnd::Blocks | RunEnd::Seconds => t("page.end-budget").to_owned(),

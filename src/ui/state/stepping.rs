@@ -93,12 +93,13 @@ impl Player {
             let next = stepper.stopped().map_or_else(String::new, |debugger| {
                 debugger.run().program().parsed().text(debugger.place().unwrap_or_default()).to_owned()
             });
+            let is_reset = stepper.stopped().is_some_and(|debugger| debugger.run().is_reset());
             let words = |id: &'static str, what: String| headed(t(id), what);
             stepper.why = match stop {
                 Stop::Reached => words("page.stepping-next", next),
                 Stop::Breakpoint(_) => words("page.stepping-breakpoint", next),
                 Stop::Condition(_, why) => words("page.stepping-breakpoint", sentence_with_hints(&why)),
-                Stop::Ended(end) => end_words(&end),
+                Stop::Ended(end) => end_words(&end, is_reset),
             };
         });
         self.set_head(self.stepper.with_untracked(Stepper::t));

@@ -14,6 +14,7 @@ use crate::ui::dom;
 use crate::ui::parts::scene::{Shown, StillDrawing};
 use crate::ui::parts::{Glyph, IconButton, Later};
 use crate::ui::state::Page;
+use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{Tone, end_words, mode_words, sentence, t};
 
 /// The drawing, moved by the run.
@@ -202,7 +203,8 @@ fn why(page: Page) -> String {
         Some(RunEnd::Alarm(_)) | None => String::new(),
         Some(RunEnd::Stop) if page.player.message.with(Option::is_some) => String::new(),
         Some(RunEnd::Stop) if page.player.ask_planner(|run| run.plc_hold().is_some()) == Some(true) => String::new(),
-        Some(end) => end_words(&end),
+        Some(RunEnd::Stop) if page.outlook.cycle_start() != CycleStart::Acts => t("page.end-blocked").to_owned(),
+        Some(end) => end_words(&end, page.player.ask_planner(|run| run.is_reset()) == Some(true)),
     }
 }
 
@@ -284,6 +286,20 @@ mod tests {
         crate::ui::testing::settled().await;
         let activity = bench.page.player.activity.get_untracked().unwrap();
         assert_eq!(bench.text(".mode"), sentence(&activity));
+    }
+
+    #[wasm_bindgen_test]
+    async fn end_after_a_reset_says_that_the_program_begins_anew() {
+        use crate::motion::Action;
+        let bench = stage().await;
+        bench.seek(3.0).await;
+        for (action, words) in [(Action::Hold, "page.end-stop"), (Action::Reset, "page.end-reset")] {
+            crate::ui::state::operator::act(bench.page, action);
+            bench.run().await;
+            bench.page.player.seek(bench.page.player.planned.get_untracked().end);
+            bench.drawn().await;
+            assert_eq!(bench.text(".why"), t(words));
+        }
     }
 
     #[wasm_bindgen_test]
