@@ -230,7 +230,8 @@ fn slack_loop(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
     let depth = layout.slack.depth(slack);
     pose.placements.push(Placement { dy: depth, ..Placement::of(group::POINTER) });
     pose.placements.extend(dancer::pose(line, slack));
-    let paint = if holds(line, state) { Paint::Ink } else { Paint::Bad };
+    // A short tight ribbon is no fault: the tension switch holds the program at its limit, and says so.
+    let paint = if holds(line, state) || state.slack < 0.0 { Paint::Ink } else { Paint::Bad };
     pose.fills.extend([(node::SLACK, paint), (node::LOOP_STATE, paint)]);
 }
 
