@@ -69,28 +69,29 @@ pub(crate) fn Stage() -> impl IntoView {
             <Later>
                 // The labels make room for the elements over the drawing.
                 {fitted.refit()}
-                <div class="state">
-                    <span class=move || format!("mode {}", state.get().tone)>{move || state.get().into_view()}</span>
-                    <WrongValues count=wrong />
-                </div>
                 <AlarmScreen text=screen />
-                <div class="band">
-                    <p class="why" role="status">{move || why(page)}</p>
-                    <NoticeBand />
-                    <span class="space"></span>
-                    <Show when=move || option().is_some()>
-                        <button
-                            type="button" class="icon strobe"
-                            aria-label=move || option().map(t).unwrap_or_default()
-                            title=move || option().map(t).unwrap_or_default()
-                            aria-pressed=move || player.drawing_option.get().to_string()
-                            on:click=move |_| strobe()
-                        >
-                            <crate::ui::parts::Icon glyph=Glyph::Strobe />
-                        </button>
-                    </Show>
-                    <SavePicture />
-                    <IconButton glyph=Glyph::Full label=t("page.full-screen") press=full />
+                <div class="foot">
+                    <div class="state">
+                        <span class=move || format!("mode {}", state.get().tone)>{move || state.get().into_view()}</span>
+                        <WrongValues count=wrong />
+                    </div>
+                    <div class="band">
+                        <p class="why" role="status">{move || why(page)}</p>
+                        <NoticeBand />
+                        <Show when=move || option().is_some()>
+                            <button
+                                type="button" class="icon strobe"
+                                aria-label=move || option().map(t).unwrap_or_default()
+                                title=move || option().map(t).unwrap_or_default()
+                                aria-pressed=move || player.drawing_option.get().to_string()
+                                on:click=move |_| strobe()
+                            >
+                                <crate::ui::parts::Icon glyph=Glyph::Strobe />
+                            </button>
+                        </Show>
+                        <SavePicture />
+                        <IconButton glyph=Glyph::Full label=t("page.full-screen") press=full />
+                    </div>
                 </div>
             </Later>
         </section>
