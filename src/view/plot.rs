@@ -1,7 +1,7 @@
 //! A chart as SVG, drawn by plotters on our own backend: classes instead of colours, fractions of a pixel, no text measuring.
 //!
-//! The frame with the lines stretches with its place in the page; the figures at its edges do not. Left and right edge of the picture are
-//! the ends of the time axis, so a cursor only needs its share of the width.
+//! Grid and lines stretch with their place in the page; the figures at the edges do not. Left and right edge of the picture are the ends of
+//! the time axis, so a cursor only needs its share of the width. The figures are over the grid and below the lines.
 
 use core::convert::Infallible;
 use core::fmt::Write;
@@ -9,7 +9,7 @@ use core::fmt::Write;
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::ranged1d::Ranged;
 use plotters::coord::types::RangedCoordf64;
-use plotters::drawing::IntoDrawingArea;
+use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::element::PathElement;
 use plotters::style::RGBColor;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
@@ -28,14 +28,17 @@ const SIZE: (u32, u32) = (1000, 200);
 const FINE: u32 = 8;
 /// Maximum grid lines.
 const GRID: (usize, usize) = (8, 4);
-/// Percent of the height below which a figure is above its grid line; other figures are centred on their lines.
-const FLOOR: f64 = 8.0;
+/// Percent of the height below which a figure is above its grid line, such as that of the lowest value, where lines often begin; other
+/// figures are centred on their grid lines.
+const FLOOR: f64 = 17.0;
 /// Colour of grid lines; chart lines have `(tone, 0, 0)`. The backend turns them into classes.
 const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
 /// Colour of the lines of limits.
 const LIMIT_COLOUR: RGBColor = RGBColor(0, 128, 0);
 /// Share of the height below the lines for the figures of the time axis.
 const FOOT: f64 = 0.16;
+/// Distance of the base line of the time axis's figures from the foot of the lines, in pixels.
+const BELOW_FOOT: f64 = 12.0;
 /// Share of the height above a limit that its name needs.
 const ABOVE_LIMIT: f64 = 0.22;
 /// Distance of a name's base line from the line of its limit, in pixels, for a name above and a name below.
@@ -76,17 +79,11 @@ pub fn draw(chart: &Chart) -> Plot {
     let tops = limits.iter().map(|limit| y.0 + (limit.value - y.0) / (1.0 - ABOVE_LIMIT));
     let top = tops.fold(y.1, f64::max);
     let y = (y.0 - (top - y.0) * FOOT / (1.0 - FOOT), top);
-    let mut paths = String::with_capacity(16 * points().count() + 1024);
-    // The backend cannot fail; a failure would leave an empty frame.
-    let _ = frame(&mut paths, (chart, &limits), x, y);
-    let mut svg = String::with_capacity(paths.len() + 2048);
-    let (width, height) = SIZE;
-    let _ = write!(
-        svg,
-        "<svg class=\"chart-lines\" width=\"100%\" height=\"100%\"><svg viewBox=\"0 0 {width} {height}\" \
-         width=\"100%\" height=\"100%\" preserveAspectRatio=\"none\">{paths}</svg>"
-    );
+    let mut svg = String::with_capacity(16 * points().count() + 3072);
+    svg.push_str("<svg class=\"chart-lines\" width=\"100%\" height=\"100%\">");
+    stretched(&mut svg, |out| grid(out, x, y));
     figures(&mut svg, x, y, chart.x_unit);
+    stretched(&mut svg, |out| lines_of(out, (chart, &limits), x, y));
     names(&mut svg, (chart, &limits), x, y);
     svg.push_str("</svg>");
     Plot { svg, x, y }
@@ -121,17 +118,38 @@ fn around(low: f64, high: f64, least: f64) -> (f64, f64) {
     (from, from + least)
 }
 
-/// Writes grid and lines.
-fn frame(
-    out: &mut String,
-    (chart, limits): (&Chart, &[&ChartLimit]),
-    x: (f64, f64),
-    y: (f64, f64),
-) -> Result<(), plotters::drawing::DrawingAreaErrorKind<Infallible>> {
+/// Result of the backend, which cannot fail.
+type Painted = Result<(), DrawingAreaErrorKind<Infallible>>;
+
+/// Writes a part of the picture that stretches with its place.
+fn stretched(out: &mut String, paint: impl FnOnce(&mut String) -> Painted) {
+    let (width, height) = SIZE;
+    let _ = write!(
+        out,
+        "<svg viewBox=\"0 0 {width} {height}\" width=\"100%\" height=\"100%\" preserveAspectRatio=\"none\">"
+    );
+    // The backend cannot fail; a failure would leave an empty part.
+    let _ = paint(out);
+    out.push_str("</svg>");
+}
+
+/// The area in which both axes are.
+fn area(out: &mut String, x: (f64, f64), y: (f64, f64)) -> DrawingArea<SvgBackend<'_>, Plane> {
     let (width, height) = (SIZE.0 * FINE, SIZE.1 * FINE);
     let plane: Plane = Cartesian2d::new(x.0..x.1, y.0..y.1, (0..width as i32, height as i32..0));
-    let area = SvgBackend { out }.into_drawing_area().apply_coord_spec(plane);
+    SvgBackend { out }.into_drawing_area().apply_coord_spec(plane)
+}
+
+/// Writes the grid.
+fn grid(out: &mut String, x: (f64, f64), y: (f64, f64)) -> Painted {
+    let area = area(out, x, y);
     area.draw_mesh(|pen, line| line.draw(pen, &GRID_COLOUR.into()), GRID.1, GRID.0)?;
+    area.present()
+}
+
+/// Writes the limits and the lines of the series.
+fn lines_of(out: &mut String, (chart, limits): (&Chart, &[&ChartLimit]), x: (f64, f64), y: (f64, f64)) -> Painted {
+    let area = area(out, x, y);
     for limit in limits {
         area.draw(&PathElement::new(vec![(x.0, limit.value), (x.1, limit.value)], LIMIT_COLOUR))?;
     }
@@ -155,7 +173,8 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
             let text = short(*value, decimals);
             // Figures at the edges would be clipped.
             if across && (3.0..=97.0).contains(&at) {
-                fill(out, "<text class=\"tick\" x=\"#%\" y=\"100%\" dy=\"-3\" text-anchor=\"middle\">", &[at]);
+                let places = [at, 100.0 * (1.0 - FOOT), BELOW_FOOT];
+                fill(out, "<text class=\"tick\" x=\"#%\" y=\"#%\" dy=\"#\" text-anchor=\"middle\">", &places);
                 let _ = write!(out, "{text} ");
                 escape(out, x_unit);
                 out.push_str("</text>");

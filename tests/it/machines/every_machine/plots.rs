@@ -32,6 +32,18 @@ fn chart_svg_has_lines_grid_and_figures_with_classes() {
 }
 
 #[test]
+fn figures_are_over_the_grid_and_below_the_lines() {
+    let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 40.0), (2.0, 100.0)])).svg;
+    let at = |part: &str| drawn.find(part).unwrap_or_else(|| panic!("{part} in {drawn}"));
+    let (grid, figure, line) =
+        (drawn.rfind("class=\"grid\"").expect("a grid"), at(">50</text>"), at("class=\"line l1\""));
+    assert!(grid < figure && figure < line, "{drawn}");
+    // The lowest value is above its grid line, the figures of the time axis are below the foot of the lines.
+    assert!(drawn.contains("y=\"84%\" dy=\"-3\">0</text>"), "{drawn}");
+    assert!(drawn.contains("y=\"84%\" dy=\"12\" text-anchor=\"middle\">1 s</text>"), "{drawn}");
+}
+
+#[test]
 fn chart_lines_have_a_point_at_each_bend_and_no_other() {
     let flat = |from: u32, to: u32, value: f64| (from..to).map(move |at| (f64::from(at), value));
     let points = flat(0, 10, 1.0).chain(flat(10, 20, 5.0)).chain(flat(20, 30, 1.0)).collect();
