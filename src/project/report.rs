@@ -7,7 +7,7 @@ use super::files::encode;
 use super::program::Written;
 use super::repairs::repairs;
 use super::run::{RunOptions, of_project, program_number};
-use super::size::Sizing;
+use super::size::{Cycle, Sizing};
 use crate::controls::schema::syntax::Percent;
 use crate::machines::report::report;
 use crate::machines::{Frame, PreparedMachine};
@@ -84,17 +84,20 @@ impl Project {
         let now = run.timeline().at(drawn_at);
         let pose = prepared.pose(&run, &now, Frame { step: 0.0, drawing_option: false });
         let scene = prepared.scene();
-        let cycle = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
-        let figures = cycle.map(|time| {
-            [
-                Figure { label: "form.report.cycle-time", value: time, unit: "s", decimals: 1 },
-                Figure {
-                    label: "form.report.parts-per-hour",
-                    value: 3600.0 / (time + prepared.pause() + prepared.change_time()),
-                    unit: "1/h",
-                    decimals: 1,
-                },
-            ]
+        let time = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
+        let cycle = time.map(|seconds| Cycle {
+            seconds,
+            pause: prepared.pause(),
+            change: prepared.change_time(),
+            energy: None,
+        });
+        let figures = cycle.map(|cycle| {
+            let figure = |label, value, unit| Figure { label, value, unit, decimals: 1 };
+            let time = figure("form.report.cycle-time", cycle.seconds, "s");
+            let mean = figure("form.report.mean-time", cycle.mean(), "s");
+            let parts = figure("form.report.parts-per-hour", cycle.parts_per_hour(), "1/h");
+            let mean = Some(mean).filter(|mean| mean.value > time.value);
+            [Some(time), mean, Some(parts)].into_iter().flatten()
         });
         RunReport {
             drawn_at,

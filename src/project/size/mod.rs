@@ -57,9 +57,14 @@ impl Cycle {
         self.seconds + self.pause
     }
 
+    /// Mean time (s) of a part, with the pause and its share of the changes of material.
+    pub fn mean(&self) -> f64 {
+        self.between_starts() + self.change
+    }
+
     /// Parts in an hour of the shift.
     pub fn parts_per_hour(&self) -> f64 {
-        3600.0 / (self.between_starts() + self.change)
+        3600.0 / self.mean()
     }
 }
 

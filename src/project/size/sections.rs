@@ -140,8 +140,13 @@ impl Sizing {
 
     fn cycle_answer(&self) -> String {
         let answer = |cycle: Cycle| {
-            let time = units::text(cycle.seconds, 1, "s");
-            sentence(&msg!("size.answer.cycle", time, parts = (cycle.parts_per_hour(), 1)))
+            let [time, mean] = [cycle.seconds, cycle.mean()].map(|seconds| units::text(seconds, 1, "s"));
+            let parts = (cycle.parts_per_hour(), 1);
+            sentence(&if mean == time {
+                msg!("size.answer.cycle", time, parts)
+            } else {
+                msg!("size.answer.cycle-mean", time, mean, parts)
+            })
         };
         self.cycle.map(answer).or_else(|| Some(sentence(&self.truncated.as_ref()?.message()))).unwrap_or_default()
     }

@@ -61,6 +61,12 @@ fn part(report: &Report) -> Option<Message> {
         [time, parts] => {
             Some(msg!("form.report.part-takes", time = time.shown(), parts = (parts.value, parts.decimals)))
         }
+        [time, mean, parts] => Some(msg!(
+            "form.report.part-takes-mean",
+            time = time.shown(),
+            mean = mean.shown(),
+            parts = (parts.value, parts.decimals)
+        )),
         _ => None,
     }
 }

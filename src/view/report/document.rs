@@ -112,7 +112,7 @@ pub struct RunReport {
     pub drawing: String,
     /// The time of the drawing, in seconds from the start.
     pub drawn_at: f64,
-    /// Cycle time and figures derived from it; empty if the run does not reach the end of the program.
+    /// Cycle time, mean time of a part where it differs, and parts per hour; empty if the run does not reach the end of the program.
     pub figures: Vec<Figure>,
     /// Charts over the run.
     pub charts: Vec<Chart>,
