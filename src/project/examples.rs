@@ -2,7 +2,7 @@
 
 use super::Project;
 use crate::controls::{self, Control};
-use crate::machines::form::Values;
+use crate::machines::form::{Value, Values};
 use crate::machines::machine::{Example, KnownFault};
 use crate::machines::{self, AnyMachine};
 use crate::msg;
@@ -64,6 +64,24 @@ impl Project {
             }
         }
         project
+    }
+
+    /// An example on a control or, where its form lacks an option that the example switches on, on the machine's first control that has all.
+    pub fn whole_example(machine: &'static dyn AnyMachine, control: &'static Control, example: &Example) -> Project {
+        let on = |control| Project::example(machine, control, example);
+        let project = on(control);
+        if project.has_all_of(example) {
+            return project;
+        }
+        let others = machine.controls().iter().filter_map(|id| controls::find(id));
+        others.map(on).find(|other| other.has_all_of(example)).unwrap_or(project)
+    }
+
+    /// Whether the form has every option that an example switches on.
+    fn has_all_of(&self, example: &Example) -> bool {
+        let prepared = self.prepared();
+        let is_on = |id: &str| self.values.get(id) == Some(&Value::Flag(true));
+        !example.entries.iter().any(|(id, _)| is_on(id) && prepared.hidden().contains(id))
     }
 
     /// A new project, by ids; without a control on the machine's first.

@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use crate::controls;
 use crate::machines::machine::{Example, KnownFault};
 use crate::machines::{self, AnyMachine};
 use crate::project::Project;
@@ -86,7 +87,7 @@ fn Gallery() -> impl IntoView {
     }
 }
 
-/// One example: picture, name, sentence, and the reason of each verdict that fails in it.
+/// One example: picture, name, sentence, the control that it takes where it is another one, and the reason of each verdict that fails in it.
 #[component]
 fn ExampleCard(
     /// The machine.
@@ -99,11 +100,17 @@ fn ExampleCard(
     shown: Signal<bool>,
 ) -> impl IntoView {
     let page = Page::here();
-    // On the present control, if the machine can have it.
-    let made = move || {
-        let control = page.project.with_untracked(|project| project.control);
-        let kept = Project::named(machine.id(), Some(control.id), Some(example.id));
-        kept.or_else(|_| Project::named(machine.id(), None, Some(example.id)))
+    // The present control, if the machine can have it.
+    let preferred = move || {
+        let present = page.project.with_untracked(|project| project.control);
+        let first = || machine.controls().first().and_then(|id| controls::find(id));
+        Some(present).filter(|control| machine.controls().contains(&control.id)).or_else(first)
+    };
+    let made = move || Some(Project::whole_example(machine, preferred()?, example));
+    // Names of the control that the example takes and of the preferred one, where they differ.
+    let moved = move |project: &Project| {
+        let lacking = preferred().filter(|control| control.id != project.control.id)?;
+        Some((project.control.name, lacking.name))
     };
     let present = page.project.with_untracked(|project| {
         let is = |present: &Example| present.id == example.id;
@@ -112,14 +119,20 @@ fn ExampleCard(
     let faults =
         if example.faults.is_empty() { Vec::new() } else { made().map(|project| project.faults()).unwrap_or_default() };
     let count = faults.len() as u32;
+    let other_control = made().as_ref().and_then(moved).map(|(control, lacking)| {
+        view! { <p>{sentence(&crate::msg!("page.example-control", control, lacking))}</p> }
+    });
     let take = move |_| {
-        let Ok(project) = made() else { return };
+        let Some(project) = made() else { return };
+        let moved = moved(&project);
         page.replace(project);
         page.view.gallery.set(false);
         // The first change may mend a result: it takes the count away.
         if count > 0 {
             let message = crate::msg!("page.example-fails", example = t(example.name), count = count);
             page.notices.confirm_as(Tone::Warn, sentence(&message));
+        } else if let Some((control, lacking)) = moved {
+            page.notices.confirm(sentence(&crate::msg!("page.example-opened", control, lacking)));
         } else {
             page.notices.confirm(t("page.fresh").to_owned());
         }
@@ -147,6 +160,7 @@ fn ExampleCard(
                 <b>{t(example.name)}</b>
             </button>
             <p id=about>{t(example.about)}</p>
+            {other_control}
             {reasons}
         </article>
     }
@@ -240,6 +254,26 @@ mod tests {
         assert_eq!((machine, control), ("polygon-lathe", "knd-k2000t"));
         bench.page.undo();
         assert_eq!(bench.page.project.with_untracked(|project| project.machine.id()), "ribbon-line");
+    }
+
+    #[wasm_bindgen_test]
+    async fn example_takes_a_control_that_can_run_all_of_it() {
+        let bench = gallery().await;
+        let control = || bench.page.project.with_untracked(|project| project.control);
+        let lacking = control().name;
+        press(&bench, "turning-spindle-keyway").await;
+        assert!(control().name != lacking);
+        assert!(bench.page.project.with_untracked(|project| !project.prepared().hidden().contains(&"keyway")));
+        let control = control().name;
+        let told = bench.page.notices.list.get_untracked().pop().unwrap();
+        assert_eq!(told.text, sentence(&crate::msg!("page.example-opened", control, lacking)));
+        bench.page.undo();
+        crate::ui::testing::settled().await;
+        bench.press("#new").await;
+        assert!(bench.text(".gallery").contains(&sentence(&crate::msg!("page.example-control", control, lacking))));
+        // The shaft without a keyway keeps the control.
+        press(&bench, "turning-spindle-shaft").await;
+        assert_eq!(bench.page.project.with_untracked(|project| project.control.name), lacking);
     }
 
     #[wasm_bindgen_test]

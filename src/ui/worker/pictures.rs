@@ -3,6 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use crate::controls;
 use crate::machines::machine::Example;
 use crate::machines::{self, AnyMachine};
 use crate::project::{Project, drawing};
@@ -18,8 +19,9 @@ pub(super) fn before_start(project: &Project, theme: Theme) -> String {
 pub(super) fn examples(theme: Theme) -> Vec<String> {
     let examples =
         machines::ALL.iter().flat_map(|machine| machine.examples().iter().map(|example| (*machine, example)));
-    let drawn = |(machine, example): (&dyn AnyMachine, &Example)| {
-        let project = Project::named(machine.id(), None, Some(example.id)).ok()?;
+    let drawn = |(machine, example): (&'static dyn AnyMachine, &Example)| {
+        let control = controls::find(machine.controls().first()?)?;
+        let project = Project::whole_example(machine, control, example);
         Some(address(drawing::halfway(&project), theme))
     };
     examples.map(|example| drawn(example).unwrap_or_default()).collect()
