@@ -222,18 +222,21 @@ fn LastEffect() -> impl IntoView {
     let count = move || page.project.with(|project| project.panel.events().len());
     let has_zero_return = Memo::new(move |_| page.project.with(|project| project.control.zero_return.is_some()));
     view! {
-        <p class="changed">
-            <button
-                type="button" class="link zero" class:gone=move || !has_zero_return.get() title=t("page.zero-return-about")
-                on:click=move |_| act(page, Action::ProgramZeroReturn)
-            >
-                {t("page.zero-return")}
-            </button>
-            <span id="changed" role="status">{told}</span>
-            <button type="button" class="link clear" class:gone=move || count() == 0 on:click=move |_| clear(page)>
-                {t("page.clear-hand")} {move || format!(" ({})", count())}
-            </button>
-        </p>
+        <div class="changed">
+            <p class="links">
+                <button
+                    type="button" class="link zero" class:gone=move || !has_zero_return.get() title=t("page.zero-return-about")
+                    on:click=move |_| act(page, Action::ProgramZeroReturn)
+                >
+                    {t("page.zero-return")}
+                </button>
+                <button type="button" class="link clear" class:gone=move || count() == 0 on:click=move |_| clear(page)>
+                    {t("page.clear-hand")} {move || format!(" ({})", count())}
+                </button>
+            </p>
+            // A long effect scrolls, also by keys.
+            <p id="changed" role="status" tabindex="0">{told}</p>
+        </div>
     }
 }
 
@@ -386,6 +389,8 @@ mod tests {
         bench.type_into("#spindle-knob", "50").await;
         let told = bench.text("#changed");
         assert!(told.starts_with("00:03.0000 s: ") && told.contains(" 50 %"), "{told}");
+        // The text scrolls, and the button stays.
+        assert!(bench.has("#changed[tabindex='0']") && !bench.has("#changed .clear"));
         bench.press(".changed .clear").await;
         assert!(bench.actions().is_empty() && bench.has(".changed .clear.gone"));
     }
