@@ -164,9 +164,15 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     fail(limit, advice)
 }
 
-/// Ribbon (mm) of the running block and of those that the control has read ahead: they keep the F of the old position of the knob.
-fn queued(p: &Params) -> f64 {
-    (p.preread + 1.0) * p.block_pitches() * p.pitch
+/// Ribbon (mm) of the running block and of those that the control has read ahead, at most a product: they keep the F of the old position of
+/// the knob. Source: ribbon line facts, 5.
+fn queued(line: &RibbonLine) -> f64 {
+    (queued_per_pitch(&line.params) * line.params.block_pitches()).min(line.derived.product.length)
+}
+
+/// Ribbon (mm) of the running block and of those read ahead, per pitch of a block.
+fn queued_per_pitch(p: &Params) -> f64 {
+    (p.preread + 1.0) * p.pitch
 }
 
 /// Ribbon (mm) that X may pull ahead of the unwinder until the tension switch opens: the least that a start has laid, and the missing
@@ -195,13 +201,13 @@ fn turn_ratio(line: &RibbonLine) -> f64 {
 /// Ribbon (mm) that one turn of the knob from its lowest position to its highest lays more than X pulls: `q · (k_high / k_low - 1)`.
 /// Source: ribbon line facts, 5.
 fn laid_by_turn_up(line: &RibbonLine) -> f64 {
-    queued(&line.params) * (turn_ratio(line) - 1.0)
+    queued(line) * (turn_ratio(line) - 1.0)
 }
 
 /// Ribbon (mm) that one turn of the knob from its highest position to its lowest pulls more than is laid: `q · (1 - k_low / k_high)`.
 /// Source: ribbon line facts, 5.
 fn missing_at_lowest(line: &RibbonLine) -> f64 {
-    queued(&line.params) * (1.0 - 1.0 / turn_ratio(line))
+    queued(line) * (1.0 - 1.0 / turn_ratio(line))
 }
 
 /// Ribbon (mm) that a turn to 0, where the knob has it, pulls more than is laid: the unwinder stops over its ramp `t_r` while X carries out the queue at the speed `v`,
@@ -211,7 +217,7 @@ fn missing_at_zero(line: &RibbonLine) -> f64 {
     if line.dialect.spindle().knob.low > 0.0 {
         return 0.0;
     }
-    let (p, queued) = (&line.params, queued(&line.params));
+    let (p, queued) = (&line.params, queued(line));
     let ramp = p.inverter_ramp * line.slow.unwinder.actual / p.speed_at_10v;
     let speed = line.slow.feeds.line_speed / 60.0;
     let (stop, lag) = (speed * ramp, speed * (p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x));
@@ -248,12 +254,12 @@ pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Jud
         low = (line.slow.unwinder.effective_override, 0),
         high = (line.fast.unwinder.effective_override, 0),
         laid = (laid.ceil(), 0),
-        queued = (queued(p), 0),
+        queued = (queued(line), 0),
         before = (laid_to_the_end(line).ceil(), 0),
         capacity = (p.loop_capacity, 0)
     );
     let longer = with_loop(message.into(), needed, Vec::new());
-    let lowest = line.fast.unwinder.effective_override / (1.0 + room.max(0.0) / queued(p));
+    let lowest = line.fast.unwinder.effective_override / (1.0 + room.max(0.0) / queued(line));
     let others = [higher_lowest(line, lowest), fewer_pitches(line, room / laid)];
     fail(limit, [longer].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
 }
@@ -266,20 +272,20 @@ pub(in crate::machines::ribbon_line) fn turn_down(line: &RibbonLine) -> Option<J
     if missing <= most {
         return ok(limit);
     }
-    let (p, high) = (&line.params, line.fast.unwinder.effective_override);
+    let high = line.fast.unwinder.effective_override;
     let stops = missing_at_zero(line);
     let lowest = line.slow.unwinder.effective_override;
     let (from, to) = if stops < missing { (high, lowest) } else { (lowest, 0.0) };
     let message = msg!(
         "ribbon.knob-starves",
-        queued = (queued(p), 0),
+        queued = (queued(line), 0),
         low = (to, 0),
         high = (from, 0),
         missing = (missing, 1),
         kept = (missing - most, 1)
     );
     let harder = with_pinch(line, message, missing - least_laid_by_start(line));
-    let lowest = high * (1.0 - most / queued(p));
+    let lowest = high * (1.0 - most / queued(line));
     let higher = higher_lowest(line, lowest).filter(|_| stops <= most);
     let others = [higher, fewer_pitches(line, most / missing), longer_dwell(line, missing)];
     fail(limit, [harder].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
@@ -326,7 +332,7 @@ fn higher_lowest(line: &RibbonLine, lowest: f64) -> Option<Advice> {
 /// one is too many.
 fn fewer_pitches(line: &RibbonLine, share: f64) -> Option<Advice> {
     let p = &line.params;
-    let pitches = (p.block_pitches() * share).floor();
+    let pitches = (queued(line) * share / queued_per_pitch(p)).floor();
     if p.variant != Variant::ReadyMade || pitches < 1.0 || pitches >= p.block_pitches() {
         return None;
     }

@@ -230,6 +230,32 @@ fn turns_of_the_knob_begin_at_its_lowest_position() {
 }
 
 #[test]
+fn queue_of_a_turned_knob_ends_with_the_product() {
+    // One block is the whole product, 20 pitches of 10 mm: five more such blocks do not exist.
+    let product = [("pitch-count", "20"), ("pitches-per-block", "20")];
+    let line = Project::named("ribbon-line", None, None).unwrap().with_entries(&product).unwrap();
+    assert_eq!(value(&line, "product-length"), 200.0);
+    let [up, down] = turned(&product);
+    let ends = |percent: &str| {
+        let there = line.with_entries(&[("override", percent)]).unwrap();
+        value(&there, "slack-start").abs() + value(&there, "slack-stop").abs()
+    };
+    let most = ["50", "100", "200"].map(ends).into_iter().fold(0.0, f64::max);
+    let laid = 200.0 * (1480.0 / 600.0 - 1.0);
+    assert!((up.value - laid - most).abs() < 1e-6, "{} {laid} {most}", up.value);
+    // From 50 % to 0: the queue less what the unwinder lays over its ramp, and the lag of X.
+    let (speed, ramp) = (value(&line, "line-speed") / 120.0, 2.0 * 600.0 / 1480.0);
+    let missing = 200.0 - speed * ramp / 2.0 + speed * (0.05 + 1.0 / 33.0);
+    assert!((down.value - missing).abs() < 1e-9, "{} {missing}", down.value);
+    // Fewer pitches per block shorten the queue from the product's length on, not from six blocks of 20 pitches.
+    let [up, _] = turned(&[&product[..], &[("loop-capacity", "300")]].concat());
+    let offered = up.advice.iter().flat_map(|advice| &advice.entries).find(|set| set.field == "pitches-per-block");
+    let offered = offered.expect("fewer pitches per block").text.clone();
+    let [up, _] = turned(&[product[0], ("pitches-per-block", &offered), ("loop-capacity", "300")]);
+    assert_eq!(up.verdict, Verdict::Ok, "{offered}");
+}
+
+#[test]
 fn loop_too_small_for_a_turn_offers_a_higher_lowest_position() {
     let entries = [("pitches-per-block", "4"), ("knob-lowest", "10"), ("loop-capacity", "700")];
     let [up, _] = turned(&entries);
