@@ -1,6 +1,7 @@
 //! The supply reel in operation: time and products of a full reel, pull at a start, brake at a stop.
 
 use super::contacts::left_at_reel_end;
+use super::derive::greatest;
 use super::mechanics::{unwinder_load, unwinder_torque};
 use super::params::Params;
 use super::reel::{ramp_acceleration, wound};
@@ -19,9 +20,31 @@ pub(super) fn time(line: &RibbonLine) -> f64 {
     if length > 0.0 { 60e3 * length / line.line_speed() } else { 0.0 }
 }
 
+/// Ribbon (mm) in the loop at the end of a product when M5 stops the unwinder, at the worst position of the knob:
+/// `max(start + run + v · (τ_r - τ / 2) - v / K, 0)`, the stop without `v · t_r / 2`, the ribbon of the inverter's ramp that the sensor leaves
+/// on the reel. Source: ribbon line facts, 7 and 11.
+fn left_in_loop(line: &RibbonLine) -> f64 {
+    let p = &line.params;
+    greatest(line.over_knob(), |d| {
+        let ramp = p.inverter_ramp * d.unwinder.actual / p.speed_at_10v;
+        d.slack.start + d.slack.run + d.slack.stop - d.feeds.line_speed / 60.0 * ramp / 2.0
+    })
+}
+
+/// Ribbon (mm) of a full reel beside its products: the loop of the last one, and the ribbon that the sensor leaves for the stop. The loops of
+/// the products before are taken up onto the reel. Source: ribbon line facts, 11.
+fn beside_products(line: &RibbonLine) -> f64 {
+    left_in_loop(line) + left_at_reel_end(line)
+}
+
+/// Ribbon (mm) of a reel that suffices for a product.
+pub(super) fn needed(line: &RibbonLine) -> f64 {
+    line.derived.product.length + beside_products(line)
+}
+
 /// Products that a reel makes until its sensor holds the program.
 fn products_of_ribbon(line: &RibbonLine) -> f64 {
-    (1e3 * wound(&line.params).length() - left_at_reel_end(line)).max(0.0) / line.derived.product.length
+    (1e3 * wound(&line.params).length() - beside_products(line)).max(0.0) / line.derived.product.length
 }
 
 /// Whole products that a reel makes until its sensor holds the program.

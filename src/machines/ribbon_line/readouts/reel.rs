@@ -24,7 +24,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "reel-products", label: "ribbon.readout.reel-products", unit: "", decimals: 0,
-        formula: "whole products in the length, less what the stop at the reel’s end takes", cite: FACTS, value: products, ..ReadoutRow::BASE
+        formula: "whole products in the length, less the ribbon in the loop and what the stop at the reel’s end takes", cite: FACTS, value: products, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "reel-inertia-full", label: "ribbon.readout.reel-inertia-full", unit: "kg cm²", decimals: 2,

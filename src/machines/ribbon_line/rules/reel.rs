@@ -2,10 +2,9 @@
 
 use crate::drives::reel;
 use crate::machines::form::entry::{at_least, at_most, field_max};
-use crate::machines::ribbon_line::contacts::left_at_reel_end;
 use crate::machines::ribbon_line::params::FIELDS;
 use crate::machines::ribbon_line::reel::wound;
-use crate::machines::ribbon_line::reel_demand::{coasting_acceleration, coasting_pull, products, ramp_pull};
+use crate::machines::ribbon_line::reel_demand::{coasting_acceleration, coasting_pull, needed, products, ramp_pull};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
@@ -29,7 +28,7 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
     if limit.holds(products(line)) {
         return ok(limit);
     }
-    let needed = (line.derived.product.length + left_at_reel_end(line)) / 1e3;
+    let needed = needed(line) / 1e3;
     let advice = Advice::from(msg!("ribbon.reel-ends", length = (1e3 * reel.length(), 0), needed = (1e3 * needed, 0)));
     let set = at_least(FIELDS, "reel-diameter", 1e3 * reel.full_for(needed));
     let fits = set.value <= field_max(FIELDS, "reel-diameter");

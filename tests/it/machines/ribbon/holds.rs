@@ -8,7 +8,7 @@ use macroline::view::Verdict;
 
 use super::controls;
 use super::each_control::{begun, ended, over_time, project};
-use crate::queries::{sized_without_envelope, value};
+use crate::queries::{readout, sized_without_envelope, value};
 
 /// An unwinder without slip, so that starts and stops alone fill and empty the loop.
 const EVEN: [(&str, &str); 2] = [("no-load-speed", "1480"), ("rated-load-speed", "1480")];
@@ -285,6 +285,24 @@ fn reel_at_its_end_holds_with_ribbon_for_the_stop() {
     let left = wound - ribbon(&planner, planner.timeline().end()).0;
     let wanted = wound - opens - SPEED * RAMP / 2.0;
     assert!((wanted - SPEED * (READING + LOOK)..wanted + 0.1).contains(&left), "{left} {wanted}");
+}
+
+#[test]
+fn advised_reel_lasts_for_a_product_with_its_loop() {
+    // The dwell of 2 s lays 332 mm into the loop; a step of 0.1 mm of the reel's diameter is 218 mm of ribbon.
+    let project = short_reel(&[]);
+    let advice = readout(&project, "reel-products").advice.into_iter().find(|advice| !advice.entries.is_empty());
+    let diameter = advice.expect("a reel that suffices").entries[0].text.clone();
+    let enough = short_reel(&[("reel-diameter", &diameter)]);
+    assert_eq!(value(&enough, "reel-products"), 1.0);
+    let (planner, end) = run(&enough, &[]);
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::ProgramEnd, vec![]));
+    // Two steps less lack a part of the loop.
+    let less = format!("{:.1}", diameter.parse::<f64>().unwrap() - 0.2);
+    let short = short_reel(&[("reel-diameter", &less)]);
+    assert_eq!(value(&short, "reel-products"), 0.0);
+    let (planner, end) = run(&short, &[]);
+    assert_eq!((end, finding_ids(&planner)), (RunEnd::Stop, vec!["ribbon.held-reel-empty"]));
 }
 
 #[test]
