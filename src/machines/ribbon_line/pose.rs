@@ -26,9 +26,10 @@ pub(super) const TIGHT: f64 = -0.5;
 /// Lag of the pull roller, mm, within which a dot counts as printed.
 const AT_DOT: f64 = 1e-4;
 
-/// Ribbon unwound (mm) after turns of the unwinder's motor: `n · π · D / i`.
+/// Ribbon unwound (mm) after turns of the unwinder's motor, in the scale of the pull roller: `n · π · D / i · (1 + t / D - t / Dx)`, the
+/// thickness t counting where the diameters are entered without it.
 pub(super) fn unwound(p: &Params, turns: f64) -> f64 {
-    turns / p.reduction_ratio * PI * p.press_roller_diameter
+    turns / p.reduction_ratio * PI * p.press_roller_diameter * (1.0 + p.laid_by_thickness())
 }
 
 /// The state of the line at a moment, in the units of the drawing's figures.

@@ -10,7 +10,7 @@ use crate::math::PI;
 pub(in crate::machines::ribbon_line) struct Accuracy {
     /// Error of the ribbon's speed by the π of the program, mm/min.
     pub pi_drift: f64,
-    /// %.
+    /// Greater one of both rollers, %.
     pub thickness_error: f64,
     /// Lag of Y behind X at full speed.
     pub register_error: f64,
@@ -38,9 +38,21 @@ impl Accuracy {
     }
 }
 
-/// Length error (%) of a diameter entered without the ribbon's thickness: `t / D · 100`. Source: sizing facts D22.
+/// Length error (%) of diameters entered without the ribbon's thickness, of the smaller roller: `t / D · 100`. Source: sizing facts D22.
 fn thickness_error(p: &Params) -> f64 {
-    if p.effective_diameter { 0.0 } else { p.ribbon_thickness / p.press_roller_diameter * 100.0 }
+    let smaller = p.press_roller_diameter.min(p.x_roller_diameter);
+    if p.effective_diameter { 0.0 } else { p.ribbon_thickness / smaller * 100.0 }
+}
+
+impl Params {
+    /// Ribbon that the press roller lays more than the pull roller takes up, as a share of the line speed, where the diameters are entered
+    /// without the ribbon's thickness: `t / D - t / Dx`; 0 for equal rollers, and with a dancer, which trims it. Source: ribbon line facts, 3.
+    pub(in crate::machines::ribbon_line) fn laid_by_thickness(&self) -> f64 {
+        if self.effective_diameter || self.dancer {
+            return 0.0;
+        }
+        self.ribbon_thickness / self.press_roller_diameter - self.ribbon_thickness / self.x_roller_diameter
+    }
 }
 
 /// Drift of Y in mm (or °) per shift of eight hours if the control only rounded each stroke to 0.001. The programs

@@ -37,8 +37,9 @@ pub(in crate::machines::ribbon_line) struct Slack {
 impl Slack {
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, feeds: &LineFeeds, timing: &LineTiming) -> Slack {
         let (line_speed, error) = (feeds.line_speed, unwinder.error);
-        // Ribbon unwound per minute, with the exact π; a dancer trims it to the program's.
-        let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * unwinder.actual;
+        // Ribbon unwound per minute, with the exact π and the thickness; a dancer trims it to the program's.
+        let unwound =
+            k(PI, p.press_roller_diameter, p.reduction_ratio) * unwinder.actual * (1.0 + p.laid_by_thickness());
         let unwound = |error: f64| if p.dancer { line_speed } else { unwound * (1.0 + error) };
         // A feed per revolution follows the measured speed of the unwinder.
         let in_step = p.feeds_per_revolution();

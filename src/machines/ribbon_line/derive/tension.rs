@@ -19,8 +19,9 @@ pub(in crate::machines::ribbon_line) struct Tension {
 impl Tension {
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, slack: &Slack) -> Tension {
         let area = p.ribbon_width * p.ribbon_thickness;
-        // Under a feed per revolution X follows the measured speed of the unwinder: no draw.
-        let draw = if p.feeds_per_revolution() { 0.0 } else { (-unwinder.error.min(unwinder.error_rated)).max(0.0) };
+        // Under a feed per revolution X follows the measured speed of the unwinder: no draw but that of the thickness.
+        let slip = if p.feeds_per_revolution() { 0.0 } else { -unwinder.error.min(unwinder.error_rated) };
+        let draw = (slip - p.laid_by_thickness()).max(0.0);
         Tension {
             draw: web::draw_tension(p.youngs_modulus, area, draw),
             start: start_tension(p, area, slack.missing),

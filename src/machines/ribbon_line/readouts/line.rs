@@ -320,7 +320,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "thickness-error", label: "ribbon.readout.thickness-error", unit: "%", decimals: 2,
-        formula: "t / #102 · 100",
+        formula: "t / the smaller of #102 and Dx · 100",
         cite: Citation::new("sizing facts D22", Grade::Inferred), value: |line| line.derived.accuracy.thickness_error, ..ReadoutRow::BASE
     },
     ReadoutRow {

@@ -109,12 +109,17 @@ pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<J
     if d.accuracy.thickness_error <= THICKNESS {
         return ok(limit);
     }
-    let effective = p.press_roller_diameter + p.ribbon_thickness;
-    let set = nearest(FIELDS, "press-roller-diameter", effective);
-    let advice =
-        Advice::from(msg!("ribbon.thickness", percent = (d.accuracy.thickness_error, 2), diameter = (effective, 3)));
-    let button = msg!("advice.set-diameter", diameter = (effective, 2));
-    warn(limit, [advice.setting(button, [set.into(), FieldEntry::new("effective-diameter", "true")])])
+    // The flag holds for both rollers: with one of them alone X would pull the ribbon tight, or lag behind.
+    let [press, pull] = [p.press_roller_diameter, p.x_roller_diameter].map(|bare| bare + p.ribbon_thickness);
+    let percent = (d.accuracy.thickness_error, 2);
+    let advice = Advice::from(msg!("ribbon.thickness", percent, press = (press, 3), pull = (pull, 3)));
+    let button = msg!("advice.set-effective-diameters", press = (press, 2), pull = (pull, 2));
+    let entries = [
+        nearest(FIELDS, "press-roller-diameter", press).into(),
+        nearest(FIELDS, "x-roller-diameter", pull).into(),
+        FieldEntry::new("effective-diameter", "true"),
+    ];
+    warn(limit, [advice.setting(button, entries)])
 }
 
 fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {

@@ -186,7 +186,8 @@ const POINTER: u16 = 67;
 fn loop_is_as_long_as_distance_and_slack() {
     // Rollers of one size and of two, shallow and deep.
     for (press, pull) in [("100", "100"), ("40", "160"), ("160", "40"), ("1000", "50")] {
-        let values = values(&[("press-roller-diameter", press), ("x-roller-diameter", pull), ("loop-capacity", "500")]);
+        let rollers = [("press-roller-diameter", press), ("x-roller-diameter", pull), ("effective-diameter", "true")];
+        let values = values(&[&rollers[..], &[("loop-capacity", "500")]].concat());
         let machine = machine().prepare(&values, on());
         let at_slack = |slack: f64| {
             let mut now = Snapshot::default();

@@ -283,3 +283,58 @@ fn range_of_the_control_is_reached_in_the_calculated_time() {
     let open = readout(&line("sinumerik-802d", &[("endless", "nothing")]), "range-time");
     assert_eq!(open.advice[0].message.id, "ribbon.range-open");
 }
+
+/// The share of the line speed that piles up: the slack rate over the line speed.
+fn piled_up(project: &Project) -> f64 {
+    readout(project, "slack-rate").value / readout(project, "line-speed").value
+}
+
+#[test]
+fn rollers_of_two_diameters_lay_ribbon_by_its_thickness() {
+    // 0.5 mm on 20 mm is 2.5 %, on 100 mm 0.5 %.
+    let more = [("press-roller-diameter", "20"), ("reduction-ratio", "10"), ("loop-capacity", "100000")];
+    let entries = [&more[..], &[("pitch-count", "240")]].concat();
+    let line = line("mitsubishi-e60", &entries);
+    assert!((piled_up(&line) - 0.02).abs() < 1e-9, "{}", piled_up(&line));
+    let error = readout(&line, "thickness-error").value;
+    assert!((error - 2.5).abs() < 1e-9, "{error}");
+    // A run lays as much.
+    let planner = over_time(&line, vec![]);
+    let end = planner.ended_at().unwrap();
+    let charts = line.prepared().charts(&planner, 0.0, end, 8001);
+    let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
+    let at = |t: f64| slack[slack.partition_point(|point| point.0 < t)];
+    let (from, to) = (at(0.4 * end), at(0.8 * end));
+    let rate = (to.1 - from.1) / (to.0 - from.0) * 60.0;
+    let wanted = readout(&line, "slack-rate").value;
+    assert!((rate - wanted).abs() < 0.01 * wanted, "{rate} {wanted}");
+    // A smaller pull roller pulls the ribbon tight.
+    let smaller = [("press-roller-diameter", "100"), ("reduction-ratio", "50"), ("x-roller-diameter", "50")];
+    let tight = project_with(&line, &smaller);
+    assert!((piled_up(&tight) + 0.005).abs() < 1e-9, "{}", piled_up(&tight));
+    // Nothing piles up with a dancer, or between rollers of one diameter.
+    for even in [("dancer", "true"), ("x-roller-diameter", "20"), ("effective-diameter", "true")] {
+        assert!(piled_up(&project_with(&line, &[even])).abs() < 1e-9, "{even:?}");
+    }
+}
+
+/// The project with other entries.
+fn project_with(project: &Project, entries: &[(&'static str, &str)]) -> Project {
+    project.with_entries(entries).unwrap()
+}
+
+#[test]
+fn advice_on_the_thickness_keeps_both_rollers_in_step() {
+    let line = line("mitsubishi-e60", &[]);
+    let row = readout(&line, "thickness-error");
+    assert_eq!(row.verdict, Verdict::Warn);
+    let sets: Vec<_> = row.advice[0].entries.iter().map(|entry| (entry.field, entry.text.as_str())).collect();
+    let wanted = [("press-roller-diameter", "100.5"), ("x-roller-diameter", "100.5"), ("effective-diameter", "true")];
+    assert_eq!(sets, wanted);
+    let after = project_with(&line, &sets);
+    assert_eq!(readout(&after, "thickness-error").verdict, Verdict::Ok);
+    assert!(piled_up(&after).abs() < 1e-9, "{}", piled_up(&after));
+    // As many turns of the motor of X as before for a length of ribbon: its scale holds the thickness too.
+    let turns = |project: &Project| readout(project, "x-motor-speed").value / readout(project, "line-speed").value;
+    assert!((turns(&after) / turns(&line) - 100.0 / 100.5).abs() < 1e-9);
+}
