@@ -216,6 +216,9 @@ pub(crate) struct Params {
     /// Whether the override is typed, because the control has no macro input with the knob. Not a field: it follows
     /// from the control.
     pub typed_override: bool,
+    /// Share of the commanded speed within which the control lets a feed begin after a start of the spindle; none where it does not wait.
+    /// Not a field: it follows from the control and its switch.
+    pub speed_tolerance: Option<f64>,
     pub manual_speed: f64,
     pub frequency_at_10v: f64,
     pub inverter_ramp: f64,

@@ -67,6 +67,7 @@ impl RibbonLine {
             (params.clamp_x, params.clamp_y) = (form.rapid_x, form.rapid_y);
         }
         params.typed_override = form.types_override(control);
+        params.speed_tolerance = dialect.spindle().reached;
         let knob = dialect.spindle().knob;
         params.knob_lowest = params.knob_lowest.max(knob.low);
         if dialect.device(control, SignalRole::SpindleOverrideCode).is_some() {

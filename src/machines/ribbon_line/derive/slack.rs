@@ -1,7 +1,7 @@
 //! Ribbon between unwinder and pull roller: lengths laid by start, run, stop and interruption, and the loop that holds them.
 
 use super::feeds::{LineFeeds, k};
-use super::start::{first_wait, laid_at_start, ramp, wait};
+use super::start::{first_wait, laid_at_start, program_wait, ramp, speed_wait, wait};
 use super::timing::LineTiming;
 use super::unwinder::UnwinderSpeed;
 use crate::drives::web;
@@ -59,14 +59,14 @@ impl Slack {
         let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };
         let start =
             if started { laid_at_start(p, second, feed_ramp, edge, first_wait(p, true)) + edge_lag } else { 0.0 };
-        // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
-        // at the start, with their blocks read.
+        // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it, or with their next block
+        // where the control waits for the speed; others wait as at the start, with their blocks read.
         let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
-        let resumed = || laid_at_start(p, second, feed_ramp, tau, wait(p, true));
-        let resume = if in_step { second * tau / 2.0 + lag } else { resumed() + lag };
-        let resume = if started { resume } else { 0.0 };
+        let again = if in_step { speed_wait(p) } else { wait(p, true) };
+        let resume = if started { laid_at_start(p, second, feed_ramp, tau, again) + lag } else { 0.0 };
+        // A control that waits for the speed waits less after a short pause, so that the dwell alone counts there.
         let timed = p.wait == Wait::Dwell && !in_step;
-        let short = if timed { web::slack_of_short_stop(second, feed_ramp, wait(p, started)) } else { 0.0 };
+        let short = if timed { web::slack_of_short_stop(second, feed_ramp, program_wait(p, started)) } else { 0.0 };
         let run = if started { run } else { 0.0 };
         // M5 follows the last move and is read when both axes have stopped.
         let stop = web::slack_after_stop(second, feed_ramp, edge, rest) - edge_lag;

@@ -15,13 +15,25 @@ pub(super) fn first_wait(p: &Params, moves: bool) -> f64 {
     if moves { wait(p, true).max(p.first_reading()) } else { 0.0 }
 }
 
-/// Longest dwell (s) that does not delay the first pull, because it ends while the control still reads blocks.
+/// Longest dwell (s) that does not delay the first pull, because it ends while the control still reads blocks or waits for the speed.
 pub(in crate::machines::ribbon_line) fn least_dwell(p: &Params) -> f64 {
-    (p.first_reading() - FIN_DELAY).max(0.0)
+    (p.first_reading().max(speed_wait(p)) - FIN_DELAY).max(0.0)
 }
 
-/// Time from M3 to the release of X, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
+/// Time (s) for which the control itself holds a feed back after a start of the spindle: until the speed is within its tolerance,
+/// `(1 - tolerance) · t_ramp`; 0 where it does not wait. Source: ribbon line facts, 7.
+pub(super) fn speed_wait(p: &Params) -> f64 {
+    p.speed_tolerance.map_or(0.0, |tolerance| (1.0 - tolerance) * ramp(p))
+}
+
+/// Time from M3 to the first feed, s: the wait of the program, or that of the control, if that is longer; 0 at standstill.
 pub(super) fn wait(p: &Params, moves: bool) -> f64 {
+    if moves { program_wait(p, true).max(speed_wait(p)) } else { 0.0 }
+}
+
+/// Time from M3 to the release of X by program and PLC, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0
+/// at standstill.
+pub(super) fn program_wait(p: &Params, moves: bool) -> f64 {
     match p.wait {
         _ if !moves => 0.0,
         Wait::Dwell => FIN_DELAY + p.dwell,

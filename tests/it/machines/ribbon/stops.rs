@@ -70,6 +70,36 @@ fn loop_is_judged_by_all_ribbon_that_a_product_lays() {
     assert_eq!(buttons[0], [FieldEntry::new("loop-capacity", "1220")]);
 }
 
+#[test]
+fn feed_that_waits_for_the_speed_counts_at_start_and_restart() {
+    let in_step = [("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")];
+    for (control, own) in [
+        ("sinumerik-802d", &[("dwell", "0.6")][..]),
+        ("mitsubishi-e60", &[("dwell", "0.6")][..]),
+        ("sinumerik-802d", &in_step[..]),
+        // A dwell beyond the ramp counts alone.
+        ("sinumerik-802d", &[("dwell", "3")][..]),
+    ] {
+        let more = [("inverter-ramp", "4"), ("pitch-count", "400"), ("loop-capacity", "100000")];
+        let mut line = line(control, &[own, &more].concat());
+        let at_once = readout(&line, "slack-start").value;
+        line.switches.0.retain(|(switch, _)| switch != "speed-reached");
+        line.switches.0.push(("speed-reached".to_owned(), "wait".to_owned()));
+        let value = |id: &str| readout(&line, id).value;
+        let planner = over_time(&line, vec![event(8.0, Action::Hold), event(13.0, Action::Start)]);
+        let points = slack(&line, &planner, 8001);
+        let name = format!("{control} {own:?}");
+        let (start, wanted) = (slack_at(&points, 7.9), value("slack-start"));
+        assert!((start - wanted).abs() < looks(&line) + 1.0, "{name}: {start} {wanted}");
+        assert_eq!(wanted > at_once + 50.0, own != &[("dwell", "3")][..], "{name}: {wanted} {at_once}");
+        // X ends its block of 8 mm before it waits.
+        let (again, wanted) = (slack_at(&points, 18.0), wanted + value("slack-hold") + value("slack-resume"));
+        assert!((wanted - 8.0 - looks(&line)..wanted + looks(&line)).contains(&again), "{name}: {again} {wanted}");
+        let most = points.iter().map(|point| point.1).fold(0.0, f64::max);
+        assert!(most <= value("loop-needed") + looks(&line), "{name}: {most}");
+    }
+}
+
 /// The first example with the knob free up to 123.3 %: K = 6.314 mm, a ramp of 2 s, a dwell of 0.7 s.
 fn example(changes: &[(&str, &str)]) -> Project {
     let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
