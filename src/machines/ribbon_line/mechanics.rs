@@ -126,6 +126,28 @@ impl ServoAxis {
         self.fitted.motor.shares(&self.load, &self.demand)
     }
 
+    /// Greatest torque (Nm) of a ramp between rest and `rpm` of the motor, up with `T_L + (J_L / η + J_M) · ω / t` or down with
+    /// `|T_L - (J_L · η + J_M) · ω / t|`. Source: sizing facts 2.2.
+    pub(super) fn ramp_torque(&self, rpm: f64) -> f64 {
+        let (rise, fall) = self.ramp_torques(rpm);
+        (self.load.torque + rise).abs().max((self.load.torque - fall).abs())
+    }
+
+    /// Torques (Nm) of such a ramp, up and down, besides the steady one.
+    fn ramp_torques(&self, rpm: f64) -> (f64, f64) {
+        let (rotor, speed) = (self.fitted.motor.rotor, rpm * RPM);
+        (self.load.accelerating(rotor, speed, self.ramp), self.load.braking(rotor, speed, self.ramp))
+    }
+
+    /// Greatest share of `rpm` whose ramp takes a torque that the limits allow at that speed; 0 or less if the steady torque alone takes
+    /// more.
+    pub(super) fn allowed_share(&self, rpm: f64) -> f64 {
+        let (steady, (rise, fall)) = (self.load.torque, self.ramp_torques(rpm));
+        let within = |torque: f64| ((torque - steady) / rise).min((torque + steady) / fall);
+        let (there, below_rated) = (self.fitted.short_time_limit(rpm), self.fitted.short_time_limit(0.0));
+        within(there).max(within(below_rated).min(self.fitted.motor.rated_speed / rpm))
+    }
+
     /// Shortest ramp (s), up and down, with the torque that the limits allow; infinite if standstill alone needs more.
     pub(super) fn shortest_ramp(&self) -> f64 {
         let torque = self.fitted.short_time_limit(self.demand.speed);

@@ -2,6 +2,7 @@
 
 use crate::drives::inertia::{self, CM2};
 use crate::machines::ribbon_line::resolved::RibbonLine;
+use crate::machines::ribbon_line::rules::drives::rapid_torques;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
@@ -32,6 +33,11 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3,
         formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest, torque of the tautest ribbon",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.demand.peak, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "x-rapid-torque", label: "ribbon.readout.x-rapid-torque", unit: "Nm", decimals: 3,
+        formula: "load torque + (JL / η + JM) · 2π n / (60 · τ) at rapid traverse; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| rapid_torques(line)[0], ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-effective-torque", label: "ribbon.readout.x-effective-torque", unit: "Nm", decimals: 3,
@@ -72,6 +78,11 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         id: "y-peak-torque", label: "ribbon.readout.y-peak-torque", unit: "Nm", decimals: 3,
         formula: "load torque + ramp torque; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|, torque at rest",
         cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.demand.peak, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "y-rapid-torque", label: "ribbon.readout.y-rapid-torque", unit: "Nm", decimals: 3,
+        formula: "load torque + (JL / η + JM) · 2π n / (60 · τ) at rapid traverse; where more: |load torque - (JL · η + JM) · 2π n / (60 · τ)|",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| rapid_torques(line)[1], ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-effective-torque", label: "ribbon.readout.y-effective-torque", unit: "Nm", decimals: 3,

@@ -2,6 +2,7 @@
 //!
 //! Judged with the knob at its highest position: acceleration grows with the speed, because a ramp lasts its time constant at every speed.
 
+use super::feeds::rapid_speeds;
 use super::slack;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
@@ -21,6 +22,8 @@ use crate::view::Limit::AtMost;
 pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-peak-torque", peak_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("y-peak-torque", peak_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("x-rapid-torque", rapid_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("y-rapid-torque", rapid_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("x-effective-torque", effective_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("y-effective-torque", effective_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
     Rule::new("x-inertia-ratio", inertia_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
@@ -77,6 +80,36 @@ fn peak_x(line: &RibbonLine) -> Option<Judgement> {
 
 fn peak_y(line: &RibbonLine) -> Option<Judgement> {
     peak(&line.mechanics.print, &line.fast_mechanics.print)
+}
+
+/// Torque (Nm) of the ramp to rapid traverse, of the motors of X and of the print roller.
+pub(in crate::machines::ribbon_line) fn rapid_torques(line: &RibbonLine) -> [f64; 2] {
+    let [x, y] = rapid_speeds(line);
+    [line.mechanics.pull.ramp_torque(x), line.mechanics.print.ramp_torque(y)]
+}
+
+/// Judges the ramp to rapid traverse, which lasts as long as that to a feed: the print roller turns to its next head at rapid traverse, both
+/// rollers turn by hand. A steady torque that is too great by itself is left to the rule of the peak torque.
+fn rapid(axis: &ServoAxis, speed: f64, field: &'static str, entered: f64) -> Option<Judgement> {
+    let (torque, most) = (axis.ramp_torque(speed), axis.fitted.short_time_limit(speed));
+    let (limit, share) = (AtMost(most), axis.allowed_share(speed));
+    if limit.holds(torque) {
+        return ok(limit);
+    }
+    if share <= 0.0 {
+        return None;
+    }
+    let set = at_most(FIELDS, field, entered * share);
+    let advice = Advice::from(msg!("ribbon.rapid-torque", torque = (torque, 2), limit = (most, 2)));
+    fail(limit, [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
+}
+
+fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
+    rapid(&line.mechanics.pull, rapid_speeds(line)[0], "rapid-x", line.params.rapid_x)
+}
+
+fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
+    rapid(&line.mechanics.print, rapid_speeds(line)[1], "rapid-y", line.params.rapid_y)
 }
 
 fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {

@@ -177,6 +177,30 @@ fn rapid_traverse_of_the_rollers_is_judged() {
     assert_eq!(readout(&slower, "y-rapid-speed").verdict, Verdict::Ok);
 }
 
+/// The ramp to rapid traverse is as long as that to a feed, so that its torque grows with the speed.
+#[test]
+fn torque_of_rapid_traverse_is_judged() {
+    let matched = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+    for (id, ramp, axis, entered) in
+        [("x-rapid-torque", "x-ramp-torque", "x", "200000"), ("y-rapid-torque", "y-ramp-torque", "y", "150000")]
+    {
+        assert_eq!(readout(&matched, id).verdict, Verdict::Ok, "{id}");
+        let rapid = if axis == "x" { "rapid-x" } else { "rapid-y" };
+        let more = [("time-constant-x", "35"), ("time-constant-y", "35"), (rapid, entered), ("gear-y", "10")];
+        let line = matched.with_entries(&[&more[..], &[("gear-x", "10")]].concat()).unwrap();
+        let value = |id: &str| readout(&line, id).value;
+        // T_L + (J_L / η + J_M) ω / t, by the ramp to the feed.
+        let speeds = value(&format!("{axis}-rapid-speed")) / value(&format!("{axis}-motor-speed"));
+        let wanted = value(&format!("{axis}-load-torque")) + value(ramp) * speeds;
+        let row = readout(&line, id);
+        near(row.value, wanted, 1e-9 * wanted);
+        assert_eq!(row.verdict, Verdict::Fail, "{id}: {}", row.value);
+        assert_eq!(readout(&line, &format!("{axis}-peak-torque")).verdict, Verdict::Ok, "{id}");
+        let slower = line.with_entries(&row.advice[0].entries).unwrap();
+        assert_eq!((row.advice[0].entries[0].field, readout(&slower, id).verdict), (rapid, Verdict::Ok), "{id}");
+    }
+}
+
 /// An unwinder that turns half of what the control counts on: no dancer makes up for that, but the frequency of the inverter does.
 #[test]
 fn dancer_trims_away_a_tenth_at_most() {
