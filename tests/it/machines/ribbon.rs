@@ -248,7 +248,7 @@ fn paper_example_fails_the_slip_rule_and_names_the_match() {
             "Or match the heads: 47 on this roller give a ratio of 1.00264 and a smear of 0.005 mm.",
             "6 heads would roll without slip on Ø 15.28 mm, which is thinner than the two walls of the print roller, 20 mm.",
             "Or a pitch of 62.832 mm.",
-            "That makes another result fail: Ribbon missing after a turn of the knob down.",
+            "That makes another result fail: Ribbon missing after a turn of the knob.",
             "Or an electronic cam in the drive that matches the speed only in the contact: by a modified sine the print motor takes 99.42 Nm at most (5.02 are allowed) and 57.06 Nm effective (1.65 are allowed); it suffices for ribbon speeds up to 3660 mm/min. A G01 block cannot do this: its ratio is constant.",
         ]
     );

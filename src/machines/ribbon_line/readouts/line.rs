@@ -272,8 +272,8 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "missing-turned", label: "ribbon.readout.missing-turned", unit: "mm", decimals: 1,
-        formula: "q · (1 - v lowest / v highest), the knob at its lowest and highest position, q = (1 + blocks read ahead) · pitches · #107; to a position 0 at least q - v lowest · (ramp / 2 - τ / 2 - 1 / Kx), or q² / (2 · v lowest · ramp) + v lowest · (τ / 2 + 1 / Kx) where q is shorter than v lowest · ramp",
-        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::missing_by_turn_down,
+        formula: "q · (1 - v lowest / v highest), the knob at its lowest and highest position, q = (1 + blocks read ahead) · pitches · #107, at most a product; to a position 0 at least q - v lowest · (ramp / 2 - τ / 2 - 1 / Kx), or q² / (2 · v lowest · ramp) + v lowest · (τ / 2 + 1 / Kx) where q is shorter than v lowest · ramp; up (v highest - v lowest) · (ramp / 2 - q / v lowest - τ / 2 - 1 / Kx), with the ramp between both speeds",
+        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::missing_by_turn,
         shown: slack::turns_with_queue, ..ReadoutRow::BASE
     },
     ReadoutRow {

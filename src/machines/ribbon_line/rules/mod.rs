@@ -117,7 +117,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-scaling-drift", coordinates::scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("y-scaling-drift", coordinates::scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
-    Rule::new("missing-turned", slack::turn_down, Citation::new("ribbon line facts, 5", Grade::Inferred)),
+    Rule::new("missing-turned", slack::turn_starves, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("loop-turned", slack::turn_up, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("stop-room", tension_switch::stops_in_time, CONTACTS),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),

@@ -175,16 +175,14 @@ fn queued_per_pitch(p: &Params) -> f64 {
     (p.preread + 1.0) * p.pitch
 }
 
-/// Ribbon (mm) that X may pull ahead of the unwinder until the tension switch opens: the least that a start has laid, and the missing
-/// ribbon at which the switch opens.
-fn may_go_missing(line: &RibbonLine) -> f64 {
-    (least_laid_by_start(line) + TensionSwitch::new(line).missing).max(0.0)
-}
-
 /// Least ribbon (mm) in the loop while the line runs, over the positions of the knob.
 fn least_laid_by_start(line: &RibbonLine) -> f64 {
-    let laid = line.over_knob().map(|d| d.slack.start.min(d.slack.start + d.slack.run));
-    laid.into_iter().fold(f64::INFINITY, f64::min)
+    line.over_knob().into_iter().map(least_laid).fold(f64::INFINITY, f64::min)
+}
+
+/// The same at one position of the knob.
+fn least_laid(at: &Derived) -> f64 {
+    at.slack.start.min(at.slack.start + at.slack.run)
 }
 
 /// Whether one turn of the knob lays ribbon: the unwinder follows it at once, and the queued blocks keep their feed.
@@ -224,10 +222,68 @@ fn missing_at_zero(line: &RibbonLine) -> f64 {
     lag + if queued < stop { queued * queued / (2.0 * stop) } else { queued - stop / 2.0 }
 }
 
-/// Ribbon (mm) that one turn of the knob down pulls more than is laid, from its highest position to its lowest or to 0; 0 where a turn lays
-/// none.
-pub(in crate::machines::ribbon_line) fn missing_by_turn_down(line: &RibbonLine) -> f64 {
-    if turns_with_queue(line) { missing_at_lowest(line).max(missing_at_zero(line)) } else { 0.0 }
+/// Ribbon (mm) that one turn of the knob from its lowest position to its highest pulls more than is laid, where the queue ends before the
+/// unwinder is on speed: `(v2 - v1) · (t_r / 2 - q / v1 - τ / 2 - 1 / K)`, with the inverter's ramp `t_r` from v1 to v2; 0 where the product ends
+/// with the queue, and where feeds wait for the speed. Source: ribbon line facts, 5.
+fn missing_at_highest(line: &RibbonLine) -> f64 {
+    let (p, queued) = (&line.params, queued(line));
+    if p.speed_tolerance.is_some() || queued >= line.derived.product.length {
+        return 0.0;
+    }
+    let [v1, v2] = [&line.slow, &line.fast].map(|d| d.feeds.line_speed / 60.0);
+    let ramp = p.inverter_ramp * (line.fast.unwinder.actual - line.slow.unwinder.actual) / p.speed_at_10v;
+    let lag = p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x;
+    ((v2 - v1) * (ramp / 2.0 - queued / v1 - lag)).max(0.0)
+}
+
+/// One turn of the knob in which X pulls more ribbon than the unwinder lays.
+struct StarvingTurn {
+    /// Positions (%) before and after it.
+    from: f64,
+    to: f64,
+    /// Ribbon (mm) that is missing after it.
+    missing: f64,
+    /// Ribbon (mm) in the loop before it, at its least.
+    laid: f64,
+}
+
+impl StarvingTurn {
+    /// The turn with most ribbon missing beyond that in the loop: down to the lowest position, on to 0, or up from the lowest position.
+    fn worst(line: &RibbonLine) -> StarvingTurn {
+        let [low, high] = [&line.slow, &line.fast].map(|d| d.unwinder.effective_override);
+        let laid = least_laid_by_start(line);
+        let others = [
+            StarvingTurn { from: low, to: 0.0, missing: missing_at_zero(line), laid },
+            StarvingTurn { from: low, to: high, missing: missing_at_highest(line), laid: least_laid(&line.slow) },
+        ];
+        let down = StarvingTurn { from: high, to: low, missing: missing_at_lowest(line), laid };
+        others.into_iter().fold(down, |worst, next| if next.beyond_loop() > worst.beyond_loop() { next } else { worst })
+    }
+
+    /// Ribbon (mm) that is missing beyond that in the loop.
+    fn beyond_loop(&self) -> f64 {
+        self.missing - self.laid
+    }
+
+    fn is_up(&self) -> bool {
+        self.to > self.from
+    }
+
+    fn message(&self, line: &RibbonLine, most: f64) -> Message {
+        let (missing, kept, queued) = ((self.missing, 1), (self.missing - most, 1), queued(line));
+        if self.is_up() {
+            let time = queued / line.slow.feeds.line_speed * 60.0;
+            let (low, high) = ((self.from, 0), (self.to, 0));
+            return msg!("ribbon.knob-outruns", low, high, time = (time, 1), missing, kept);
+        }
+        let (low, high) = ((self.to, 0), (self.from, 0));
+        msg!("ribbon.knob-starves", queued = (queued, 0), low, high, missing, kept)
+    }
+}
+
+/// Ribbon (mm) that one turn of the knob pulls more than is laid; 0 where a turn lays none.
+pub(in crate::machines::ribbon_line) fn missing_by_turn(line: &RibbonLine) -> f64 {
+    if turns_with_queue(line) { StarvingTurn::worst(line).missing } else { 0.0 }
 }
 
 /// Ribbon (mm) that start, run and stop lay into the loop, at the worst position of the knob.
@@ -264,41 +320,34 @@ pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Jud
     fail(limit, [longer].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
 }
 
-/// Judges one turn of the knob down, as the operating envelope does: its ribbon comes from the loop and from the stretch at which the tension
-/// switch opens.
-pub(in crate::machines::ribbon_line) fn turn_down(line: &RibbonLine) -> Option<Judgement> {
-    let (missing, most) = (missing_by_turn_down(line), may_go_missing(line));
+/// Judges one turn of the knob down or up, as the operating envelope does: its ribbon comes from the loop and from the stretch at which the
+/// tension switch opens.
+pub(in crate::machines::ribbon_line) fn turn_starves(line: &RibbonLine) -> Option<Judgement> {
+    let (turn, stretch) = (StarvingTurn::worst(line), TensionSwitch::new(line).missing);
+    let most = (turn.laid + stretch).max(0.0);
     let limit = AtMost(most);
-    if missing <= most {
+    if missing_by_turn(line) <= most {
         return ok(limit);
     }
-    let high = line.fast.unwinder.effective_override;
-    let stops = missing_at_zero(line);
-    let lowest = line.slow.unwinder.effective_override;
-    let (from, to) = if stops < missing { (high, lowest) } else { (lowest, 0.0) };
-    let message = msg!(
-        "ribbon.knob-starves",
-        queued = (queued(line), 0),
-        low = (to, 0),
-        high = (from, 0),
-        missing = (missing, 1),
-        kept = (missing - most, 1)
-    );
-    let harder = with_pinch(line, message, missing - least_laid_by_start(line));
-    let lowest = high * (1.0 - most / queued(line));
-    let higher = higher_lowest(line, lowest).filter(|_| stops <= most);
-    let others = [higher, fewer_pitches(line, most / missing), longer_dwell(line, missing)];
+    let harder = with_pinch(line, turn.message(line, most), turn.beyond_loop());
+    let dwell = longer_dwell(line, turn.beyond_loop() - stretch);
+    let others = if turn.is_up() {
+        [None, None, dwell]
+    } else {
+        let lowest = line.fast.unwinder.effective_override * (1.0 - most / queued(line));
+        let higher = higher_lowest(line, lowest).filter(|_| missing_at_zero(line) <= most);
+        [higher, fewer_pitches(line, most / turn.missing), dwell]
+    };
     fail(limit, [harder].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
 }
 
-/// A dwell after which the start has laid so much more that a turn down may miss `missing` mm, and the loop that takes it; none where the
-/// start does not wait by a dwell. Each second lays `v` mm, least with the knob at its lowest position, most at its highest.
-fn longer_dwell(line: &RibbonLine, missing: f64) -> Option<Advice> {
+/// A dwell after which the start has laid `kept` mm more, and the loop that takes them; none where the start does not wait by a dwell. Each
+/// second lays `v` mm, least with the knob at its lowest position, most at its highest.
+fn longer_dwell(line: &RibbonLine, kept: f64) -> Option<Advice> {
     let p = &line.params;
     if p.wait != Wait::Dwell {
         return None;
     }
-    let kept = missing - TensionSwitch::new(line).missing - least_laid_by_start(line);
     let least = p.dwell.max(least_dwell(p)) + kept / (line.slow.feeds.line_speed / 60.0);
     let set = at_least(FIELDS, "dwell", least);
     if set.value < least {

@@ -53,6 +53,29 @@ const RARE: &[Entered] = &[
     ),
     // A listing that is late only while the knob turns; the ready-made program never is.
     ("ribbon-line", "mitsubishi-e60", &[("variant", "precomputed"), ("pitch", "12"), ("pitches-per-block", "2")]),
+    // Short blocks behind an unwinder with a long ramp: a knob that is turned up makes X fast first.
+    (
+        "ribbon-line",
+        "mitsubishi-e60",
+        &[
+            ("reduction-ratio", "50"),
+            ("dancer", "true"),
+            ("inverter-ramp", "6"),
+            ("dwell", "2.7"),
+            ("spindle-speed", "740"),
+            ("pitch", "2"),
+            ("heads", "180"),
+            ("print-roller-diameter", "114.592"),
+            ("block-time", "2"),
+            ("macro-time", "0.3"),
+            ("tension-before", "0.5"),
+            ("pinch-force", "200"),
+            ("youngs-modulus", "2000"),
+            ("tensile-strength", "1500"),
+            ("ribbon-thickness", "0.05"),
+            ("loop-capacity", "1500"),
+        ],
+    ),
     // A length that is no whole number of pitches, and a shorter last pitch that keeps it.
     ("ribbon-line", "mitsubishi-e60", &[("job", "product-length"), ("product-length", "1003"), ("rest", "alarm")]),
     // A knob that acts on the unwinder alone, although the axes could follow it.

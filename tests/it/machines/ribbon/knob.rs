@@ -6,7 +6,7 @@ use macroline::project::Project;
 use macroline::view::{FieldEntry, Limit, Verdict};
 use proptest::prelude::*;
 
-use super::each_control::{ended, first_cut, over_time, project};
+use super::each_control::{begun, ended, first_cut, over_time, project};
 use super::{controls, values};
 use crate::queries::{readout, value};
 
@@ -253,6 +253,51 @@ fn queue_of_a_turned_knob_ends_with_the_product() {
     let offered = offered.expect("fewer pitches per block").text.clone();
     let [up, _] = turned(&[product[0], ("pitches-per-block", &offered), ("loop-capacity", "300")]);
     assert_eq!(up.verdict, Verdict::Ok, "{offered}");
+}
+
+/// Short blocks behind an unwinder with a long ramp: 12 mm of queue at 39 mm/s, and 4.5 s to 156 mm/s.
+const OUTRUN: [(&str, &str); 14] = [
+    ("inverter-ramp", "6"),
+    ("pitch", "2"),
+    ("heads", "180"),
+    ("spindle-speed", "740"),
+    ("print-roller-diameter", "114.592"),
+    ("head-length", "1"),
+    ("loop-capacity", "1500"),
+    ("dwell", "2.7"),
+    ("youngs-modulus", "2000"),
+    ("ribbon-thickness", "0.05"),
+    ("tensile-strength", "150"),
+    ("block-time", "2"),
+    ("macro-time", "0.3"),
+    ("pitch-count", "1000"),
+];
+
+#[test]
+fn turn_up_outruns_an_unwinder_on_its_ramp() {
+    let line = Project::named("ribbon-line", None, None).unwrap().with_entries(&OUTRUN).unwrap();
+    let slow = line.with_entries(&[("override", "50")]).unwrap();
+    let (v1, start) = (value(&slow, "line-speed") / 60.0, value(&slow, "slack-start"));
+    let (v2, ramp) = (v1 * 1480.0 / 370.0, 6.0 * (1480.0 - 370.0) / 1480.0);
+    let missing = (v2 - v1) * (ramp / 2.0 - 12.0 / v1 - 0.05 - 1.0 / 33.0);
+    let row = readout(&line, "missing-turned");
+    assert!((row.value - missing).abs() < 1e-6, "{} {missing}", row.value);
+    assert_eq!(row.verdict, Verdict::Fail);
+    assert_eq!(row.advice[0].message.id, "ribbon.knob-outruns");
+    // A run misses as much but for the block in which the knob turns.
+    let mut planner = begun(&slow, vec![knob(8.0, 200.0)]).without_contacts();
+    assert_eq!(ended(&mut planner), RunEnd::ProgramEnd);
+    let charts = line.prepared().charts(&planner, 0.0, planner.timeline().end(), 8001);
+    let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
+    let least = slack.iter().filter(|point| point.0 > 6.0).map(|point| point.1).fold(f64::INFINITY, f64::min);
+    assert!((least - start + missing).abs() < 12.0, "{least} {start} {missing}");
+    // A longer dwell lays the ribbon before.
+    let remedy = row.advice.iter().find(|advice| advice.message.id == "ribbon.dwell-for-turn").expect("a dwell");
+    let after = line.with_entries(&remedy.entries).unwrap();
+    assert_eq!(readout(&after, "missing-turned").verdict, Verdict::Ok);
+    // A queue that lasts as long as the ramp misses nothing.
+    let queued = line.with_entries(&[("pitches-per-block", "16")]).unwrap();
+    assert!(readout(&queued, "missing-turned").value < missing);
 }
 
 #[test]
