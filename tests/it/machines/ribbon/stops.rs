@@ -468,6 +468,13 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
 }
 
 #[test]
+fn power_failure_names_the_assumption_of_its_loop() {
+    let rows = stop_table(&line("mitsubishi-e60", &[]));
+    let row = rows.iter().find(|cells| cells[0] == "Power failure").expect("a power failure");
+    assert!(row[2].contains("stored energy") && row[2].contains("tight"), "{row:?}");
+}
+
+#[test]
 fn table_counts_the_pauses_that_the_loop_holds() {
     for control in controls() {
         let counted = |capacity: f64| {
