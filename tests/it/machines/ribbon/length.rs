@@ -101,3 +101,18 @@ fn advice_about_a_length_settles_it() {
         }
     }
 }
+
+/// 40 heads and a quarter per product: a program that reads the position turns the roller to head 41 first, the other leaves the dots shifted.
+#[test]
+fn product_after_a_shorter_pitch_begins_as_the_help_says() {
+    for (control, heads) in [("mitsubishi-e60", 41.0 + 40.25), ("sinumerik-802d", 2.0 * 40.25)] {
+        let project = line(control, &[("rest", "shorten")]);
+        let end = over_time(&project, vec![]).ended_at().expect("the end of a product");
+        let mut planner = over_time(&project, vec![Event { t: end + 2.0, action: Action::Start }]);
+        assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{control}");
+        let y = project.control.axis(macroline::controls::Address::Y).unwrap();
+        let turned = planner.timeline().at(planner.timeline().end()).axes[y].position;
+        let turned = turned / (std::f64::consts::PI * 120.0 / 60.0);
+        assert!((turned - heads).abs() < 0.01, "{control}: {turned} heads, expected {heads}");
+    }
+}
