@@ -12,6 +12,9 @@ use crate::text::{Citation, Grade, Message};
 
 const MODEL: Citation = Citation::new("ribbon line facts, 7", Grade::Inferred);
 
+/// Source of the effect of dry run and machine lock.
+const DRY_RUN: Citation = Citation::new("ribbon line facts, 7, from memory", Grade::Open);
+
 /// Reaction of the unwinder to an interruption.
 pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
     match at {
@@ -105,7 +108,28 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
     ));
     rows.extend(by_contacts(line));
+    rows.push(dry_run(line));
     rows
+}
+
+/// Row of dry run and machine lock: the program runs on, the axes have another feed or stand still, and no signal tells the ladder to stop the
+/// unwinder.
+fn dry_run(line: &RibbonLine) -> Reaction {
+    let (print, capacity) = (line.params.print_axis.address().to_string(), line.params.loop_capacity);
+    let (axis, speed) = (print.as_str(), line.derived.feeds.line_speed / 60.0);
+    Reaction {
+        at: Interruption::Hold,
+        cause: Some("ribbon.stops.dry-run"),
+        spindle: SpindleReaction::Turns,
+        axes: msg!("ribbon.stops.axes-dry-run", axis),
+        material: if speed > 0.0 {
+            msg!("ribbon.stops.dry-run-fills", capacity = (capacity, 0), time = (capacity / speed, 1))
+        } else {
+            msg!("ribbon.stops.laid", length = (0.0, 0))
+        },
+        operator: msg!("ribbon.stops.without-ribbon", axis),
+        cite: DRY_RUN,
+    }
 }
 
 /// Rows of the contacts that hold the program, with the alarm of an inverter that is not ready.

@@ -4,8 +4,8 @@ use macroline::controls::VarKind;
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 use macroline::project::Project;
-use macroline::text::Severity;
 use macroline::text::catalog::sentence;
+use macroline::text::{Grade, Severity};
 use macroline::view::{FieldEntry, Limit, Verdict};
 use proptest::prelude::*;
 
@@ -458,12 +458,28 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
             "Ribbon taut to its limit",
             "Reel at its end",
             "Inverter not ready",
+            "Dry run, machine lock",
         ];
         assert_eq!(names, wanted, "{}", control.id);
         assert!(rows.iter().flatten().all(|cell| !cell.is_empty() && !cell.contains("ribbon.")), "{rows:?}");
         // The report has it, too.
         let report = report_text(&line(control.id, &[]));
         assert!(report.contains("## Hold, alarm, reset, emergency stop, inverter fault\n"), "{}", control.id);
+    }
+}
+
+#[test]
+fn dry_run_leaves_the_unwinder_turning_and_fills_the_loop() {
+    for control in controls() {
+        let project = line(control.id, &[("loop-capacity", "500")]);
+        let sheets = project.prepared().sheets();
+        let sheet = sheets.iter().find(|sheet| sheet.id == "stops").expect("a table of stops");
+        let row = sheet.rows.last().expect("a row of the dry run");
+        let cells: Vec<_> = row.cells.iter().map(String::as_str).collect();
+        assert_eq!(cells[..2], ["Dry run, machine lock", "Keeps turning"], "{}", control.id);
+        // 500 mm at 167.6 mm/s.
+        assert!(cells[3].contains("500 mm is full after 3 s"), "{cells:?}");
+        assert_eq!(row.grade, Grade::Open, "{}", control.id);
     }
 }
 
