@@ -16,6 +16,8 @@ pub(super) const SMALLER: f64 = 0.6;
 /// How far the turret reaches above the tip of the tool, and the farthest place of the tip to the right.
 const REACH: f64 = 160.0;
 const FARTHEST: f64 = 826.0;
+/// Greatest length of the work behind its cut, in its radii: a slenderer one would be a thread in the drawing.
+const SLENDER: f64 = 12.0;
 /// Left end of the tailstock's body.
 pub(super) const TAIL: f64 = 944.0;
 /// Centre and radius of the lens, and of one above the tailstock.
@@ -41,11 +43,12 @@ pub(in super::super) struct Layout {
 impl Layout {
     pub(in super::super) fn new(p: &Params) -> Layout {
         let stock = 0.5 * p.stock_diameter;
-        // Least length of the part in front of the chuck, and stock before the finished face.
-        let (free, before) = match p.path {
-            Path::Facing => (1.6 * stock, p.allowance),
-            _ => (p.length + 0.3 * stock, 0.0),
+        // Length of the work in front of the jaws, with room for what is cut of it, and stock before the finished face.
+        let (least, before) = match p.path {
+            Path::Facing => (0.2 * stock, p.allowance),
+            _ => (p.length, 0.0),
         };
+        let free = (p.work_length - p.grip).max(least).min(least + SLENDER * stock);
         let part = (ROOM.0 / stock).min(ROOM.1 / (free + before));
         let front = Chuck::of(ROOM.0).front();
         let whole = ((AXIS - REACH - 6.0) / (0.5 * p.start_x)).min((FARTHEST - front) / (free + p.start_z));
