@@ -214,6 +214,23 @@ pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
     number::four_digits(number, decimals)
 }
 
+/// The value of a result with four significant digits; with more where a value beyond its limit would read like the limit.
+pub(crate) fn value_text(readout: &Readout) -> String {
+    let decimals = number::decimals_of_four(readout.value, readout.decimals);
+    let exceeded = readout.limit.filter(|limit| !limit.holds(readout.value) && readout.value.is_finite());
+    let reads_as = |limit: &Limit, decimals| figure(readout.value, decimals) == figure(limit.value(), decimals);
+    match exceeded.filter(|limit| reads_as(limit, decimals)) {
+        Some(limit) => {
+            let enough = (decimals..=MOST_DECIMALS).find(|decimals| !reads_as(&limit, *decimals));
+            figure(readout.value, enough.unwrap_or(MOST_DECIMALS))
+        }
+        None => four_digits(readout.value, readout.decimals),
+    }
+}
+
+/// Greatest number of decimals that tell a value from its limit.
+const MOST_DECIMALS: u8 = 6;
+
 /// The limit of a result in its shortest form: `≤ 20 000`.
 pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
     readout.limit.map(|limit| {
@@ -249,6 +266,17 @@ mod tests {
     fn four_digits_drops_decimals_of_large_numbers() {
         let shown = [(15079.645, 3), (480.04, 1), (31.831, 3), (8.1074, 3)].map(|(n, d)| plain(&four_digits(n, d)));
         assert_eq!(shown, ["15 080", "480.0", "31.83", "8.107"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn value_beyond_its_limit_does_not_read_like_it() {
+        let row = crate::ui::testing::project().design().readouts.into_iter().next().unwrap();
+        let value = |value, limit| {
+            value_text(&Readout { value, decimals: 3, limit: Some(Limit::AtMost(limit)), ..row.clone() })
+        };
+        assert_eq!(plain(&value(5000.2, 5000.0)), "5 000.2");
+        assert_eq!(plain(&value(4999.9, 5000.0)), "5 000");
+        assert_eq!(plain(&value(5100.2, 5000.0)), "5 100");
     }
 
     #[wasm_bindgen_test]
