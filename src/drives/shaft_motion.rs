@@ -509,14 +509,18 @@ fn areas(a: f64, b: f64, seconds: f64) -> (f64, f64) {
     (first.max(second), -first.min(second))
 }
 
+/// Least length (s) of a part: sums of times differ by rounding, and a sliver would have the work of one neighbour with the acceleration of the
+/// other.
+const SLIVER: f64 = 1e-9;
+
 /// Splits segments at these times (s), which ascend.
 fn split_at(segments: &[SpeedSegment], times: impl Iterator<Item = f64>) -> Vec<SpeedSegment> {
     let mut times = times.peekable();
     let mut parts = Vec::with_capacity(segments.len());
     for segment in segments {
         let mut rest = *segment;
-        while times.next_if(|t| *t <= rest.t).is_some() {}
-        while let Some(t) = times.next_if(|t| *t < rest.t + rest.seconds) {
+        while times.next_if(|t| *t <= rest.t + SLIVER).is_some() {}
+        while let Some(t) = times.next_if(|t| *t < rest.t + rest.seconds - SLIVER) {
             let [first, second] = rest.split(t);
             parts.push(first);
             rest = second;

@@ -140,12 +140,12 @@ test('the 802D is debugged and edited in its own words', () =>
     await line(page, 'G96 S#1 M3').waitFor();
     await choose(page);
     await line(page, 'G96 S=R1 LIMS=R8 M3').waitFor();
-    await page.locator('.listing li', { hasText: 'LB31: IF' }).click();
+    await page.locator('.listing li', { hasText: 'LB32: IF' }).click();
     await showSteps(page);
     await enter(page.getByPlaceholder('Break if R1<3'), 'R11<2');
     await page.locator('.listing li.stop').waitFor();
     await page.getByRole('button', { name: 'Run to a breakpoint or the end' }).click();
-    await page.locator('.listing li.next', { hasText: 'LB31: IF' }).waitFor();
+    await page.locator('.listing li.next', { hasText: 'LB32: IF' }).waitFor();
     await enter(page.getByPlaceholder('Watch R100*2'), 'R11*2');
     await page.locator('.seen p', { hasText: 'R11*2' }).filter({ hasText: '2' }).waitFor();
     await page.getByRole('button', { name: 'Edit', exact: true }).click();

@@ -13,7 +13,7 @@ use crate::text::{Citation, Grade, Message};
 const MODEL: Citation = Citation::new("ribbon line facts, 7", Grade::Inferred);
 
 /// Source of the effect of dry run and machine lock.
-const DRY_RUN: Citation = Citation::new("ribbon line facts, 7, from memory", Grade::Open);
+const DRY_RUN: Citation = Citation::new("ribbon line facts, 7", Grade::Open);
 
 /// Reaction of the unwinder to an interruption.
 pub(super) fn unwinder(at: Interruption) -> SpindleReaction {

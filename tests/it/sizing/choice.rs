@@ -258,7 +258,7 @@ fn braking_torque_beyond_a_bare_inverter_bills_a_resistor() {
     let value = |id: &str| rows.iter().find(|row| row.id == id).unwrap().value;
     // ½ (J_L η + J_M) ω² less the work of friction over the stop, at the motor, which turns as fast as the spindle with 10 V. All brakings
     // of the run are checked in `machines/turning/demand.rs`.
-    let (speed, ramp) = (value("speed-largest").max(value("speed-smallest")), 3.0);
+    let (speed, ramp) = (value("speed-largest").max(value("speed-smallest")), 2.5);
     let (omega, stop) = (speed * std::f64::consts::TAU / 60.0, ramp * speed / value("stage-speed"));
     let inertia = (value("inertia") - 0.03) * 0.8 + 0.03;
     let energy = 0.5 * inertia * omega * omega - 0.5 * 2.0 / 0.8 * omega * stop;

@@ -23,6 +23,19 @@ fn servo(rotor: f64, rated_speed: f64) -> Servo {
     Servo { rated: 1.0, stall: 1.2, peak: 3.5, rated_speed, top_speed: 6000.0, rotor }
 }
 
+/// The work ends where the acceleration begins, but for the rounding of their times.
+#[test]
+fn acceleration_after_the_work_does_not_count_with_it() {
+    let steady = SpeedSegment { t: 0.0, seconds: 1.0, from: 10.0, to: 10.0 };
+    let rise = SpeedSegment { t: 1.0, seconds: 0.1, from: 10.0, to: 110.0 };
+    let peak = |end: f64| {
+        let motion = Motion::new([steady, rise], Load { inertia: 1e-3, torque: 0.5, efficiency: 1.0 }, 0.0);
+        motion.with_loaded_spans(vec![(0.0, end)]).motor_load(0.0).peak.torque
+    };
+    let [exact, rounded] = [1.0, 1.0 + f64::EPSILON].map(peak);
+    assert_eq!((exact, rounded), (1.0, 1.0));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 

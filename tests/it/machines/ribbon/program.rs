@@ -696,7 +696,7 @@ fn any_settings() -> impl Strategy<Value = (ControlContext<'static>, Values)> {
     (on, fields, 1u32..300).prop_map(|(on, settings, count)| {
         let mut values: Values = settings.into_iter().collect();
         let number = |value: f64| Value::Number((value * 1000.0).round() / 1000.0);
-        for id in ["clamp-x", "clamp-y", "feed-limit"] {
+        for id in ["clamp-x", "clamp-y", "rapid-x", "rapid-y", "feed-limit"] {
             values.insert(id.to_owned(), Value::Number(1e7));
         }
         for id in ["time-constant-x", "time-constant-y"] {
