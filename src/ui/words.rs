@@ -214,12 +214,12 @@ pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
     number::four_digits(number, decimals)
 }
 
-/// The value of a result with four significant digits; with more where a value beyond its limit would read like the limit.
+/// The value of a result with four significant digits; with more where the value of one that does not hold would read like its limit.
 pub(crate) fn value_text(readout: &Readout) -> String {
     let decimals = number::decimals_of_four(readout.value, readout.decimals);
-    let exceeded = readout.limit.filter(|limit| !limit.holds(readout.value) && readout.value.is_finite());
+    let exceeded = readout.limit.filter(|limit| readout.verdict >= Verdict::Warn && !limit.holds(readout.value));
     let reads_as = |limit: &Limit, decimals| figure(readout.value, decimals) == figure(limit.value(), decimals);
-    match exceeded.filter(|limit| reads_as(limit, decimals)) {
+    match exceeded.filter(|limit| readout.value.is_finite() && reads_as(limit, decimals)) {
         Some(limit) => {
             let enough = (decimals..=MOST_DECIMALS).find(|decimals| !reads_as(&limit, *decimals));
             figure(readout.value, enough.unwrap_or(MOST_DECIMALS))
@@ -272,7 +272,8 @@ mod tests {
     fn value_beyond_its_limit_does_not_read_like_it() {
         let row = crate::ui::testing::project().design().readouts.into_iter().next().unwrap();
         let value = |value, limit| {
-            value_text(&Readout { value, decimals: 3, limit: Some(Limit::AtMost(limit)), ..row.clone() })
+            let (verdict, limit) = (Verdict::Fail, Some(Limit::AtMost(limit)));
+            value_text(&Readout { value, decimals: 3, limit, verdict, ..row.clone() })
         };
         assert_eq!(plain(&value(5000.2, 5000.0)), "5 000.2");
         assert_eq!(plain(&value(4999.9, 5000.0)), "5 000");

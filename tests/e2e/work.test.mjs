@@ -184,7 +184,7 @@ test('the programs of an export are those that the page runs', () =>
     const file = await saved(page, () => row.getByRole('button').click());
     assert.equal(file.toString('latin1').replaceAll('\r', '').trimEnd(), shown.trimEnd());
     // The worker sends the documents only.
-    const documents = await page.evaluate(() => window.replies.flatMap((reply) => reply.Answer?.[1].Export?.files ?? []).map(({ name }) => name));
+    const documents = await page.evaluate(() => window.replies.flatMap((reply) => reply.Answer?.[1]?.files ?? []).map(({ name }) => name));
     assert.ok(documents.includes('report.md'), documents.join(' '));
     assert.deepEqual(documents.filter((name) => /^[OLM].*\.(nc|SPF|MPF)$/.test(name)), []);
   }));

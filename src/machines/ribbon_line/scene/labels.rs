@@ -121,10 +121,10 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     // Lowest place at which the next figure stands free of the one above it.
     let mut free = RULER_FIGURE * unit;
     while p.loop_capacity > 0.0 && mark <= p.loop_capacity * 1.000001 && count < 200 {
-        let (depth, is_long) = (layout.slack.depth(mark), count % 5 == 0);
-        d += &filled("M# #h#", &[x, depth, if is_long { 10.0 } else { 5.0 } * unit]);
+        let depth = layout.slack.depth(mark);
+        d += &filled("M# #h#", &[x, depth, if count % 5 == 0 { 10.0 } else { 5.0 } * unit]);
         // The slack grows faster than the depth of the loop: without figures the marks would mislead.
-        if is_long && depth > free && low - depth > RULER_FIGURE * unit {
+        if count % 2 == 0 && depth > free && low - depth > RULER_FIGURE * unit {
             let slack = short(units::value(mark, "mm"), 2);
             drawing.text((x + 14.0 * unit, depth + 4.0 * unit), Anchor::Start, &slack, Font::Label, Paint::Dim);
             free = depth + RULER_FIGURE * unit;
