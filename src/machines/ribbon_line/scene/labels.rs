@@ -7,7 +7,7 @@ use crate::machines::ribbon_line::params::Params;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
 use crate::text::catalog::number_text as show;
-use crate::text::number::{figure, filled, short};
+use crate::text::number::{figure, filled};
 use crate::text::{columns, units};
 use crate::view::letters::LETTER_BOX;
 use crate::view::scene::{LETTER, LINE};
@@ -103,9 +103,6 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     drawing.text((middle, y), Anchor::Middle, &note, Font::Label, Paint::Dim);
 }
 
-/// Height of a figure of the ruler with the space around it, in pixels.
-const RULER_FIGURE: f64 = 22.0;
-
 /// Limits of the loop, ruler and pointer.
 pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (p, unit) = (&line.params, layout.unit);
@@ -118,17 +115,9 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let mut d = filled("M# 0V#", &[x, low]);
     let mut mark = 0.0;
     let mut count = 0;
-    // Lowest place at which the next figure stands free of the one above it.
-    let mut free = RULER_FIGURE * unit;
     while p.loop_capacity > 0.0 && mark <= p.loop_capacity * 1.000001 && count < 200 {
-        let depth = layout.slack.depth(mark);
-        d += &filled("M# #h#", &[x, depth, if count % 5 == 0 { 10.0 } else { 5.0 } * unit]);
-        // The slack grows faster than the depth of the loop: without figures the marks would mislead.
-        if count % 2 == 0 && depth > free && low - depth > RULER_FIGURE * unit {
-            let slack = short(units::value(mark, "mm"), 2);
-            drawing.text((x + 14.0 * unit, depth + 4.0 * unit), Anchor::Start, &slack, Font::Label, Paint::Dim);
-            free = depth + RULER_FIGURE * unit;
-        }
+        let long = if count % 5 == 0 { 10.0 } else { 5.0 };
+        d += &filled("M# #h#", &[x, layout.slack.depth(mark), long * unit]);
         mark += step;
         count += 1;
     }
