@@ -94,6 +94,7 @@ mod tests {
         assert!(bench.text(".begins").starts_with("Runs 1 time · next at "), "{}", bench.text(".begins"));
         assert_eq!(bench.page.player.head(), 0.0);
         bench.press(".begins").await;
+        bench.drawn().await;
         let head = bench.page.player.head();
         let last = format!("Runs 1 time · last at {}", clock(head));
         assert!(head > 0.0 && bench.text(".begins").starts_with(&last), "{}", bench.text(".begins"));
