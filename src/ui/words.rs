@@ -269,6 +269,12 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    fn stop_after_a_reset_begins_the_program_anew() {
+        let words = [false, true].map(|is_reset| end_words(&RunEnd::Stop, is_reset));
+        assert_eq!(words, [t("page.end-stop"), t("page.end-reset")]);
+    }
+
+    #[wasm_bindgen_test]
     fn value_beyond_its_limit_does_not_read_like_it() {
         let row = crate::ui::testing::project().design().readouts.into_iter().next().unwrap();
         let value = |value, limit| {

@@ -214,7 +214,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{ViewBench, first_project, mount, mount_project, until};
+    use crate::ui::testing::{ViewBench, mount, mount_project};
 
     async fn stage() -> ViewBench {
         let bench = mount(|| view! { <Stage /> <input id="heads" /> }).await;
@@ -287,21 +287,6 @@ mod tests {
         crate::ui::testing::settled().await;
         let activity = bench.page.player.activity.get_untracked().unwrap();
         assert_eq!(bench.text(".mode"), sentence(&activity));
-    }
-
-    #[wasm_bindgen_test]
-    async fn end_after_a_reset_says_that_the_program_begins_anew() {
-        use crate::motion::Action;
-        // The loop of the first example takes a hold.
-        let bench = mount_project(first_project(), || view! { <Stage /> }).await;
-        bench.run().await;
-        bench.seek(3.0).await;
-        for (action, words) in [(Action::Hold, "page.end-stop"), (Action::Reset, "page.end-reset")] {
-            crate::ui::state::operator::act(bench.page, action);
-            bench.run().await;
-            bench.page.player.seek(bench.page.player.planned.get_untracked().end);
-            until(|| bench.text(".why") == t(words)).await;
-        }
     }
 
     #[wasm_bindgen_test]
