@@ -173,6 +173,9 @@ impl DrawnMachine for PolygonLathe {
     }
 
     fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
+        if progress::turning_spans(self, run, now.t).pop().is_some_and(|(_, end)| end >= now.t) {
+            return Some(msg!("polygon.turning-end"));
+        }
         let (_, end) = progress::cuts(self, run, now.t).pop()?;
         let pass = (end >= now.t).then(|| pose::pass(self, &progress::progress(self, run, now)))?;
         Some(msg!("polygon.cutting", pass))

@@ -31,7 +31,12 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
         pose.placements.push(Placement { turn, dx, dy, opacity, ..Placement::of(group) });
     };
     // Counter-clockwise in millimetres is clockwise on the screen, less the sign.
-    let [work, tool] = [WORK, TOOL].map(|axis| -now.pmc[axis].actual % 360.0);
+    let [mut work, tool] = [WORK, TOOL].map(|axis| -now.pmc[axis].actual % 360.0);
+    // The main spindle turns the same work; the polygon's axes count on from where they were.
+    let turns_end = progress::is_turning(now);
+    if turns_end {
+        work -= 360.0 * (now.spindle.turns - now.spindle.turns.floor());
+    }
     let away = 0.5 * (across_flats - p.across_flats);
     let near = (0.0, 0.0);
     let present = progress::present(lathe, run, now, &progress);
@@ -39,7 +44,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     // Distance of the present polygon's cutter from its own last position, and from that of the first cutter.
     let own = 0.5 * (across_flats - polygon.params.across_flats) * layout.scale;
     let aside = layout.of(polygon).cutter.0 + own - layout.cutter.0;
-    let turned = |axis: usize, limit: f64| Frame::seen((now.pmc[axis].feed / 60.0 * frame.step).abs(), limit);
+    let turned = |axis: usize, limit: f64| Frame::seen((6.0 * speed(now, axis) * frame.step).abs(), limit);
     let (seen, jaws) = (turned(TOOL, SEEN / polygon.params.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
     place(group::WORK, work, near, 1.0);
     place(group::JAWS, 0.0, near, jaws);
@@ -47,19 +52,28 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     place(group::EDGES, 0.0, near, turned(WORK, 0.5 * SEEN / polygon.params.sides.max(1.0)));
     for at in 0..=lathe.further.len() {
         let shown = f64::from(u8::from(at == present));
-        place(group::of(group::DISC, at), 0.0, (own, 0.0), shown);
+        let cutter = if turns_end { 0.0 } else { shown };
+        place(group::of(group::DISC, at), 0.0, (own, 0.0), cutter);
         place(group::of(group::INSERTS, at), tool, near, seen);
         place(group::of(group::BLUR, at), 0.0, near, 0.5 * (1.0 - seen));
-        for group in [group::LENS, group::TRACES, group::PASSES, group::RING] {
-            place(group::of(group, at), 0.0, near, shown);
+        for (group, opacity) in
+            [(group::LENS, shown), (group::TRACES, cutter), (group::PASSES, shown), (group::RING, cutter)]
+        {
+            place(group::of(group, at), 0.0, near, opacity);
         }
+    }
+    if lathe.has_main_spindle() {
+        let turning = f64::from(u8::from(turns_end));
+        place(group::TURNING_TOOL, 0.0, (away * layout.scale, 0.0), turning);
+        place(group::SIDE_TURNING, 0.0, near, turning);
+        place(group::SIDE_CUTTER, 0.0, near, 1.0 - turning);
     }
     place(group::DISTANCE, 0.0, (scene::figure_at(&layout, aside), 0.0), 1.0);
     place(group::SIDE, 0.0, (z * layout.side, away * layout.side), 1.0);
     if let Some((_, tips)) = progress::tips(polygon, now) {
         let near = 1.02 * 0.5 * p.stock_diameter;
         for (group, (x, y)) in (group::TIPS..group::TIPS + TIPS).zip(tips) {
-            let opacity = f64::from(u8::from(math::hypot(x, y) <= near));
+            let opacity = f64::from(u8::from(!turns_end && math::hypot(x, y) <= near));
             place(group, 0.0, (x * layout.close, -y * layout.close), opacity);
         }
     }
@@ -70,18 +84,24 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
             (radius * c, radius * s)
         })
     };
-    let angle = now.pmc[WORK].actual / 180.0 * PI;
+    let angle = -work / 180.0 * PI;
+    let of_cutter = |path: String| if turns_end { String::new() } else { path };
     pose.paths = vec![
         (node::SECTION, closed(points(), (0.0, 0.0), layout.scale)),
         (node::CLOSE, closed(points(), (0.0, 0.0), layout.close)),
         (node::BAR, scene::bar(lathe, &layout, &progress)),
         (node::EDGES, edges(lathe, &layout, &progress, angle)),
-        (node::DISTANCE, scene::distance(polygon, &layout, aside)),
-        (node::LEADER, scene::leader((lathe, polygon), &layout, aside)),
+        (node::DISTANCE, of_cutter(scene::distance(polygon, &layout, aside))),
+        (node::LEADER, of_cutter(scene::leader((lathe, polygon), &layout, aside))),
         (node::IDEAL, scene::wanted(polygon, &layout)),
     ];
     pose.texts = texts((lathe, polygon), &layout, now, &progress);
     pose
+}
+
+/// Speed (r/min) of work or tool; the main spindle turns the work too.
+fn speed(now: &Snapshot, axis: usize) -> f64 {
+    now.pmc[axis].feed / 360.0 + if axis == WORK { now.spindle.actual } else { 0.0 }
 }
 
 /// The polygon from above: where the passes have cut deepest.
@@ -110,21 +130,25 @@ fn texts(
     let (across_flats, z) = lathe.slide(now);
     let [form, flatness, scales] = scene::form(polygon, layout);
     let [across, radius] = scene::sizes(polygon);
-    let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
-    let turns = now.pmc[TOOL].feed != 0.0;
+    let speed = |axis: usize| format!("{} r/min", figure(speed(now, axis), 1));
+    let (turns, turns_end) = (now.pmc[TOOL].feed != 0.0, progress::is_turning(now));
     let state = match now.mode {
         Mode::EmergencyStop => "polygon.state.emergency",
         Mode::Hold if turns => "polygon.state.held",
         _ if turns => "polygon.state.turns",
+        _ if turns_end => "polygon.state.turning",
         _ => "polygon.state.stands",
     };
+    // Without the cutter there is no distance of its axis.
+    let apart =
+        if turns_end { String::new() } else { units::figure(0.5 * across_flats + polygon.params.tip_radius, 2, "mm") };
     vec![
         (node::WORK_SPEED, speed(WORK)),
         (node::TOOL_SPEED, speed(TOOL)),
         (node::SIZE, format!("X {}", figure(lathe.x_of(across_flats), 3))),
         (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
-        (node::APART, units::figure(0.5 * across_flats + polygon.params.tip_radius, 2, "mm")),
+        (node::APART, apart),
         (node::ALONG, format!("Z {}", figure(z, 3))),
         (node::STATE, words(state).to_owned()),
         (node::FORM, form),

@@ -85,7 +85,7 @@ fn visits(lathe: &PolygonLathe, run: &dyn Samples, until: f64) -> Vec<Visit> {
 }
 
 /// Whether the main spindle turns the work, with the tool axis at rest.
-fn is_turning(now: &Snapshot) -> bool {
+pub(super) fn is_turning(now: &Snapshot) -> bool {
     now.pmc[TOOL].feed == 0.0 && now.spindle.actual != 0.0
 }
 

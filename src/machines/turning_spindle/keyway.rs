@@ -1,7 +1,7 @@
 //! The keyway that a driven tool cuts while the spindle is locked at an angle: findings, time, and its cut part in a run.
 
 use super::params::{Output, Params, Path};
-use super::program::KEYWAY;
+use super::program::{APPROACH, DRIVEN_WAY, KEYWAY};
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
 use crate::controls::interface::SignalRole;
@@ -135,6 +135,31 @@ pub(super) fn time(p: &Params) -> f64 {
 /// Cutting speed of the driven tool in m/min: `π w n / 1000`.
 pub(super) fn cutting_speed(p: &Params) -> f64 {
     PI * p.keyway_width * p.driven_speed / 1000.0
+}
+
+/// The driven tool while the turret has it at the work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct DrivenTool {
+    /// It turns.
+    pub(super) turns: bool,
+    /// It is in the work.
+    pub(super) cuts: bool,
+}
+
+/// The driven tool at a moment; none while the turret has the turning tool at the work. The tools' words take no time on some controls, so
+/// that their ways tell which of them came last.
+pub(super) fn driven_tool(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Option<DrivenTool> {
+    let diameter = lathe.keyway()?;
+    let last = |block: u32| run.execution_spans(block, now.t).last().copied();
+    let [out, back] = DRIVEN_WAY.map(last);
+    let (came, _) = out?;
+    if last(APPROACH).is_some_and(|(begin, _)| begin > came) {
+        return None;
+    }
+    // It stops behind its way back.
+    let turns = back.is_none_or(|(begin, end)| begin < came || end >= now.t);
+    let at_feed = KEYWAY.into_iter().any(|block| run.executions(block, now.t).executes);
+    Some(DrivenTool { turns, cuts: turns && at_feed && lathe.tool(now).0 < 0.5 * diameter })
 }
 
 /// The groove that is cut at a moment: its depth, and its ends as Z from the finished face, mm.

@@ -148,6 +148,9 @@ impl DrawnMachine for TurningSpindle {
     }
 
     fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
+        if keyway::driven_tool(self, run, now).is_some_and(|tool| tool.cuts) {
+            return Some(msg!("turning.milling"));
+        }
         let progress = progress::progress(self, run, now);
         progress::cuts(self, progress, now).then(|| msg!("turning.cutting", pass = pose::pass(self, progress)))
     }

@@ -1,6 +1,6 @@
 //! The drawing of the turning spindle at a moment: part, tool, chuck, needles, gear lever, chips, figures.
 
-use super::keyway;
+use super::keyway::{self, DrivenTool};
 use super::progress::{self, Progress};
 use super::resolved::TurningSpindle;
 use super::scene::{self, Layout, group, node};
@@ -47,19 +47,23 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     let knob = scene::knob(spindle.stage.max(1), spindle.bound == Bound::Shift, p.stages().count());
     placements.push(Placement { dx: knob.0, dy: knob.1, ..Placement::of(group::KNOB) });
     scene::pose_work(lathe, &layout, progress, spindle.turns, &mut pose.paths);
+    let driven = keyway::driven_tool(lathe, run, now);
+    let groove = keyway::groove(lathe, run, now);
     if lathe.keyway().is_some() {
-        let cut = keyway::groove(lathe, run, now);
-        pose.paths.push((node::GROOVE, scene::pose_groove(lathe, &layout, cut)));
+        pose.paths.push((node::GROOVE, scene::pose_groove(lathe, &layout, groove)));
+        scene::pose_tools(p, &layout, driven, (now.t, frame.step), placements, &mut pose.paths);
     }
     layout.chuck.pose(spindle.turns, &mut pose.paths);
     let sections = scene::sections(lathe, &layout, progress);
-    scene::pose_lens(p, &layout, &sections, (tool, cuts), placements, &mut pose.paths);
-    let chips = (cuts, progress::removed(lathe, progress));
+    let at_tip = scene::AtTip { sections: &sections, tool, cuts, mills: driven.is_some(), groove };
+    scene::pose_lens(lathe, &layout, &at_tip, placements, &mut pose.paths);
+    let chips = (cuts || driven.is_some_and(|tool| tool.cuts), progress::removed(lathe, progress));
     scene::pose_chips(tip, chips, (now.t, frame.step), placements, &mut pose.paths);
     pose.paths.push((node::LEVER, scene::lever(knob)));
     pose.paths.push((node::TOOL_LEADER, scene::tool_leader(tip)));
     pose.paths.push((node::ORIENTATION, orientation(lathe, &layout, now)));
-    pose.texts = texts(lathe, now, progress);
+    pose.texts = texts(lathe, now, progress, driven);
+    pose.texts.extend(scene::lens_texts(p, &layout, driven.is_some()));
     pose
 }
 
@@ -89,16 +93,27 @@ pub(super) fn pass(lathe: &TurningSpindle, progress: Progress) -> String {
     format!("{pass} / {}", show(lathe.params.passes(), 0))
 }
 
-fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16, String)> {
+fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress, driven: Option<DrivenTool>) -> Vec<(u16, String)> {
     let p = &lathe.params;
     let spindle = &now.spindle;
     let diameter = lathe.diameter(now);
     let stage = lathe.params.stages().nth(usize::from(spindle.stage).saturating_sub(1)).unwrap_or(p.stage_1);
     let (radius, z) = lathe.tool(now);
     let across = if lathe.diameters() { diameter } else { radius };
+    // Of the mill's edge, or of the work at the tip.
+    let at_the_tool = match driven {
+        Some(tool) => {
+            if tool.turns {
+                keyway::cutting_speed(p)
+            } else {
+                0.0
+            }
+        }
+        None => surface_speed(spindle.actual, diameter),
+    };
     let mut texts = vec![
         (node::SPEED, format!("{} r/min", figure(spindle.actual, 0))),
-        (node::SURFACE, units::figure(surface_speed(spindle.actual, diameter), 1, "m/min")),
+        (node::SURFACE, units::figure(at_the_tool, 1, "m/min")),
         (node::STAGE, format!("{} {}", say("turning.scene.gear"), gear(lathe, spindle.stage))),
         (node::STAGE_SPEED, format!("{} r/min", figure(stage, 0))),
         (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),

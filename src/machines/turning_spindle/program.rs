@@ -255,7 +255,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
 fn approach(b: &mut Builder, lathe: &TurningSpindle) {
     let (across, along) = (cross(lathe, clear()), z(entry(CLEARANCE)));
     let [first, then] = if lathe.params.tailstock { [along, across] } else { [across, along] };
-    b.n(23).words(block(lathe, Code::Rapid, [first]));
+    b.n(APPROACH).words(block(lathe, Code::Rapid, [first]));
     b.words([then]);
 }
 
@@ -304,6 +304,12 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
     }
 }
 
+/// Sequence number of the approach of the turning tool, once in each part.
+pub(super) const APPROACH: u32 = 23;
+
+/// Sequence numbers of the approach of the driven tool, and of its way back.
+pub(super) const DRIVEN_WAY: [u32; 2] = [58, 64];
+
 /// Sequence numbers of the blocks that cut the keyway: into the work, and along it.
 pub(super) const KEYWAY: [u32; 2] = [60, 61];
 
@@ -335,11 +341,11 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
     }
     b.n(56).words(writing::tool(lathe.control, p.driven_number as u32)).note("DRIVEN TOOL AND ITS OFFSET");
     b.n(57).words([indexed(Address::S, DRIVEN, entry(DRIVEN_SPEED)), driven(start, 3)]);
-    b.n(58).words(
-        codes(lathe, [Code::FeedPerMinute, Code::Rapid])
-            .into_iter()
-            .chain([z(-(entry(KEYWAY_START) + entry(KEYWAY_WIDTH) / 2))]),
-    );
+    b.n(DRIVEN_WAY[0]).words(codes(lathe, [Code::FeedPerMinute, Code::Rapid]).into_iter().chain([z(-(entry(
+        KEYWAY_START,
+    ) + entry(
+        KEYWAY_WIDTH,
+    ) / 2))]));
     b.n(59).words([cross(lathe, clear())]);
     b.n(KEYWAY[0]).words(block(
         lathe,
@@ -350,7 +356,7 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
         .words([z(-(entry(KEYWAY_START) + entry(KEYWAY_LENGTH) - entry(KEYWAY_WIDTH) / 2)), f(entry(KEYWAY_FEED))]);
     b.n(62).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
     b.n(63).words([cross(lathe, entry(START_X))]);
-    b.n(64).words([z(entry(START_Z))]);
+    b.n(DRIVEN_WAY[1]).words([z(entry(START_Z))]);
     if start == 0 || stop > 0 {
         b.n(65).words([driven(stop, 5)]);
     }

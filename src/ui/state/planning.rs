@@ -139,6 +139,11 @@ impl Player {
         self.state.with_value(|state| state.planner.as_ref().map(question))
     }
 
+    /// Whether reset has ended the run.
+    pub(crate) fn is_reset(self) -> bool {
+        self.ask_planner(|run| run.is_reset()) == Some(true)
+    }
+
     /// Findings of the planned part of the run.
     pub(crate) fn findings(self) -> Vec<Diagnostic> {
         self.plans.track();

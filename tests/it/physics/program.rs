@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use macroline::controls::{Address, Dialect, Switches};
 use macroline::interp::{Interp, StartProgram};
+use macroline::motion::PlanProgress;
 use macroline::nc::{Files, parse, parse_with};
 use macroline::text::{FileId, Place, Span};
 
@@ -58,6 +59,22 @@ fn ribbon(seconds: f64, events: Vec<Event>) -> Planner<Interp> {
     })
 }
 
+/// A short program, planned to its end.
+fn whole(text: &str) -> (Planner<Interp>, PlanProgress) {
+    let mut planner = Planner::new(Setup {
+        program: Interp::new(Rc::new(parse(&Files::one("O1.nc", text), control())), StartProgram::First),
+        control: control(),
+        plant: &plant(),
+        plc: Box::new(BenchPlc::new(0.05, None)),
+        panel: Panel::default(),
+        limits: Budget { blocks: 100, seconds: 10.0 },
+        keep: Retention::Timeline,
+        findings: Vec::new(),
+    });
+    let progress = planner.advance(f64::INFINITY, usize::MAX);
+    (planner, progress)
+}
+
 #[test]
 fn ribbon_line_runs_at_the_fact_sheet_speed() {
     let mut planner = ribbon(60.0, vec![at(10.0, Action::SpindleOverride(50.0))]);
@@ -81,18 +98,7 @@ fn ribbon_line_runs_at_the_fact_sheet_speed() {
 
 #[test]
 fn program_alarm_waits_for_the_blocks_before_it() {
-    let parsed = parse(&Files::one("O1.nc", "%\nO1\nG91G01X10.F6000.\nX10.\n#100=1/0\nM30\n%\n"), control());
-    let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), StartProgram::First),
-        control: control(),
-        plant: &plant(),
-        plc: Box::new(BenchPlc::new(0.05, None)),
-        panel: Panel::default(),
-        limits: Budget { blocks: 100, seconds: 10.0 },
-        keep: Retention::Timeline,
-        findings: Vec::new(),
-    });
-    let progress = planner.advance(f64::INFINITY, usize::MAX);
+    let (planner, progress) = whole("%\nO1\nG91G01X10.F6000.\nX10.\n#100=1/0\nM30\n%\n");
     assert!(matches!(progress.ended, Some(RunEnd::Alarm(_))));
     assert_eq!(planner.diagnostics()[0].alarm.as_deref(), Some("P283"));
     let end = planner.timeline().at(progress.planned_to);
@@ -122,17 +128,7 @@ fn hour_of_blocks_stays_small_and_replans_from_a_checkpoint() {
 #[test]
 fn executions_in_direct_succession_have_their_own_starts() {
     let text = "O1\n#1=0\nWHILE [#1 LT 5] DO1\n#1=#1+1\nN9 G01 X#1 F6000\nEND1\nM30\n%\n";
-    let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parse(&Files::one("O1.nc", text), control())), StartProgram::First),
-        control: control(),
-        plant: &plant(),
-        plc: Box::new(BenchPlc::new(0.05, None)),
-        panel: Panel::default(),
-        limits: Budget { blocks: 100, seconds: 10.0 },
-        keep: Retention::Timeline,
-        findings: Vec::new(),
-    });
-    planner.advance(f64::INFINITY, usize::MAX);
+    let (planner, _) = whole(text);
     let start = text.find("N9").unwrap() as u32;
     let place = Place { file: FileId(0), span: Span::new(start, start + 2) };
     let (timeline, starts) = (planner.timeline(), planner.timeline().starts(place).collect::<Vec<_>>());

@@ -41,7 +41,7 @@ pub(super) fn draw_base(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &La
 }
 
 /// Half the width of the column of the cutter.
-fn column(lathe: &PolygonLathe, layout: &Layout) -> f64 {
+pub(super) fn column(lathe: &PolygonLathe, layout: &Layout) -> f64 {
     math::clamp(0.34 * lathe.params.tip_radius * layout.scale, 12.0, 54.0)
 }
 
@@ -65,24 +65,8 @@ fn draw_cutter(drawing: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &
     for group in [inserts, blur] {
         drawing.place(group, SceneGroup { parent: disc_group, ..SceneGroup::default() });
     }
-    let low = FLOOR - 38.0 - AXIS;
     drawing.within(disc_group, |drawing| {
-        // Carriage and column behind the disc.
-        drawing.path(
-            filled("M# #l# #H#l# #Z", &[-reach - 24.0, low - 20.0, 14.0, -8.0, reach + 38.0, -14.0, 8.0]),
-            Look::fill(Paint::DarkLight),
-        );
-        drawing.path(filled("M# #l14 -8v20l-14 8Z", &[reach + 24.0, low - 20.0]), Look::fill(Paint::DarkShade));
-        drawing.rect(
-            [-reach - 24.0, low - 20.0, 2.0 * reach + 48.0, 20.0, 0.0],
-            Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
-        );
-        drawing.path(filled("M# 0l12 -7V#l-12 7Z", &[reach, low - 27.0]), Look::fill(Paint::DarkShade));
-        drawing.path(
-            filled("M# #V0A# # 0 0 1 # 0V#Z", &[-reach, low - 20.0, reach, reach, reach, low - 20.0]),
-            Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
-        );
-        drawing.path(filled("M# #V20", &[-reach + 3.0, low - 26.0]), Look::RIM.faint(0.4));
+        draw_column(drawing, reach);
         drawing.showing("tip-radius", |drawing| {
             drawing.circle((0.0, 0.0, r), Look::LEAD.dashed(5.0, 4.0));
         });
@@ -120,6 +104,26 @@ fn draw_cutter(drawing: &mut Drawing, at: usize, lathe: &PolygonLathe, layout: &
             Look::LEAD.dashed(14.0, 5.0).faint(0.6),
         );
     });
+}
+
+/// Carriage and column of the slide, which carry cutter or turning tool; the origin is the height of the axes.
+pub(super) fn draw_column(drawing: &mut Drawing, reach: f64) {
+    let low = FLOOR - 38.0 - AXIS;
+    drawing.path(
+        filled("M# #l# #H#l# #Z", &[-reach - 24.0, low - 20.0, 14.0, -8.0, reach + 38.0, -14.0, 8.0]),
+        Look::fill(Paint::DarkLight),
+    );
+    drawing.path(filled("M# #l14 -8v20l-14 8Z", &[reach + 24.0, low - 20.0]), Look::fill(Paint::DarkShade));
+    drawing.rect(
+        [-reach - 24.0, low - 20.0, 2.0 * reach + 48.0, 20.0, 0.0],
+        Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
+    );
+    drawing.path(filled("M# 0l12 -7V#l-12 7Z", &[reach, low - 27.0]), Look::fill(Paint::DarkShade));
+    drawing.path(
+        filled("M# #V0A# # 0 0 1 # 0V#Z", &[-reach, low - 20.0, reach, reach, reach, low - 20.0]),
+        Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
+    );
+    drawing.path(filled("M# #V20", &[-reach + 3.0, low - 26.0]), Look::RIM.faint(0.4));
 }
 
 /// Places of the inserts on the disc in degrees, clockwise from the right as the drawing turns, and their tip radius in units.

@@ -33,9 +33,13 @@ pub(in super::super) mod group {
     pub(in crate::machines::polygon_lathe) const PASSES: u16 = TRACES + 1;
     /// The ring at the contact of cutter and work, and its leader to the lens.
     pub(in crate::machines::polygon_lathe) const RING: u16 = PASSES + 1;
+    /// The turning tool in the place of the cutter, and both from above: one of them works.
+    pub(in crate::machines::polygon_lathe) const TURNING_TOOL: u16 = RING + 1;
+    pub(in crate::machines::polygon_lathe) const SIDE_CUTTER: u16 = RING + 2;
+    pub(in crate::machines::polygon_lathe) const SIDE_TURNING: u16 = RING + 3;
     /// Groups that each polygon has of its own, and the first group of the second polygon.
     const OWN: [u16; 7] = [DISC, INSERTS, BLUR, LENS, TRACES, PASSES, RING];
-    const SECOND: u16 = RING + 1;
+    const SECOND: u16 = SIDE_TURNING + 1;
 
     /// The group of a polygon, from 0, that is `first` for the first one.
     pub(in crate::machines::polygon_lathe) fn of(first: u16, polygon: usize) -> u16 {

@@ -9,6 +9,7 @@ mod ids;
 mod layout;
 mod lens;
 mod side;
+mod turning_tool;
 
 use super::resolved::PolygonLathe;
 use crate::machines::sheets::say;
@@ -37,6 +38,9 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     front::draw_chuck(&mut drawing, lathe, &layout);
     front::draw_work(&mut drawing, lathe, &layout);
     cutter::draw(&mut drawing, lathe, &layout);
+    if lathe.has_main_spindle() {
+        turning_tool::draw(&mut drawing, lathe, &layout);
+    }
     front::draw_arrows(&mut drawing, lathe, &layout);
     side::draw(&mut drawing, lathe, &layout);
     lens::draw(&mut drawing, lathe, &layout);
@@ -102,6 +106,13 @@ fn labels(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
         &[(Some(node::WORK_SPEED), "")],
         Some(chuck),
     );
+    if lathe.has_main_spindle() {
+        let (x, y) = layout.main_motor();
+        let at = (x - layout::MAIN_MOTOR, y - layout::MAIN_MOTOR - 20.0);
+        drawing.showing("main-power", |drawing| {
+            drawing.text(at, Anchor::Start, &say("polygon.scene.main-motor"), Font::Label, Paint::Dim);
+        });
+    }
     drawing.path(String::new(), Look::LEAD).id = Some(node::LEADER);
     let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
     let values = [(Some(node::TOOL_SPEED), ""), (Some(node::RADIUS), radius.as_str())];

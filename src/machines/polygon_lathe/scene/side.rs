@@ -2,6 +2,7 @@
 
 use super::ids::{group, node};
 use super::layout::{Layout, SIDE, UNIT};
+use super::turning_tool;
 use crate::machines::polygon_lathe::outlines::closed;
 use crate::machines::polygon_lathe::progress::{BarSection, Progress};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
@@ -59,6 +60,11 @@ pub(super) fn draw(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout)
         drawing.path(filled("M-34 #l12 -7h66l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkLight));
         drawing.path(filled("M32 #l12 -7v18l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkShade));
         drawing.rect([-34.0, CUTTER + 6.0, 66.0, 18.0, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
+    });
+    for tool in [group::SIDE_CUTTER, group::SIDE_TURNING] {
+        drawing.place(tool, SceneGroup { parent: group::SIDE, ..SceneGroup::default() });
+    }
+    drawing.within(group::SIDE_CUTTER, |drawing| {
         // A line of fracture: the disc is longer than drawn.
         drawing.path(
             filled("M-1 16h14V#l-5 4l-5 -7l-4 5Z", &[CUTTER]),
@@ -67,6 +73,9 @@ pub(super) fn draw(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout)
         drawing.rect([-9.0, 40.0, 30.0, 17.0, 2.0], Look::FACE);
         drawing.path("M0 0h7l5 17h-12Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
     });
+    if lathe.has_main_spindle() {
+        drawing.within_hidden(group::SIDE_TURNING, turning_tool::draw_from_above);
+    }
 }
 
 /// Approach of the slide from its start to the clearance.

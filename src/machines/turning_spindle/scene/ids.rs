@@ -21,6 +21,12 @@ pub(in super::super) mod group {
     pub(in crate::machines::turning_spindle) const CROSS_SLIDE: u16 = 11;
     /// First of the chips.
     pub(in crate::machines::turning_spindle) const CHIPS: u16 = 12;
+    /// The turning tool and the driven tool: one of them works.
+    pub(in crate::machines::turning_spindle) const TURNING_TOOL: u16 = 20;
+    pub(in crate::machines::turning_spindle) const DRIVEN_TOOL: u16 = 21;
+    /// Insert and mill in the lens.
+    pub(in crate::machines::turning_spindle) const LENS_INSERT: u16 = 22;
+    pub(in crate::machines::turning_spindle) const LENS_MILL: u16 = 23;
 }
 
 /// Nodes that poses change.
@@ -48,6 +54,13 @@ pub(in super::super) mod node {
     pub(in crate::machines::turning_spindle) const STAGE_SPEED: u16 = 22;
     /// The cut part of the keyway.
     pub(in crate::machines::turning_spindle) const GROOVE: u16 = 21;
+    /// Edges of the driven tool's flutes.
+    pub(in crate::machines::turning_spindle) const FLUTES: u16 = 23;
+    /// The cut part of the keyway in the lens, the figures there: depth of cut, depth of the keyway, magnification.
+    pub(in crate::machines::turning_spindle) const LENS_GROOVE: u16 = 24;
+    pub(in crate::machines::turning_spindle) const LENS_DEPTH: u16 = 25;
+    pub(in crate::machines::turning_spindle) const LENS_KEYWAY: u16 = 26;
+    pub(in crate::machines::turning_spindle) const LENS_TIMES: u16 = 27;
     /// First paths of the sections of the part, and of the jaws.
     pub(in crate::machines::turning_spindle) const STRETCHES: u16 = 30;
     pub(in crate::machines::turning_spindle) const FAR: u16 = 50;

@@ -4,6 +4,7 @@
 //! have their sizes.
 
 mod chuck;
+mod driven_tool;
 mod frame;
 mod ids;
 mod instruments;
@@ -33,7 +34,10 @@ use solid::AXIS;
 pub(super) use turret::pose_chips;
 
 /// Paths of the part, and of its piece in the lens.
-pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::pose_groove, work::sections};
+pub(super) use {
+    driven_tool::pose as pose_tools, lens::AtTip, lens::pose as pose_lens, lens::texts as lens_texts, solid::arc,
+    work::pose as pose_work, work::pose_groove, work::sections,
+};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
@@ -56,13 +60,16 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     drawing.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
     drawing.draw_leaders_here();
     turret::draw(&mut drawing);
+    if lathe.keyway().is_some() {
+        driven_tool::draw(&mut drawing, p, &layout);
+    }
     turret::draw_chips(&mut drawing);
     frame::draw_bed_front(&mut drawing);
     for (group, at) in [group::SPEED, group::NEEDLE].into_iter().zip(instruments::PIVOTS) {
         drawing.place(group, SceneGroup { at, ..SceneGroup::default() });
     }
     instruments::draw(&mut drawing, lathe);
-    lens::draw(&mut drawing, p, &layout);
+    lens::draw(&mut drawing, lathe, &layout);
     labels(&mut drawing, lathe, &layout);
     drawing.stations =
         vec![("turning.station.spindle", 130.0), ("turning.station.work", 430.0), ("turning.station.turret", 860.0)];

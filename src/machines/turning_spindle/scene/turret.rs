@@ -59,8 +59,9 @@ pub(super) fn draw_cross_slide(drawing: &mut Drawing) {
     });
 }
 
-/// The turret; its origin is the tip of the tool.
+/// The turret with its turning tool; its origin is the tip of the tool.
 pub(super) fn draw(drawing: &mut Drawing) {
+    drawing.place(group::TURNING_TOOL, SceneGroup { parent: group::TURRET, ..SceneGroup::default() });
     drawing.within(group::TURRET, |drawing| {
         // Slide and housing behind the disc.
         drawing.path("M110 -150h58q6 0 6 6v92q0 6 -6 6h-58Z", Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
@@ -75,6 +76,8 @@ pub(super) fn draw(drawing: &mut Drawing) {
             "M101 -146h6v9h-6ZM101 -59h6v9h-6ZM112 -128l4 5l-3 8l-4 -5ZM96 -128l-4 5l3 8l4 -5ZM112 -68l4 -5l-3 -8l-4 5ZM96 -68l-4 -5l3 -8l4 5Z",
             Look::HOLE,
         );
+    });
+    drawing.within(group::TURNING_TOOL, |drawing| {
         // Block and shank.
         drawing.path("M40 -74h56v36H40Z", Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
         drawing.path("M41 -39V-73H95", Look::RIM.faint(0.5));

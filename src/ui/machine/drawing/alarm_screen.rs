@@ -70,7 +70,7 @@ fn of_stop(page: Page, end: f64, at_once: bool) -> Option<ScreenText> {
     let way_out = match page.outlook.cycle_start() {
         CycleStart::StopsAtOnce => "page.way-value",
         CycleStart::ComesBack => "page.way-comes-back",
-        _ if page.player.ask_planner(|run| run.is_reset()) == Some(true) => "page.end-reset",
+        _ if page.player.is_reset() => "page.end-reset",
         _ => "page.way-start",
     };
     let (tone, meaning) =

@@ -1,5 +1,6 @@
 //! Labels of a drawing in less room than they were laid out for: each moves or is hidden, so that none overlaps another, a hairline or a lens.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use leptos::wasm_bindgen::JsCast;
@@ -222,8 +223,8 @@ fn place(
 /// Frame of the drawing, what is taken in it, and its drawn parts.
 type Room<'a> = (Area, &'a [Obstacle], &'a [Area]);
 
-/// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others. A label without room loses
-/// lines from its end, the name last.
+/// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others, those with values before single
+/// words and figures. A label without room loses lines from its end, the name last.
 fn placed(labels: &[Label], frame: Area, parts: &[Area]) -> Vec<LabelPlacement> {
     let mut taken: Vec<Obstacle> = Vec::new();
     let mut placements = vec![LabelPlacement::default(); labels.len()];
@@ -238,6 +239,10 @@ fn placed(labels: &[Label], frame: Area, parts: &[Area]) -> Vec<LabelPlacement> 
         shifts.iter().copied().filter(|(_, (x, y))| x.abs() <= NEAR && y.abs() <= 0.5 * NEAR).collect();
     for leads in [true, false] {
         let free = labels.iter().zip(&mut placements).filter(|(label, _)| label.lens.is_none() && label.leads == leads);
+        let mut free: Vec<_> = free.collect();
+        if !leads {
+            free.sort_by_key(|(label, _)| Reverse(label.lines.len()));
+        }
         for (label, placement) in free {
             let ways = if leads { &shifts } else { &near };
             let counts = (1..=label.lines.len()).rev();
@@ -429,6 +434,15 @@ mod tests {
         // Beside the lower edge there is room above alone.
         let labels = [label(10.0, 182.0, &[280.0], false), label(60.0, 182.0, &[120.0], true)];
         assert_eq!(placed_alone(&labels), [((0.0, -18.0), 1), ((0.0, 0.0), 1)]);
+    }
+
+    #[wasm_bindgen_test]
+    fn figure_alone_gives_way_to_a_label_with_values() {
+        // The zero of a ruler just below a name and its value.
+        let labels = [label(40.0, 36.0, &[10.0], false), label(10.0, 10.0, &[60.0, 60.0], false)];
+        let placed = placed_alone(&labels);
+        assert_eq!(placed[1], ((0.0, 0.0), 2));
+        assert!(placed[0].0 != (0.0, 0.0) || placed[0].1 == 0, "{placed:?}");
     }
 
     #[wasm_bindgen_test]

@@ -205,7 +205,7 @@ fn why(page: Page) -> String {
         Some(RunEnd::Stop) if page.player.message.with(Option::is_some) => String::new(),
         Some(RunEnd::Stop) if page.player.ask_planner(|run| run.plc_hold().is_some()) == Some(true) => String::new(),
         Some(RunEnd::Stop) if page.outlook.cycle_start() != CycleStart::Acts => t("page.end-blocked").to_owned(),
-        Some(end) => end_words(&end, page.player.ask_planner(|run| run.is_reset()) == Some(true)),
+        Some(end) => end_words(&end, page.player.is_reset()),
     }
 }
 

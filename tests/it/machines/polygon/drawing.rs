@@ -18,6 +18,8 @@ const BLUR: u16 = 4;
 const SIDE: u16 = 5;
 const LENS: u16 = 11;
 const RING: u16 = 27;
+const TURNING_TOOL: u16 = 28;
+const SIDE_CUTTER: u16 = 29;
 const SECTION: u16 = 0;
 
 /// Sizes from small to large: stock, across flats, tip radius, start of X.
@@ -179,7 +181,7 @@ fn slide_from_above_passes_beside_the_figures() {
     for (length, behind) in [("15", "0"), ("20", "40"), ("60", "0"), ("120", "30")] {
         let project = project(&[("length", length), ("from-face", behind)]);
         let scene = project.prepared().scene();
-        let parts = || scene.nodes.iter().filter(|node| node.group == SIDE);
+        let parts = || scene.nodes.iter().filter(|node| [SIDE, SIDE_CUTTER].contains(&node.group));
         let boxes: Vec<[f64; 4]> = parts()
             .filter_map(|node| match node.shape {
                 Shape::Rect { x, y, w, h, .. } => Some([x, y, x + w, y + h]),
@@ -235,4 +237,23 @@ fn details_at_the_right_begin_in_few_columns() {
     let text = |wanted: &str| texts(&scene, &pose).into_iter().find(|(text, _)| text == wanted).unwrap().1;
     let (angle, state) = (text("0.00°"), text("stands"));
     assert!(state[0] == angle[0] && state[1] > angle[3], "{angle:?} {state:?}");
+}
+
+#[test]
+fn turning_tool_takes_the_place_of_the_cutter_at_an_end() {
+    let project = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    let mut turning = now(&project, (23.0, -5.0), (30.0, 0.0));
+    (turning.spindle.actual, turning.spindle.turns) = (800.0, 12.25);
+    let opacity = |pose: &Pose, group: u16| placement(pose, group).opacity;
+    let pose = posed(&project, &turning, FRAME);
+    assert_eq!([DISC, RING, TURNING_TOOL].map(|group| opacity(&pose, group)), [0.0, 0.0, 1.0]);
+    // The tip is 1.5 mm from where those of the cutter finish a square of 20 mm; the work turns by the spindle too.
+    let scale = placement(&pose, TURNING_TOOL).dx / 1.5;
+    assert!((placement(&pose, WORK).turn - -120.0).abs() < 1e-9 && scale > 1.0);
+    assert!(pose.texts.iter().any(|(_, text)| text == "800.0 r/min"), "{:?}", pose.texts);
+    // The cutter comes back with its own drives, and the work then has their angle.
+    turning.spindle.actual = 0.0;
+    let pose = posed(&project, &turning, FRAME);
+    assert_eq!([DISC, RING, TURNING_TOOL].map(|group| opacity(&pose, group)), [1.0, 1.0, 0.0]);
+    assert!((placement(&pose, WORK).turn - -30.0).abs() < 1e-9);
 }

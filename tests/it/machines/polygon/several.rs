@@ -26,10 +26,10 @@ const TWO: [(&str, &str); 7] = [
 ];
 
 /// Groups of the lens, of the disc, of the passes and of the ring at the contact: of the first polygon, and of the second.
-const LENS: [u16; 2] = [11, 31];
-const DISC: [u16; 2] = [2, 28];
-const PASSES: [u16; 2] = [26, 33];
-const RING: [u16; 2] = [27, 34];
+const LENS: [u16; 2] = [11, 34];
+const DISC: [u16; 2] = [2, 31];
+const PASSES: [u16; 2] = [26, 36];
+const RING: [u16; 2] = [27, 37];
 
 fn two(more: &[(&str, &str)]) -> Project {
     project(&[&TWO[..], more].concat())

@@ -8,6 +8,7 @@ use macroline::nc::{self, Files};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::text::Severity;
+use macroline::text::catalog::sentence;
 
 use super::{ideal, over_time, project, run_set, sheet};
 use crate::queries::value;
@@ -214,6 +215,32 @@ fn keyway_grows_in_the_drawing_while_it_is_cut() {
     assert!(shapes[0].is_empty() && !shapes[399].is_empty());
     let changes = shapes.windows(2).filter(|pair| pair[0] != pair[1]).count();
     assert!(changes > 20, "{changes}");
+}
+
+#[test]
+fn driven_tool_is_drawn_while_it_has_the_work() {
+    let project = shaft(&[]);
+    let planner = over_time(&project);
+    let prepared = project.prepared();
+    let frame = macroline::machines::Frame { step: 0.02, drawing_option: false };
+    // Groups 20 and 21: the turning tool and the driven tool, of which one is there at each moment.
+    let end = planner.timeline().end();
+    let moments: Vec<(bool, bool)> = (0..=800)
+        .map(|k| {
+            let now = planner.timeline().at(end * f64::from(k) / 800.0);
+            let pose = prepared.pose(&planner, &now, frame);
+            let shown = |group: u16| pose.placements.iter().any(|place| place.group == group && place.opacity == 1.0);
+            assert_ne!(shown(20), shown(21), "{}", now.t);
+            let mills =
+                prepared.activity(&planner, &now).is_some_and(|message| sentence(&message) == "Milling the keyway");
+            // It mills only while it is there, with the spindle at rest.
+            assert!(!mills || shown(21) && now.spindle.actual == 0.0, "{}", now.t);
+            (shown(21), mills)
+        })
+        .collect();
+    let changes = moments.windows(2).filter(|pair| pair[0].0 != pair[1].0).count();
+    let milled = moments.iter().filter(|(_, mills)| *mills).count();
+    assert!(changes == 1 && milled > 50, "{changes} {milled}");
 }
 
 #[test]
