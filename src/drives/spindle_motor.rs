@@ -129,20 +129,16 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
     torque * rpm.abs() / TORQUE
 }
 
-/// Torque in Nm for accelerating an inertia in kg·m² to a speed in r/min by a ramp of `tau` s with a position loop of gain `gain` 1/s:
-/// `M = J · 2π n / 60 · (1 - e^(-K τ)) / τ`, without a ramp `J · 2π n / 60 · K`.
+/// Torque in Nm for accelerating an inertia in kg·m² to a speed in r/min by a linear ramp of `tau` s: `M = J · 2π n / (60 τ)`, without a ramp
+/// by the position loop of gain `gain` 1/s, `J · 2π n / 60 · K`. The lag of the servo takes a little off on a short ramp; it is left out, as in
+/// the run.
 ///
-/// Source: `reference/turning-spindle.md` section 5, run-up by a ramp; the gain by the servo lag of first order.
+/// Source: `reference/turning-spindle.md` section 5, run-up by a ramp.
 pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
-    inertia * rpm.abs() * RPM * if tau > 0.0 { -math::expm1(-gain * tau) / tau } else { gain }
+    inertia * rpm.abs() * RPM * if tau > 0.0 { 1.0 / tau } else { gain }
 }
 
-/// Shortest ramp in s with a run-up torque of at most `torque` Nm; 0 if none is needed.
-pub fn shortest_ramp(inertia: f64, rpm: f64, gain: f64, torque: f64) -> f64 {
-    let plain = inertia * rpm.abs() * RPM / torque;
-    if plain * gain <= 1.0 {
-        return 0.0;
-    }
-    // Fixed-point iteration from above, toward τ = plain · (1 - e^(-K τ)).
-    (0..64).fold(plain, |tau, _| plain * -math::expm1(-gain * tau))
+/// Shortest ramp in s with a run-up torque of at most `torque` Nm.
+pub fn shortest_ramp(inertia: f64, rpm: f64, torque: f64) -> f64 {
+    inertia * rpm.abs() * RPM / torque
 }

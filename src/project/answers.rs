@@ -34,7 +34,9 @@ pub fn sizing_json(sizing: &Sizing, chance: Option<&Chance>, all: &[FileFindings
 pub fn size_with_findings(project: &Project, file: FileFindings) -> (Sizing, Vec<FileFindings>) {
     let written = project.written();
     let sizing = size(project, &written);
-    let list = written.diagnostics.into_iter().chain(sizing.findings()).collect();
+    let mut form = project.design().diagnostics;
+    origins::shorten(project, &mut form);
+    let list = form.into_iter().chain(written.diagnostics).chain(sizing.findings()).collect();
     (sizing, vec![file, FileFindings { sources: Sources::written(written.files), list }])
 }
 

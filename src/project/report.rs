@@ -88,7 +88,7 @@ impl Project {
         let cycle = time.map(|seconds| Cycle {
             seconds,
             pause: prepared.pause(),
-            change: prepared.change_time(),
+            between_parts: prepared.time_between_parts(),
             energy: None,
         });
         let figures = cycle.map(|cycle| {

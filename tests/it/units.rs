@@ -214,13 +214,14 @@ fn verdicts_in_inches_have_converted_limits() {
         Without supply no drive holds the ratio: at a power failure work and tool coast, and the tool ends 480° off its angle in the ratio. An insert in the cut takes the corners off. Retract the slide, discard the part, begin anew.
         ok  F of roughing                                    3.94 in/min  (at most 236.22)
         ok  F of finishing                                   1.97 in/min  (at most 236.22)
-        -  Free length needed                             0.6693 in
-        The distance from the face to the jaws is not entered, so it is not judged: measure it. It has to be 0.6693 in at least.
-        -  Distance of the marks on a flat                0.0098 in
-        -  Time until the cut can begin                     1.13 s
+        -  Free length needed                             0.7874 in
+        The distance from the face to the jaws is not entered, so it is not judged: measure it. It has to be 0.7874 in at least.
+        ok  Distance of the marks on a flat                0.0098 in  (at most 0.1181)
+        ok  Distance of the marks in roughing              0.0197 in  (at most 0.1181)
+        -  Time until the cut can begin                     4.13 s
         -  Cutting time                                    52.25 s
         -  Cutting time by milling in polar interpolation           64.8 s
-        -  Milling time over turning time                   1.21
+        -  Milling time over turning time                   1.15
         -  Greatest cutting force of an insert               875 N
         ok  Bending of the work                            0.0000 in  (at most 0.0039)
         -  Inserts in the cut at once                          1

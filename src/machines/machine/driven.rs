@@ -76,8 +76,8 @@ pub trait DrivenMachine {
     fn lowest_knob(&self) -> f64 {
         LOWEST_KNOB
     }
-    /// Mean time (s) of changes of material that a part takes beside the pause.
-    fn change_time(&self) -> f64 {
+    /// Mean time (s) of a part beside its run from rest and the pause: changes of material, ways back to where the run begins.
+    fn time_between_parts(&self) -> f64 {
         0.0
     }
     /// Variable and present value of the product's size, if the program accepts another size while the machine runs.

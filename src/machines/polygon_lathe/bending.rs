@@ -1,5 +1,6 @@
 //! Bending of the work between jaws and cutter, under the force of an insert or of the tool that turns an end.
 
+use super::load::{ForceLimits, PolygonFeed, PolygonLoad};
 use super::params::{FIELDS, Params};
 use super::resolved::PolygonLathe;
 use super::turned_end_form::TurnedEnd;
@@ -62,50 +63,64 @@ impl PolygonLathe {
         self.flats().chain(before.thinner()).collect()
     }
 
-    /// Greatest deflection (mm) of the work under the force of an insert at the near end of each polygon, with the free
-    /// length `free` (mm).
+    /// Greatest deflection (mm) of the work that stays on the flats, with the free length `free` (mm): that of the last pass, or so much of an
+    /// earlier pass as its allowance does not cover. The force acts at the near end of each polygon.
     fn bending_of(&self, free: f64) -> f64 {
         let thinner = self.thinner_in_flats();
-        let cuts = self.polygons().map(|lathe| {
-            let force = lathe.derived.load.cuts.iter().map(|cut| cut.force).fold(0.0, f64::max);
-            self.deflection(force, lathe.params.from_face, free, &thinner)
-        });
-        cuts.fold(0.0, f64::max)
+        let left = |lathe: &PolygonLathe| self.left_on_flats(lathe, &lathe.derived.load, free, &thinner);
+        self.polygons().map(left).fold(0.0, f64::max)
     }
 
-    /// Greatest force (N) of an insert that bends the work at no polygon by more than `most` mm; infinite for a rigid
-    /// bar.
-    fn force_bending_by(&self, most: f64) -> f64 {
+    /// The same for the cuts of one polygon.
+    fn left_on_flats(&self, lathe: &PolygonLathe, load: &PolygonLoad, free: f64, thinner: &[Thinner]) -> f64 {
+        let left = |feed: PolygonFeed| {
+            let bending = self.deflection(load.force_together(feed), lathe.params.from_face, free, thinner);
+            bending - lathe.params.left_for_last_pass(feed)
+        };
+        PolygonFeed::ALL.map(left).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Greatest forces (N) of the cuts at each feed that leave at most the flatness tolerance on the flats; infinite for a rigid bar.
+    fn forces_within_flatness(&self) -> [f64; 3] {
         let (free, thinner) = (self.free_length(), self.thinner_in_flats());
-        let force = |lathe: &PolygonLathe| most / self.deflection(1.0, lathe.params.from_face, free, &thinner);
-        self.polygons().map(force).fold(f64::INFINITY, f64::min)
+        PolygonFeed::ALL.map(|feed| {
+            let force = |lathe: &PolygonLathe| {
+                let most = lathe.params.flatness + lathe.params.left_for_last_pass(feed);
+                most / self.deflection(1.0, lathe.params.from_face, free, &thinner)
+            };
+            self.polygons().map(force).fold(f64::INFINITY, f64::min)
+        })
     }
 
-    /// Greatest deflection (mm) of the work under the force of an insert.
+    /// Greatest deflection (mm) of the work that stays on the flats.
     pub(super) fn bending(&self) -> f64 {
         self.bending_of(self.free_length())
     }
 
-    /// Greatest depth of a pass (mm) with which the force of an insert is at most `share` of the present greatest one;
-    /// `None` if the number of passes does not allow such a depth.
-    fn shallower(&self, share: f64) -> Option<f64> {
-        let limit = share * self.force();
-        let force = |depth: f64| {
-            let forces = self.polygons().flat_map(|lathe| {
+    /// Greatest depth of a pass (mm) with which the flats are even enough; `None` if the number of passes does not allow such a depth.
+    fn shallower(&self) -> Option<f64> {
+        let (free, thinner, present) = (self.free_length(), self.thinner_in_flats(), self.params.depth);
+        let bends = |depth: f64| {
+            let left = |lathe: &PolygonLathe| {
                 let p = Params { depth, ..lathe.params.clone() };
                 let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-                p.cutting_torques(&sizes).cuts.map(|cut| cut.force)
-            });
-            forces.fold(0.0, f64::max)
+                self.left_on_flats(lathe, &p.cutting_torques(&sizes), free, &thinner)
+            };
+            self.polygons().map(left).fold(0.0, f64::max)
         };
         let least = LEAST_DEPTH.max(self.params.stock_diameter / 2.0 / super::passes::PASSES);
-        if least >= self.params.depth {
+        if least >= present {
             return None;
         }
-        Some(
-            self.params.depth
-                * math::greatest_share(least / self.params.depth, |share| force(share * self.params.depth) <= limit)?,
-        )
+        let share = math::greatest_share(least / present, |share| bends(share * present) <= self.params.flatness)?;
+        Some(present * share)
+    }
+}
+
+impl Params {
+    /// What the cuts at a feed leave for the last pass, mm.
+    fn left_for_last_pass(&self, feed: PolygonFeed) -> f64 {
+        if feed == PolygonFeed::Finishing || self.passes() <= 1.0 { 0.0 } else { self.allowance }
     }
 }
 
@@ -142,29 +157,30 @@ pub(super) fn judge(lathe: &PolygonLathe) -> Option<Judgement> {
             Some((percent, fed, bending)) => {
                 let (percent, bending, limit_there) = ((percent, 0), (bending, 3), (p.flatness, 4));
                 let message = msg!("polygon.bends-at-feed-knob", percent, bending, limit = limit_there);
-                let sets = lathe.feeds_below(fed, fed.force_bending_by(p.flatness));
+                let sets = lathe.feeds_below(fed, ForceLimits::of_flats(fed.forces_within_flatness()));
                 warn(limit, [knobs::setting_feeds(message.into(), sets)])
             }
             None => ok(limit),
         };
     }
     let (free, needed) = (lathe.free_length(), at_least(FIELDS, "free-length", lathe.length_to_jaws()));
-    let fact = Advice::from(msg!(
-        "polygon.work-bends",
-        bending = (bending, 3),
-        limit = (p.flatness, 4),
-        length = (free, 1),
-        needed = (needed.value, 1)
-    ));
+    let (bending, limit_there) = ((bending, 3), (p.flatness, 4));
+    let fact = if needed.value < free {
+        let (length, needed) = ((free, 1), (needed.value, 1));
+        msg!("polygon.work-bends", bending, limit = limit_there, length, needed)
+    } else {
+        msg!("polygon.shortest-work-bends", bending, limit = limit_there, needed = (needed.value, 1))
+    };
+    let fact = Advice::from(fact);
     let fed = lathe.with_most_feed();
     let is_short_enough = needed.value < free && fed.bending_of(needed.value) <= p.flatness;
     let advice = if is_short_enough {
         fact.setting(msg!("advice.set-free-length", length = needed.text.as_str()), [needed])
-    } else if let Some(depth) = fed.shallower(p.flatness / fed.bending()) {
+    } else if let Some(depth) = fed.shallower() {
         let set = at_most(FIELDS, "depth", depth);
         fact.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
     } else {
-        fact
+        knobs::setting_feeds(fact, lathe.feeds_below(fed, ForceLimits::of_flats(fed.forces_within_flatness())))
     };
     fail(limit, [advice])
 }

@@ -33,7 +33,10 @@ impl PolygonLathe {
             // Strikes of one torque during the share c of the time: T √c, with c the mean over the peak. Source: sizing facts, section 7.
             DemandKind::Effective => ((torque.peak * torque.mean).sqrt(), continuous),
             DemandKind::Power => (power(torque.mean, drive.speed), drive.motor.power * self.params.site_share / 100.0),
-            DemandKind::RunUp => (run_up(drive.inertia, drive.speed, drive.ramp, drive.gain), most),
+            DemandKind::RunUp => {
+                let drive = self.params.fastest_drive(axis);
+                (run_up(drive.inertia, drive.speed, drive.ramp, drive.gain), self.params.torques_of(&drive).1)
+            }
         }
     }
 
@@ -45,6 +48,14 @@ impl PolygonLathe {
         let share = |(demand, limit): (f64, f64)| if demand > 0.0 { demand / limit } else { 0.0 };
         let first = (0.0, f64::INFINITY);
         all.fold(first, |worst, next| if worst == first || share(next) > share(worst) { next } else { worst })
+    }
+
+    /// Mean torque (Nm) of the cuts of all polygons about an axis, over the time in which the slide moves at feed: the energy of a part counts
+    /// each pass with its own torque, while [`DemandKind::Mean`] is that of the heaviest.
+    pub(super) fn mean_torque(&self, axis: PolygonAxis) -> f64 {
+        let all = self.polygons().map(|lathe| (lathe.derived.load.impulse[axis as usize], lathe.derived.times.cutting));
+        let (impulse, seconds) = all.fold((0.0, 0.0), |sum, next| (sum.0 + next.0, sum.1 + next.1));
+        if seconds > 0.0 { impulse / seconds } else { 0.0 }
     }
 
     /// Greatest ratio, over all polygons, of demand to limit of an axis at a feed.
@@ -60,14 +71,15 @@ impl PolygonLathe {
         self.polygons().flat_map(|lathe| lathe.derived.load.cuts).map(|cut| cut.force).fold(0.0, f64::max)
     }
 
-    /// Greatest force (N) of any cut, of inserts and turned ends.
+    /// Greatest force (N) of any cut on the work, of all inserts at once and of turned ends.
     pub(super) fn greatest_force(&self) -> f64 {
-        self.force().max(self.greatest_end_force())
+        let flats = PolygonFeed::ALL.map(|feed| self.force_at(feed));
+        flats.into_iter().fold(self.greatest_end_force(), f64::max)
     }
 
-    /// Greatest force (N) of the cuts at a feed.
+    /// Greatest force (N) of the cuts at a feed, of all inserts at once.
     pub(super) fn force_at(&self, feed: PolygonFeed) -> f64 {
-        self.polygons().map(|lathe| lathe.derived.load.at(feed).force).fold(0.0, f64::max)
+        self.polygons().map(|lathe| lathe.derived.load.force_together(feed)).fold(0.0, f64::max)
     }
 
     /// Cutting force (N) of turning an end: the chip is as wide as the cut is deep, and as thick as the feed.

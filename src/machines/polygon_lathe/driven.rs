@@ -1,7 +1,7 @@
 //! The drives of the polygon lathe for the sizing: motors of work, tool and slides, and the phase between work and tool as a gauge.
 
 use super::demand::DemandKind;
-use super::load::PolygonAxis;
+use super::load::{ForceLimits, PolygonAxis};
 use super::params::Params;
 use super::path::{self, PassStep, time};
 use super::resolved::{PolygonLathe, TOOL, WORK};
@@ -18,7 +18,8 @@ use crate::view::Advice;
 /// Limits without a reserve: the form has none beyond its peak torque.
 const NO_RESERVE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 1.0, effective: 1.0 };
 
-/// The motors of work and tool, under the greatest torque of all feeds while the slide is in the stock, and those of the slides.
+/// The motors of work and tool, under the mean torque of all cuts and the greatest strike while the slide is in the stock, and those of the
+/// slides.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
     let driven = |id, name, at, axis: PolygonAxis, (motor_teeth, teeth): (f64, f64)| {
         let p = &lathe.params;
@@ -26,8 +27,8 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
         let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
         let drive = p.drive(axis);
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
-        let at_motor = |kind| through_gear(lathe.demand(axis, kind).0, gear, efficiency);
-        let (mean, peak) = (at_motor(DemandKind::Mean), at_motor(DemandKind::Peak));
+        let at_motor = |torque| through_gear(torque, gear, efficiency);
+        let (mean, peak) = (at_motor(lathe.mean_torque(axis)), at_motor(lathe.demand(axis, DemandKind::Peak).0));
         let friction = through_gear(drive.friction, gear, efficiency);
         let strikes = Strikes::new(peak, mean);
         // The form has torque and inertia at the output of the gear, rotor included; its torque already includes the losses of the gear.
@@ -102,7 +103,7 @@ impl HasSlides for PolygonLathe {
     fn with_feeds_of_force(&self, share: f64, advice: Advice) -> Advice {
         let fed = self.with_most_feed();
         let most = share * fed.greatest_force();
-        knobs::setting_feeds(advice, self.feeds_below(fed, most))
+        knobs::setting_feeds(advice, self.feeds_below(fed, ForceLimits::of_all(most)))
     }
 }
 

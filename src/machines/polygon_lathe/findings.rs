@@ -206,6 +206,33 @@ fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
     found.map(|found| if most >= p.clear_diameter() { found.mended_by(most.floor()) } else { found })
 }
 
+/// Error of a start point at which the turret brings a larger cutter into the stock: the slide stays, and the tips come nearer by the difference
+/// of the tip circles, as X reads with the offset of the new cutter.
+fn next_cutter_in_stock(lathe: &PolygonLathe) -> Option<Diagnostic> {
+    let p = &lathe.params;
+    let pairs =
+        lathe.polygons().zip(lathe.polygons().skip(1)).filter(|(one, next)| one.params.tool != next.params.tool);
+    let nearer = pairs.map(|(one, next)| 2.0 * (next.params.tip_radius - one.params.tip_radius)).fold(0.0, f64::max);
+    let least = p.clear_diameter() + nearer;
+    let message = msg!("polygon.next-cutter-in-stock", nearer = (0.5 * nearer, 3), least = (least, 3));
+    (nearer > 0.0 && p.start_x < least).then(|| Diagnostic::error(message).about("start-x").mended_by(least))
+}
+
+/// Error of a speed to the start angles that an axis may not have.
+fn index_too_fast(lathe: &PolygonLathe) -> Option<Diagnostic> {
+    let p = &lathe.params;
+    let limit = lathe.limit_at_full_feed(p.work_limit.min(p.tool_limit));
+    let message = msg!("polygon.index-too-fast", speed = (p.index_speed, 0), limit = (limit, 0));
+    (p.index_speed > limit).then(|| Diagnostic::error(message).about("index-speed").mended_by(limit.floor()))
+}
+
+/// Note about the dwell in which every insert passes the last cut: it is in seconds, and the work turns slower below 100 % of a feed override
+/// that acts on it.
+fn dwell_below_full(lathe: &PolygonLathe) -> Option<Diagnostic> {
+    let dwells = lathe.overrides() && lathe.polygons().any(|lathe| lathe.params.is_behind_face());
+    dwells.then(|| Diagnostic::info(msg!("polygon.dwell-below-full")))
+}
+
 /// Error of a time constant of the slides out of the range of a parameter; the sheet has it for rapid traverse and for
 /// cutting feed.
 fn beyond_ramp_range(lathe: &PolygonLathe) -> Option<Diagnostic> {
@@ -240,6 +267,8 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
         }
     }
     found.extend(start_beyond_slide(lathe));
+    found.extend(next_cutter_in_stock(lathe));
+    found.extend(index_too_fast(lathe));
     found.extend(beyond_ramp_range(lathe));
     found.extend(turned_corners(lathe));
     let bends = bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS);
@@ -265,6 +294,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             )));
         }
     }
+    found.extend(dwell_below_full(lathe));
     found.push(Diagnostic::info(msg!("polygon.reconstructed")));
     found
 }

@@ -46,6 +46,27 @@ impl PolygonFeed {
     }
 }
 
+/// Greatest forces (N) that the cuts may have.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ForceLimits {
+    /// Of the flats by feed, in the order of [`PolygonFeed::ALL`].
+    pub flats: [f64; 3],
+    /// Of the turned ends.
+    pub ends: f64,
+}
+
+impl ForceLimits {
+    /// Limits of the flats alone.
+    pub(super) fn of_flats(flats: [f64; 3]) -> ForceLimits {
+        ForceLimits { flats, ends: f64::INFINITY }
+    }
+
+    /// One limit of all cuts.
+    pub(super) fn of_all(most: f64) -> ForceLimits {
+        ForceLimits { flats: [most; 3], ends: most }
+    }
+}
+
 /// Torque about an axis, Nm.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Torque {
@@ -68,6 +89,8 @@ pub(super) struct PolygonLoad {
     pub cuts: [CutLoad; 3],
     /// Inserts in the cut at once.
     pub at_once: f64,
+    /// Angular momentum that the cuts of all passes take of work and tool, Nm s: the mean torque of each times its time.
+    pub impulse: [f64; 2],
 }
 
 /// Motor of the work axis or of the tool axis, reduced to the axis through its gear.
@@ -89,6 +112,11 @@ impl PolygonLoad {
     /// The cuts at a feed.
     pub(super) fn at(&self, feed: PolygonFeed) -> &CutLoad {
         &self.cuts[feed as usize]
+    }
+
+    /// Force (N) of all inserts in the cut at once at a feed, as if they pushed in one direction.
+    pub(super) fn force_together(&self, feed: PolygonFeed) -> f64 {
+        self.at(feed).force * self.at_once.max(1.0)
     }
 
     /// Raises the cuts at a feed to `cut`.
@@ -144,9 +172,21 @@ impl Params {
             let plunge = CutLoad { force: down, torque: [lever(0.5 * self.blank()), lever(self.tip_radius)] };
             all.raise(if last { PolygonFeed::Finishing } else { PolygonFeed::Roughing }, cut);
             all.raise(PolygonFeed::Infeed, plunge);
+            let seconds = self.times_in_cut(at as f64 + 1.0);
+            for (impulse, (cut, plunge)) in all.impulse.iter_mut().zip(cut.torque.iter().zip(plunge.torque)) {
+                *impulse += cut.mean * seconds[0] + plunge.mean * seconds[1];
+            }
             all.at_once = all.at_once.max(f64::from(pass.at_once));
         }
         all
+    }
+
+    /// Times (s) in which a pass (from 1) cuts along the flats, and down to them.
+    fn times_in_cut(&self, pass: f64) -> [f64; 2] {
+        let along = 60.0 * self.length / self.per_minute(self.feed_of(pass));
+        let before = if pass > 1.0 { self.size(pass - 1.0) } else { self.blank() };
+        let down = 60.0 * 0.5 * (before - self.size(pass)) / self.per_minute(self.infeed);
+        [along, if self.is_behind_face() { down } else { 0.0 }]
     }
 
     /// The form with all feeds multiplied by `share`. If the work turns faster by the same factor, its speed is
@@ -203,12 +243,14 @@ impl Params {
         AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain, friction }
     }
 
-    /// Torques (Nm) of the drive at its speed less friction: continuous at its site, and short-time.
-    pub(super) fn torques(&self, axis: PolygonAxis) -> (f64, f64) {
-        self.torques_of(&self.drive(axis))
+    /// The motor of an axis at its greatest speed, that of the cut or of the way to its start angle: from the second part on every G512 turns
+    /// there from where the part before has ended.
+    pub(super) fn fastest_drive(&self, axis: PolygonAxis) -> AxisMotor {
+        let drive = self.drive(axis);
+        AxisMotor { speed: drive.speed.abs().max(self.index_speed), ..drive }
     }
 
-    /// The same for a drive.
+    /// Torques (Nm) of a drive at its speed less friction: continuous at its site, and short-time.
     pub(super) fn torques_of(&self, drive: &AxisMotor) -> (f64, f64) {
         let rated = drive.motor.torque(drive.speed);
         let left = |percent: f64| (rated * percent / 100.0 - drive.friction).max(0.0);
@@ -217,7 +259,7 @@ impl Params {
 
     /// Shortest ramp (s) of an axis that the torque of its drive allows.
     pub(super) fn ramp(&self, axis: PolygonAxis) -> f64 {
-        let drive = self.drive(axis);
-        shortest_ramp(drive.inertia, drive.speed, drive.gain, self.torques(axis).1)
+        let drive = self.fastest_drive(axis);
+        shortest_ramp(drive.inertia, drive.speed, self.torques_of(&drive).1)
     }
 }

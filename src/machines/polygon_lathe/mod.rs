@@ -236,6 +236,10 @@ impl DrivenMachine for PolygonLathe {
         self.params.pause
     }
 
+    fn time_between_parts(&self) -> f64 {
+        self.params.mean_index_time() - self.params.index_time().min(self.params.mean_index_time())
+    }
+
     fn without_supply(&self) -> Option<CoastedAxes> {
         driven::without_supply(self)
     }

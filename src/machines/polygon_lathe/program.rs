@@ -178,7 +178,8 @@ const LEAST_FEED: f64 = 0.001;
 
 /// A step of a turned end with its feed per revolution of the spindle, instead of per minute at `speed` (r/min).
 fn per_revolution(step: PassStep, speed: f64) -> PassStep {
-    let per_turn = |feed: f64| (feed / speed).max(LEAST_FEED);
+    // Down to the decimals of F: rounded up it may be above the clamp of the slide.
+    let per_turn = |feed: f64| ((feed / speed / LEAST_FEED + 1e-6).floor() * LEAST_FEED).max(LEAST_FEED);
     match step {
         PassStep::Feed(to, feed) => PassStep::Feed(to, per_turn(feed)),
         PassStep::Slope { across, along, feed } => PassStep::Slope { across, along, feed: per_turn(feed) },

@@ -57,6 +57,11 @@ fn cuts_unevenly(lathe: &PolygonLathe) -> bool {
 }
 
 /// Whether each corner has one opposite it: an even number of sides.
+/// Whether a polygon has passes before its last one.
+fn roughs(lathe: &PolygonLathe) -> bool {
+    lathe.derived.cuts && lathe.polygons().any(|lathe| lathe.sizes.len() > 1)
+}
+
 fn cuts_opposite_corners(lathe: &PolygonLathe) -> bool {
     lathe.derived.cuts && lathe.derived.section.sides % 2.0 == 0.0
 }
@@ -96,6 +101,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.derived.section.area, cuts),
     row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.derived.inserts.slowest_cut, cuts),
     row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.derived.inserts.fastest_cut, cuts),
+    row!("end-fastest-cut", "polygon.readout.end-fastest-cut", "m/min", 1, false, "π d n / 1000, d the stock of the end", MECHANICS, |lathe| lathe.params.fastest_end_cut(), PolygonLathe::has_main_spindle),
     row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.derived.place.distance),
     row!("reach", "polygon.readout.reach", "mm", 3, false, "(stock - AF) / 2", MECHANICS, |lathe| lathe.derived.place.reach),
     row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.derived.place.offset),
@@ -113,9 +119,10 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.derived.feeds.rough),
     row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.derived.feeds.finish),
     row!("infeed", "polygon.readout.infeed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.derived.feeds.infeed, |lathe| lathe.params.is_behind_face()),
-    row!("free-length", "polygon.readout.free-length", "mm", 3, false, "far end + clearance", MECHANICS, PolygonLathe::length_to_jaws),
-    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.derived.inserts.mark_pitch, cuts),
-    row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.derived.times.ready),
+    row!("free-length", "polygon.readout.free-length", "mm", 3, false, "far end + insert width + clearance", MECHANICS, PolygonLathe::length_to_jaws),
+    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D), in the last pass", GEOMETRY, |lathe| lathe.mark_pitches()[1], cuts),
+    row!("rough-mark-pitch", "polygon.readout.rough-mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.mark_pitches()[0], roughs),
+    row!("ready", "polygon.readout.ready", "s", 2, false, "at most a turn to A and E, 60 / n index, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.derived.times.ready),
     row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.derived.times.cutting).sum(), cuts),
     row!("turning-time", "polygon.readout.turning-time", "s", 2, false, "60 way / F, threads 60 way / (P S)", MECHANICS, |lathe| {
         lathe.params.turned_ends.iter().filter(|end| end.on).map(|end| end.time(&lathe.params)).sum()
@@ -141,7 +148,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
         lathe.polygons().map(|lathe| lathe.params.milling_time()).sum::<f64>() / turning
     }, cuts),
     row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force(), cuts_by_force),
-    row!("bending", "polygon.readout.bending", "mm", 3, false, "F / 3E · Σ (b³ - a³) / I, I = π D⁴ / 64, from the cut to the jaws", BENDING, PolygonLathe::bending, cuts_by_force),
+    row!("bending", "polygon.readout.bending", "mm", 3, false, "F / 3E · Σ (b³ - a³) / I, I = π D⁴ / 64, from the cut to the jaws; before the last pass less its allowance", BENDING, PolygonLathe::bending, cuts_by_force),
     row!("at-once", "polygon.readout.at-once", "", 0, false, "1 + ⌊n σ / π⌋", GEOMETRY, |lathe| lathe.polygons().map(|lathe| lathe.derived.load.at_once).fold(0.0, f64::max), cuts_by_force),
     row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Peak).0, cuts_by_force),
     row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Mean).0, cuts_by_force),

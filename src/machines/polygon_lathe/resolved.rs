@@ -117,6 +117,16 @@ impl PolygonLathe {
         self.polygons().find(there).unwrap_or(self)
     }
 
+    /// Greatest distances (mm) of the feed marks on a flat: of roughing, and of the last pass.
+    pub(super) fn mark_pitches(&self) -> [f64; 2] {
+        let all = self.polygons().map(|lathe| {
+            let [rough, finish] = lathe.derived.inserts.mark_pitches;
+            // One pass has no roughing.
+            [if lathe.sizes.len() > 1 { rough } else { 0.0 }, finish]
+        });
+        all.fold([0.0, 0.0], |most: [f64; 2], next| [most[0].max(next[0]), most[1].max(next[1])])
+    }
+
     /// Length (mm) from face to jaws that the cutter needs.
     pub(super) fn length_to_jaws(&self) -> f64 {
         self.polygons().map(|lathe| lathe.derived.place.length_to_jaws).fold(0.0, f64::max)

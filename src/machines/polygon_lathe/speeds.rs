@@ -40,8 +40,20 @@ impl Params {
         left(self.tool_speed(), tool) - ratio * left(self.work_speed(), work) + 0.0
     }
 
-    /// Time of the axes to their start angles, s: `max(|A|, |E|) / (6 n_index)`.
+    /// Time of the axes from 0° to their start angles, s: `max(|A|, |E|) / (6 n_index)`.
     pub(super) fn index_time(&self) -> f64 {
         self.work_start.abs().max(self.tool_start.abs()) / (6.0 * self.index_speed)
+    }
+
+    /// Mean time of both axes to their start angles, s, each from any angle in one sense: two thirds of a turn, the mean of the longer of two
+    /// equally distributed ways.
+    pub(super) fn mean_index_time(&self) -> f64 {
+        2.0 / 3.0 * self.longest_index_time()
+    }
+
+    /// Longest time of the axes to their start angles, s: a turn, `60 / n_index`. They go there in one sense, from where the part before has
+    /// ended.
+    pub(super) fn longest_index_time(&self) -> f64 {
+        60.0 / self.index_speed
     }
 }

@@ -3,6 +3,7 @@
 use super::params::Params;
 use super::path::{NO_RAPIDS, PassStep, SlideTarget, time};
 use super::turned_end_form::{TurnedEnd, TurnedEndPlace};
+use crate::drives::speed::surface_speed;
 use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
@@ -34,6 +35,11 @@ impl TurnedEnd {
         let [before, _] = &*p.turned_ends;
         let lies_on_it = self.place == TurnedEndPlace::After && before.on && self.length <= before.length;
         if lies_on_it { self.diameter.min(before.diameter) } else { self.diameter }
+    }
+
+    /// Greatest cutting speed, m/min: `π d n / 1000` with the diameter of its stock.
+    pub(super) fn cutting_speed(&self, p: &Params) -> f64 {
+        surface_speed(self.speed, self.blank(p))
     }
 
     /// Number of cuts; the last one is to size.
@@ -135,5 +141,12 @@ impl TurnedEnd {
         let begin = (p.clear_diameter(), p.clearance);
         let of = |steps: Vec<PassStep>| time(begin, steps.into_iter(), self.speed, NO_RAPIDS);
         of(self.steps(p)) + of(self.thread(p))
+    }
+}
+
+impl Params {
+    /// Greatest cutting speed of the turned ends, m/min; 0 without one.
+    pub(super) fn fastest_end_cut(&self) -> f64 {
+        self.turned_ends.iter().filter(|end| end.on).map(|end| end.cutting_speed(self)).fold(0.0, f64::max)
     }
 }

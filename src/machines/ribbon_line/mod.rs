@@ -221,7 +221,7 @@ impl DrivenMachine for RibbonLine {
         self.lowest_position()
     }
 
-    fn change_time(&self) -> f64 {
+    fn time_between_parts(&self) -> f64 {
         reel_demand::change_time(self)
     }
 

@@ -225,7 +225,8 @@ fn fastest(project: &Project, speed: &Growth) -> Option<Fastest> {
     let readout = results.iter().find(|row| row.id == result)?;
     Some(Fastest {
         result: ResultName::from(readout),
-        value: readout.value,
+        // A speed in the other direction is as fast.
+        value: readout.value.abs(),
         unit: readout.unit,
         decimals: readout.decimals,
         binding,

@@ -45,8 +45,8 @@ pub struct Cycle {
     pub seconds: f64,
     /// Pause (s) from the end of the program to the next start.
     pub pause: f64,
-    /// Mean time (s) of changes of material for a part.
-    pub change: f64,
+    /// Mean time (s) between two parts beside the pause: changes of material, ways to where the run begins.
+    pub between_parts: f64,
     /// Energy of its motors; none if nothing is known of them.
     pub energy: Option<PartEnergy>,
 }
@@ -57,9 +57,9 @@ impl Cycle {
         self.seconds + self.pause
     }
 
-    /// Mean time (s) of a part, with the pause and its share of the changes of material.
+    /// Mean time (s) of a part, with the pause and what else lies between two parts.
     pub fn mean(&self) -> f64 {
-        self.between_starts() + self.change
+        self.between_starts() + self.between_parts
     }
 
     /// Parts in an hour of the shift.
@@ -184,6 +184,6 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let mut motors = project.machine.info().motors.iter().filter(has);
     let is_known = !drives.is_empty() && motors.all(|motor| drives.contains(&motor.drive));
     let energy = PartEnergy { given, returned, returned_on_one_bus };
-    let (pause, change) = (prepared.pause(), prepared.change_time());
-    Some(Cycle { seconds, pause, change, energy: is_known.then_some(energy) })
+    let (pause, between_parts) = (prepared.pause(), prepared.time_between_parts());
+    Some(Cycle { seconds, pause, between_parts, energy: is_known.then_some(energy) })
 }

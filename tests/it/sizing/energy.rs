@@ -176,7 +176,7 @@ fn pause_of_the_shift_counts_in_torque_duty_and_parts_per_hour() {
         let project = project.with_entries(&[("reel-change", "0")]).unwrap_or(project);
         let with = |pause: f64| sized(&project.with_entries(&[("pause", format!("{pause}"))]).unwrap());
         let (now, later) = (with(0.0), with(pause));
-        let seconds = now.cycle.unwrap().seconds;
+        let seconds = now.cycle.unwrap().mean();
         super::same("parts", later.cycle.unwrap().parts_per_hour(), 3600.0 / (seconds + pause), 1e-4);
         for (axis, paused) in now.axes.iter().zip(&later.axes) {
             assert!(paused.turning < axis.turning && paused.loaded <= axis.loaded, "{machine} {}", axis.id);

@@ -24,8 +24,8 @@ pub(in crate::machines::polygon_lathe) struct InsertDemands {
     /// Least and greatest cutting speed, m/min.
     pub slowest_cut: f64,
     pub fastest_cut: f64,
-    /// Distance of the feed marks on a flat at the finishing feed, mm.
-    pub mark_pitch: f64,
+    /// Distances of the feed marks on a flat, in roughing and in the last pass, mm.
+    pub mark_pitches: [f64; 2],
     /// Greatest radial error, mm.
     pub depth: WorstInsert,
     /// Greatest angular error, as the rotation of the insert's sides (°).
@@ -51,7 +51,7 @@ impl InsertDemands {
             faces_forward: curve.faces_forward(),
             slowest_cut: speed * demand.speeds.0,
             fastest_cut: speed * demand.speeds.1,
-            mark_pitch: cut::mark_pitch(setup.ratio, setup.inserts(), p.finish_feed),
+            mark_pitches: [p.feed, p.finish_feed].map(|feed| cut::mark_pitch(setup.ratio, setup.inserts(), feed)),
             depth,
             turn: WorstInsert { error: turn.error * DEGREES / speeds.ratio, ..turn },
         }

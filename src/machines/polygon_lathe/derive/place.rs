@@ -12,7 +12,7 @@ pub(in crate::machines::polygon_lathe) struct CutterPlace {
     pub reach: f64,
     /// Tool offset of X, in units of its words.
     pub offset: f64,
-    /// Length from face to jaws that the cutter needs.
+    /// Length from face to jaws that the cutter needs: its body is taken to be an insert wider than the inserts towards the chuck.
     pub length_to_jaws: f64,
 }
 
@@ -23,7 +23,7 @@ impl CutterPlace {
             distance: 0.5 * p.across_flats + p.tip_radius,
             reach: p.reach(),
             offset: -p.tip_radius * x_per_mm,
-            length_to_jaws: p.far_end() + p.clearance,
+            length_to_jaws: p.far_end() + p.insert_width + p.clearance,
         }
     }
 }

@@ -17,7 +17,7 @@ impl PolygonTimes {
     pub(super) fn new(p: &Params, sizes: &[f64]) -> PolygonTimes {
         PolygonTimes {
             passes: sizes.len() as f64,
-            ready: p.index_time() + 2.0 * p.settling(),
+            ready: p.longest_index_time() + 2.0 * p.settling(),
             cutting: p.cutting_time(),
         }
     }

@@ -17,8 +17,9 @@ pub(super) fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.angles.orientation_error.abs() <= SEEN {
         return ok(limit);
     }
-    // The rule about the phase reports this cause; a start angle would be a remedy at one speed only.
-    if (d.angles.orientation_error - d.angles.phase_on_work).abs() <= SEEN {
+    // The rule about the phase reports this cause; a start angle would be a remedy at one speed only. Both repeat with the sides.
+    let (pitch, other) = (360.0 / d.section.sides, d.angles.orientation_error - d.angles.phase_on_work);
+    if (other - pitch * (other / pitch).round()).abs() <= SEEN {
         return warn(limit, []);
     }
     let advice =
@@ -49,9 +50,15 @@ pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
 }
 
+/// Phase (°) at rest up to which work and tool count as in ratio: the figure is shown in whole degrees.
+const KEEPS_RATIO: f64 = 0.5;
+
 /// Judges the phase lost while work and tool coast, at a power failure and at an emergency stop that switches their
 /// drives off.
 pub(super) fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
+    if lathe.derived.angles.coast_phase.abs() < KEEPS_RATIO {
+        return ok(None);
+    }
     if !lathe.params.coasts(lathe.control) {
         // Information about power failures, not a fault of the form.
         let advice =

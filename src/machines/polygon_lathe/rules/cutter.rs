@@ -1,11 +1,11 @@
 //! The rules of inserts, ratio and tip circle: sides, flatness, hollow sides and relief, each with a better cutter.
 
 use crate::drives::polygon::curve::flat_ratio;
-use crate::drives::polygon::{SAME_LENGTH, ellipse};
+use crate::drives::polygon::{SAME_LENGTH, Section, ellipse};
 use crate::machines::form::entry::{at_least, nearest};
 use crate::machines::polygon_lathe::cutter_choices::choices_on_tip_circle;
 use crate::machines::polygon_lathe::geometry::own_shape;
-use crate::machines::polygon_lathe::params::FIELDS;
+use crate::machines::polygon_lathe::params::{FIELDS, Params};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
@@ -112,10 +112,9 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
         && uneven(lathe)
         && d.section.even
         && d.speeds.ratio == 2.0
-        && d.section.meets
         && p.sides >= 3.0
+        && let Some(radius) = flat_enough(lathe)
     {
-        let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
         let larger = Advice::from(msg!("polygon.larger-cutter", radius = (radius, 1)));
         let set = at_least(FIELDS, "tip-radius", radius);
         let fits = radius <= p.greatest_radius;
@@ -128,6 +127,33 @@ fn remedies(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     advice.extend(better(lathe));
     advice
 }
+
+/// Tip radius (mm) from which the sides are flat enough, on ellipses: in closed form where they meet in the stock, else the least one up to the
+/// greatest that the machine takes.
+fn flat_enough(lathe: &PolygonLathe) -> Option<f64> {
+    let PolygonLathe { params: p, derived: d, .. } = lathe;
+    if d.section.meets {
+        return Some(ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness));
+    }
+    let is_flat = |tip_radius: f64| {
+        let setup = Params { tip_radius, ..p.clone() }.setup(p.across_flats);
+        setup
+            .and_then(|setup| Section::new(&setup, 0.5 * p.blank()))
+            .is_some_and(|section| section.sides().iter().all(|side| side.flatness() <= p.flatness))
+    };
+    let (mut low, mut high) = (p.tip_radius, p.greatest_radius);
+    if !is_flat(high) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_flat(middle) { high = middle } else { low = middle }
+    }
+    Some(high)
+}
+
+/// Halvings of the range of tip radii: a hundredth of a millimetre of 1000 mm.
+const HALVINGS: u32 = 17;
 
 /// Advice with the flattest cutter and ratio on this tip circle, or the message that none is possible; `None` if the
 /// form has the flattest one already.

@@ -4,7 +4,7 @@ use crate::drives::cutting;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max};
 use crate::machines::lathe::knobs;
 use crate::machines::polygon_lathe::demand::DemandKind;
-use crate::machines::polygon_lathe::load::{PolygonAxis, PolygonFeed};
+use crate::machines::polygon_lathe::load::{ForceLimits, PolygonAxis, PolygonFeed};
 use crate::machines::polygon_lathe::params::FIELDS;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::polygon_lathe::turned_end_form::TURNED_ENDS;
@@ -27,18 +27,19 @@ fn with_feeds(lathe: &PolygonLathe, at: &PolygonLathe, axis: PolygonAxis, kind: 
 }
 
 impl PolygonLathe {
-    /// Lower entries for the feeds whose cutting force on the lathe `at` a position of the feed override exceeds `most`
-    /// (N): of the flats, then of the turned ends.
-    pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, most: f64) -> Vec<NumberEntry> {
+    /// Lower entries for the feeds whose cutting force on the lathe `at` a position of the feed override exceeds its limit: of the flats, then
+    /// of the turned ends.
+    pub(in super::super) fn feeds_below(&self, at: &PolygonLathe, limits: ForceLimits) -> Vec<NumberEntry> {
         let p = &self.params;
-        let flats = PolygonFeed::ALL.into_iter().map(|feed| (feed.field(), feed.entry(p), at.force_at(feed)));
+        let flats = PolygonFeed::ALL.into_iter().zip(limits.flats);
+        let flats = flats.map(|(feed, most)| (feed.field(), feed.entry(p), at.force_at(feed), most));
         let ends = TURNED_ENDS
             .map(|fields| fields.feed)
             .into_iter()
             .zip(p.turned_ends.iter().zip(at.params.turned_ends.iter()))
             .filter(|(_, (end, _))| end.on);
-        let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed)));
-        let lower = |(field, feed, force): (&'static str, f64, f64)| {
+        let ends = ends.map(|(field, (end, fed))| (field, end.feed, at.end_force(fed), limits.ends));
+        let lower = |(field, feed, force, most): (&'static str, f64, f64, f64)| {
             let entry = || at_most(FIELDS, field, feed * cutting::feed_share(most / force, p.specific().exponent));
             (force > most).then(entry)
         };
@@ -132,26 +133,43 @@ pub(in super::super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
     })
 }
 
-/// Judges the run-up against the drive. The remedy is one ramp for both axes, so that they keep their ratio on it.
+/// Ramp (ms) beyond which an emergency stop in ratio takes noticeably long. Source: engineering choice.
+const LONG_RAMP: f64 = 1000.0;
+
+/// Judges the run-up against the drive, also with a feed override that turns work and tool faster. The remedy is one ramp for both axes, so
+/// that they keep their ratio on it; it lengthens an emergency stop.
 fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
     let p = &lathe.params;
-    let (asked, limit) = lathe.demand(axis, DemandKind::RunUp);
-    if asked <= limit {
-        return ok(AtMost(limit));
-    }
+    let kind = DemandKind::RunUp;
+    let (asked, limit) = lathe.demand(axis, kind);
     if limit <= 0.0 {
-        let (drive, rated) = (p.drive(axis), p.drive(axis).motor);
-        let torque = (rated.torque(drive.speed) * p.drive_peak / 100.0, 1);
+        let drive = p.fastest_drive(axis);
+        let torque = (drive.motor.torque(drive.speed) * p.drive_peak / 100.0, 1);
         return fail(AtMost(limit), [msg!("lathe.friction-stalls", friction = (drive.friction, 1), torque).into()]);
     }
-    let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
-    let advice = Advice::from(message(asked, limit));
-    let sets = ["work-time-constant", "tool-time-constant"].map(|field| at_least(FIELDS, field, ramp));
-    let button = msg!("advice.set-ramps", time = sets[0].text.as_str());
-    fail(
-        AtMost(limit),
-        [if ramp <= field_max(FIELDS, "work-time-constant") { advice.setting(button, sets) } else { advice }],
-    )
+    let ramp = (1000.0 * lathe.with_most_feed().ramp()).max(p.work_time_constant).max(p.tool_time_constant);
+    let with_ramp = |fact: Message| {
+        let advice = Advice::from(fact);
+        if ramp > field_max(FIELDS, "work-time-constant") {
+            return vec![advice];
+        }
+        let sets = ["work-time-constant", "tool-time-constant"].map(|field| at_least(FIELDS, field, ramp));
+        let slow = (ramp > LONG_RAMP).then(|| msg!("polygon.long-ramp", seconds = (ramp / 1000.0, 1)).into());
+        let button = msg!("advice.set-ramps", time = sets[0].text.as_str());
+        [advice.setting(button, sets)].into_iter().chain(slow).collect()
+    };
+    if asked > limit {
+        return fail(AtMost(limit), with_ramp(message(asked, limit)));
+    }
+    let fed = lathe.at_highest_feed().map(|(percent, fed)| (percent, fed.demand(axis, kind)));
+    match fed.filter(|(_, (asked, limit))| asked > limit) {
+        Some((percent, (asked, limit_there))) => {
+            let (percent, torque) = ((percent, 0), (asked, 1));
+            let fact = msg!("polygon.run-up-at-feed-knob", percent, torque, limit = (limit_there, 1));
+            warn(AtMost(limit), with_ramp(fact))
+        }
+        None => ok(AtMost(limit)),
+    }
 }
 
 pub(in super::super) fn tool_run_up(lathe: &PolygonLathe) -> Option<Judgement> {

@@ -208,11 +208,11 @@ fn cycle_time_is_that_of_the_run() {
         let text = html(&project);
         let page = read(&text);
         let shown = words(page.root_element());
-        let change = project.prepared().change_time();
+        let between = project.prepared().time_between_parts();
         let [part, mean, hour] =
-            [time, time + change, 3600.0 / (time + change)].map(|value: f64| (value * 10.0).round() / 10.0);
-        let wanted = if change > 0.0 {
-            format!("A part takes {part} s, {mean} s on average with pauses and changes of material: {hour} an hour.")
+            [time, time + between, 3600.0 / (time + between)].map(|value: f64| (value * 10.0).round() / 10.0);
+        let wanted = if between > 0.0 {
+            format!("A part takes {part} s, {mean} s on average with all that lies between two parts: {hour} an hour.")
         } else {
             format!("A part takes {part} s; that is {hour} an hour.")
         };

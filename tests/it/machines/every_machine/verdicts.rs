@@ -325,6 +325,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("polygon.hollow-sides", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.less-hollow", "a fact; the choice of a cutter behind it has the button"),
     ("polygon.little-relief", "a fact; the choice of a cutter behind it has the button"),
+    ("polygon.long-ramp", "what the ramp before it costs"),
     ("polygon.measure-free-length", "a deed: a distance is measured"),
     ("polygon.no-b", "no speed is a remedy"),
     ("polygon.no-better", "no way is within every limit"),

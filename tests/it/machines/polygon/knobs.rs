@@ -174,5 +174,5 @@ fn unknown_free_length_is_not_judged() {
     let unknown = room("0");
     assert_eq!((unknown.verdict, unknown.limit), (Verdict::None, None));
     assert_eq!(unknown.advice[0].message.id, "polygon.measure-free-length");
-    assert_eq!((room("317").verdict, room("316").verdict), (Verdict::Ok, Verdict::Fail));
+    assert_eq!((room("320").verdict, room("319").verdict), (Verdict::Ok, Verdict::Fail));
 }

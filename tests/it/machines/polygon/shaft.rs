@@ -185,9 +185,9 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
 
 #[test]
 fn wide_insert_or_near_jaws_refuse_the_export() {
-    let shaft = [("from-face", "40"), ("length", "20"), ("free-length", "62")];
+    let shaft = [("from-face", "40"), ("length", "20"), ("free-length", "65")];
     assert!(!refused(&project(&shaft)));
-    for change in [("free-length", "61.999"), ("insert-width", "20.001"), ("clearance", "2.001")] {
+    for change in [("free-length", "64.999"), ("insert-width", "20.001"), ("clearance", "2.001")] {
         assert!(refused(&project(&[&shaft[..], &[change]].concat())), "{change:?}");
     }
     // At the end of the bar an insert may be wider than the polygon is long.
