@@ -85,7 +85,10 @@ pub fn at(words: &Words, parsed: &Parsed, file: FileId, byte: u32) -> Completion
         Typed::Called => all.programs(),
         Typed::Word => all.words_of_a_block(),
     };
-    Completion { replaces: Span::new(start.min(byte) + from as u32, byte), proposals }
+    // A number is replaced as a whole, with its digits behind the place.
+    let behind = text.get(byte as usize..).unwrap_or("").bytes().take_while(u8::is_ascii_digit).count() as u32;
+    let behind = if matches!(typed, Typed::Target | Typed::Called) { behind } else { 0 };
+    Completion { replaces: Span::new(start.min(byte) + from as u32, byte + behind), proposals }
 }
 
 /// Kind of the unfinished text at the end of a line, and its first byte.
@@ -167,6 +170,11 @@ impl Proposals<'_> {
         own.rfind(|program| program.span.start.min(begins(program)) <= self.byte)
     }
 
+    /// The prefix of a number without its leading zeros: `012` of a call means 12.
+    fn prefix_value(&self) -> &str {
+        self.prefix.trim_start_matches('0')
+    }
+
     /// Numbers and labels of the program's blocks.
     fn targets(&self) -> Vec<Proposal> {
         let deck = self.parsed.deck();
@@ -182,7 +190,8 @@ impl Proposals<'_> {
             let detail = block.span.of(text).to_owned();
             label.into_iter().chain(number(block)).map(move |name| (name, detail.clone())).collect::<Vec<_>>()
         };
-        let typed = |(name, _): &(String, String)| name.starts_with(self.prefix);
+        let value = self.prefix_value();
+        let typed = |(name, _): &(String, String)| name.starts_with(value);
         let proposal = |(text, detail)| Proposal { text, kind: ProposalKind::Block, detail, meaning: None };
         blocks.iter().flat_map(names).filter(typed).map(proposal).collect()
     }
@@ -192,7 +201,8 @@ impl Proposals<'_> {
         let deck = self.parsed.deck();
         let numbered = deck.programs.iter().filter(|program| program.number > 0);
         let all = numbered.map(|program| (program.number.to_string(), deck.text(program.title).to_owned()));
-        let typed = all.filter(|(number, _)| number.starts_with(self.prefix));
+        let value = self.prefix_value();
+        let typed = all.filter(|(number, _)| number.starts_with(value));
         typed.map(|(text, detail)| Proposal { text, kind: ProposalKind::Program, detail, meaning: None }).collect()
     }
 

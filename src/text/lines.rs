@@ -14,7 +14,7 @@ pub struct Position {
     pub column: u32,
 }
 
-/// The starts of the lines of one text. LF ends a line; a CR before it belongs to the line end.
+/// The starts of the lines of one text. LF ends a line; a CR before it belongs to the line end. In a text of an editor a CR alone ends one too.
 #[derive(Debug, Clone, Default)]
 pub struct LineIndex {
     starts: Vec<u32>,
@@ -25,6 +25,15 @@ impl LineIndex {
     pub fn new(text: &str) -> LineIndex {
         let mut starts = vec![0];
         starts.extend(text.bytes().enumerate().filter(|&(_, b)| b == b'\n').map(|(i, _)| i as u32 + 1));
+        LineIndex { starts }
+    }
+
+    /// Builds the index of a text whose lines end as in an editor: by LF, by CR LF, and by a CR alone.
+    pub fn of_editor(text: &str) -> LineIndex {
+        let bytes = text.as_bytes();
+        let ends = |at: usize, byte: u8| byte == b'\n' || byte == b'\r' && bytes.get(at + 1) != Some(&b'\n');
+        let mut starts = vec![0];
+        starts.extend(bytes.iter().enumerate().filter(|&(at, byte)| ends(at, *byte)).map(|(at, _)| at as u32 + 1));
         LineIndex { starts }
     }
 

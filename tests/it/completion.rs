@@ -91,6 +91,29 @@ fn call_proposes_programs_with_their_titles() {
     assert_eq!(texts(&named), ["KEYWAY"]);
 }
 
+/// The number is replaced as a whole, wherever the cursor is in it, and its leading zeros do not count.
+#[test]
+fn proposal_replaces_the_whole_number() {
+    let programs = "M30\nO2\nM99\nO12\nM99\nO123\nM99\n";
+    for (call, replaced, found) in [
+        ("M98 P|", "", &["1", "2", "12", "123"][..]),
+        ("M98 P|12", "12", &["1", "2", "12", "123"]),
+        ("M98 P1|2", "12", &["1", "12", "123"]),
+        ("M98 P0012|", "0012", &["12", "123"]),
+        ("M98 P12| L3", "12", &["12", "123"]),
+    ] {
+        let text = format!("O1\n{call}\n{programs}");
+        let completion = at("mitsubishi-e60", &text);
+        assert_eq!(
+            (completion.replaces.of(&text.replacen('|', "", 1)), texts(&completion)),
+            (replaced, found.to_vec())
+        );
+    }
+    let text = "O1\nN10 X1\nGOTO 1|2\nN120 M30\n";
+    let completion = at("gsk-980tdc", text);
+    assert_eq!((completion.replaces.of(&text.replacen('|', "", 1)), texts(&completion)), ("12", vec!["10", "120"]));
+}
+
 #[test]
 fn words_of_the_macro_language_are_those_of_the_control() {
     assert_eq!(texts(&at("mitsubishi-e60", "O1\nWH|\n")), ["WHILE"]);

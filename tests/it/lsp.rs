@@ -98,6 +98,39 @@ fn completion_replaces_the_typed_text() {
 }
 
 #[test]
+fn proposed_program_replaces_all_digits_of_the_call() {
+    let mut client = Client::start(&["--control", "mitsubishi-e60"]);
+    let uri = "file:///shop/O1.nc";
+    client.open(uri, "O1\nM98 P0012\nM30\nO123\nM99\n%\n");
+    for cursor in [5, 8, 9] {
+        let found = client.at("textDocument/completion", uri, 1, cursor);
+        let item = found["items"].as_array().unwrap().iter().find(|item| item["label"] == "123").unwrap();
+        // The client compares the filter with the text that it replaces.
+        assert_eq!((&item["filterText"], &item["textEdit"]["newText"]), (&json!("00123"), &json!("123")));
+        let range = &item["textEdit"]["range"];
+        assert_eq!([&range["start"]["character"], &range["end"]["character"]], [5, 9]);
+    }
+    client.end();
+}
+
+/// The protocol ends a line at a CR alone, too; the control does not.
+#[test]
+fn edit_behind_a_lone_carriage_return_meets_its_line() {
+    let mut client = Client::start(&["--control", "mitsubishi-e60"]);
+    let uri = "file:///shop/O1.nc";
+    let unknown = |found: &Json| -> Vec<Json> {
+        let rows = found.as_array().unwrap().iter().filter(|row| row["code"] == "P34");
+        rows.map(|row| row["range"]["start"].clone()).collect()
+    };
+    let found = client.open(uri, "O1\nM5\rM9\r\nG999\nM30\n%\n");
+    assert_eq!(unknown(&found), [json!({ "line": 3, "character": 0 })], "{found}");
+    let range = json!({ "start": { "line": 3, "character": 0 }, "end": { "line": 3, "character": 4 } });
+    let left = client.change(uri, &[json!({ "range": range, "text": "M5" })]);
+    assert!(unknown(&left).is_empty(), "{left}");
+    client.end();
+}
+
+#[test]
 fn definition_and_references_lead_to_other_open_files() {
     let mut client = Client::start(&["--control", "mitsubishi-e60"]);
     let [main, part, apart] = ["file:///shop/O1.nc", "file:///shop/O9100.nc", "file:///other/O9100.nc"];

@@ -36,6 +36,13 @@ impl Programs {
         let lines = Lines::new(text);
         let found = completion::at(&self.setup.words(), &self.parsed, file, lines.byte(position));
         let range = lines.range(found.replaces);
+        // The client filters by the text that is replaced, whose leading zeros do not count.
+        let replaced = found.replaces.of(text);
+        let zeros = replaced.get(..replaced.len() - replaced.trim_start_matches('0').len()).unwrap_or("");
+        let filter = |proposal: &completion::Proposal| match proposal.kind {
+            ProposalKind::Block | ProposalKind::Program => format!("{zeros}{}", proposal.text),
+            _ => proposal.text.clone(),
+        };
         let item = |(at, proposal): (usize, completion::Proposal)| CompletionItem {
             label: proposal.text.clone(),
             kind: Some(match proposal.kind {
@@ -50,7 +57,7 @@ impl Programs {
             detail: Some(proposal.line()).filter(|text| !text.is_empty()),
             documentation: proposal.meaning.as_ref().map(|it| Documentation::MarkupContent(plain(meaning_text(it)))),
             sort_text: Some(format!("{at:05}")),
-            filter_text: Some(proposal.text.clone()),
+            filter_text: Some(filter(&proposal)),
             text_edit: Some(CompletionTextEdit::Edit(TextEdit { range, new_text: proposal.text })),
             ..CompletionItem::default()
         };

@@ -1,4 +1,6 @@
 //! Conversion between byte offsets and positions of the protocol, which count lines and UTF-16 units from 0.
+//!
+//! A CR alone ends a line there, as LF and CR LF do.
 
 use lsp_types::{Position, Range};
 use macroline::text::{LineIndex, Span, utf16};
@@ -12,7 +14,7 @@ pub(super) struct Lines<'t> {
 impl<'t> Lines<'t> {
     /// Reads a text once.
     pub(super) fn new(text: &'t str) -> Lines<'t> {
-        Lines { text, index: LineIndex::new(text) }
+        Lines { text, index: LineIndex::of_editor(text) }
     }
 
     /// The position of a byte.
