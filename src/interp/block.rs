@@ -36,6 +36,9 @@ impl RunState {
         }
         let mut values = BlockWords::default();
         self.values(cx, block, words, &codes, &mut values)?;
+        if self.modal.spindle.surface && surface.is_none() && values.speed.is_none() {
+            self.remark_no_surface_speed(cx, block, words);
+        }
         let moved = self.commands(cx, &codes, &values, surface)?;
         let commands = !self.queue.is_empty();
         self.stops(&codes);
@@ -247,7 +250,7 @@ impl RunState {
         self.macro_words(cx, block, words, caller, kind)
     }
 
-    /// Jumps past the contour of a cycle that is not simulated, if the contour lies ahead. The alarm if its first block is not in the
+    /// Warns that a cycle with a contour is left out, and jumps past the contour if it lies ahead. The alarm if its first block is not in the
     /// program, or its last one does not follow.
     #[cold]
     fn pass_contour(
@@ -271,15 +274,31 @@ impl RunState {
         let Some(end) = index.sequence(self.program, last, start).filter(|&end| end >= start) else {
             return Err(missing(last, &[Address::Q]));
         };
-        if start < at {
-            return Ok(());
-        }
-        self.at = end.saturating_add(1);
-        let word = words.iter().find(|word| word.letter == Address::G);
-        let span = word.map_or(block.span, |word| word.span(block));
-        let remark = Diagnostic::warning(msg!("interp.contour", first, last)).kind(DiagnosticKind::Contour);
+        let cycle = words.iter().find_map(|word| {
+            let row = cx.codes().row_of(word).filter(|row| row.code == Code::Roughing)?;
+            Some((word.span(block), format!("{} ({})", cx.control.code_name(row.id), row.text)))
+        });
+        let (span, code) = cycle.unwrap_or((block.span, String::new()));
+        let message = if start < at {
+            // The contour stands in front of the cycle: its blocks have run as motions.
+            msg!("nc.not-simulated", code)
+        } else {
+            self.at = end.saturating_add(1);
+            msg!("interp.contour", first, last)
+        };
+        let remark = Diagnostic::warning(message).kind(DiagnosticKind::Contour);
         cx.world.remark(remark.at(Place { file: self.file, span }));
         Ok(())
+    }
+
+    /// Warns about constant surface speed without any cutting speed so far, which is 0, on a control without an alarm for it.
+    #[cold]
+    fn remark_no_surface_speed(&self, cx: &mut BlockContext, block: &Block, words: &[Word]) {
+        let word = words.iter().find(|word| cx.codes().row_of(word).is_some_and(|row| row.code == Code::SurfaceSpeed));
+        let missing = self.modal.spindle.surface_speed.is_none() && !cx.control.raises(Alarm::NoSurfaceSpeed);
+        if let Some(word) = word.filter(|_| missing) {
+            self.remark(cx, word.span(block), msg!("interp.surface-speed-zero"));
+        }
     }
 
     /// Warns about an arc by its radius that ends where it starts, on a control where it moves nothing.

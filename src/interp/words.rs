@@ -320,13 +320,13 @@ impl RunState {
             || self.modal.unmoved.any()
             || self.modal.motion == Code::NotSimulated;
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
+        let called = if codes.flow.is_some() { CALLED } else { 0 };
         match (any, arc) {
             (true, _) => u8::MAX,
             // An arc by radius needs no centre.
-            (_, true) if values.radius.is_some() => RADIUS,
-            (_, true) => CENTRE,
-            (_, false) if codes.flow.is_some() => CALLED,
-            _ => 0,
+            (_, true) if values.radius.is_some() => RADIUS | called,
+            (_, true) => CENTRE | called,
+            _ => called,
         }
     }
 

@@ -83,7 +83,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let message = match &self.state.exec {
             exec if exec.end(self.holding()).is_some() => return None,
             Exec::Fin => msg!("motion.no-fin"),
-            Exec::Counting(..) => msg!("motion.spindle-at-rest"),
+            Exec::Counting(..) => msg!("motion.dwell-at-rest"),
             _ if self.waits_for_spindle() => return None,
             _ => msg!("motion.no-feed"),
         };

@@ -376,12 +376,12 @@ fn dwell_counts_spindle_turns() {
             assert!((turned(to) - turned(from) - counted).abs() < 1e-6);
         }
     }
-    // The cut waits for a spindle at rest.
+    // The dwell waits for a spindle at rest.
     let mut plant = plant();
     plant.spindle.rules.manual_in_automatic = true;
     let mut planner = planner(&plant, vec![], vec![turns(5.0)]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
-    assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-at-rest");
+    assert_eq!(planner.diagnostics()[0].message.id, "motion.dwell-at-rest");
     planner.event(at(5.0, Action::ManualSpeed(600.0)));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
     close(planner.timeline().at(ended_at(&planner)).spindle.turns, 5.0, 1e-9);
