@@ -2,6 +2,7 @@
 
 mod again;
 mod each;
+mod feed_and_calls;
 
 use std::rc::Rc;
 

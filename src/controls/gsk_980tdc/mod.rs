@@ -68,6 +68,7 @@ pub static CONTROL: Control = Control {
             CodeCalls::Range { kind: CallKind::Sub, letter: Address::M, count: 91, code: 89, program: 90 },
         ],
         calls_override: false,
+        code_calls_alone: false,
         user_alarms: (0, 99),
         user_alarm_base: Some(5900),
         cite: MACRO,

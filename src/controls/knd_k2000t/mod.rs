@@ -32,6 +32,7 @@ pub static CONTROL: Control = Control {
             count: 20,
             program: 9120,
         }],
+        code_calls_alone: true,
         ..fanuc::MACROS
     },
     axes: &[

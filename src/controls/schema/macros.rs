@@ -125,6 +125,8 @@ pub struct Macros {
     pub code_calls: &'static [CodeCalls],
     /// A code bound to a macro replaces the control's own code of the same number; otherwise the binding is ignored.
     pub calls_override: bool,
+    /// A code bound to a macro stands in a block of its own, with its arguments alone: M, S and T beside it are a mistake.
+    pub code_calls_alone: bool,
     /// First and last number of user alarms.
     pub user_alarms: (u32, u32),
     /// Offset from the programmed number of a user alarm to the displayed number; `None` where all user alarms show one number.

@@ -99,13 +99,21 @@ impl Facts {
         } else if bits & (CALL | SUB) != 0 {
             let sub = bits & SUB != 0;
             let to = match (roles.called(words), number(Address::P)) {
-                (Some(number), _) => lint.programs.number(number),
+                (Some((word, number)), _) => {
+                    let to = lint.programs.number(number);
+                    if to.is_none() {
+                        self.missing(lint, (block, word), number);
+                    }
+                    to
+                }
                 (None, Some(Some(number))) => {
                     let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
                     let to = lint.programs.number(called);
                     // The reader reports repeats in P.
                     if to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none()) {
-                        self.missing(lint, block, words, called);
+                        if let Some(word) = words.iter().find(|word| word.letter == Address::P) {
+                            self.missing(lint, (block, word), called);
+                        }
                     }
                     to
                 }
@@ -135,11 +143,12 @@ impl Facts {
 
     /// Reports a call of a program that is missing in the files, each program once. Programs from 8000 on are standard programs of machine
     /// builder and user, which are on the machine.
-    fn missing(&mut self, lint: &mut Lint, block: u32, words: &[Word], number: u32) {
+    fn missing(&mut self, lint: &mut Lint, (block, word): (u32, &Word), number: u32) {
         if !self.missed.contains(&number) && self.missed.len() < MISSED {
             self.missed.push(number);
             let alarm = lint.control.alarm_number(Alarm::NoProgram).unwrap_or("");
-            let (place, _) = lint.written_word(block, words, Address::P);
+            let Some(row) = lint.deck.blocks.get(block as usize) else { return };
+            let (place, _) = lint.written(block, word.span(row));
             let finding = lint.warn(place, msg!("lint.no-such-program", program = format!("O{number}"), alarm));
             if let Some(finding) = finding.filter(|_| number >= STANDARD) {
                 finding.severity = Severity::Info;

@@ -9,6 +9,7 @@ mod context;
 mod endless;
 mod facts;
 mod faulty;
+mod feed_unit;
 mod feeds;
 mod flow;
 mod loops;

@@ -126,8 +126,8 @@ impl<'a> Roles<'a> {
             .fold(0, |bits, word| bits | self.word(word))
     }
 
-    /// The program that a code of these words calls by parameter.
-    pub(super) fn called(&self, words: &[Word]) -> Option<u32> {
-        words.iter().find_map(|word| self.codes.call_of(word)).map(|call| call.program)
+    /// The code of these words that calls a program by parameter, and the number of the program.
+    pub(super) fn called<'w>(&self, words: &'w [Word]) -> Option<(&'w Word, u32)> {
+        words.iter().find_map(|word| Some((word, self.codes.call_of(word)?.program)))
     }
 }

@@ -5,6 +5,7 @@ use super::super::codes::are_data;
 use super::again::Rivals;
 use super::context::Lint;
 use super::facts::{Call, Facts, ProgramFacts};
+use super::feed_unit::FeedUnit;
 use super::feeds::Feeds;
 use super::messages;
 use super::points::Points;
@@ -21,8 +22,14 @@ use crate::text::{Place, either};
 pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let programs = lint.deck.programs.len();
     let facts = Facts { programs: vec![ProgramFacts::default(); programs], ..Facts::default() };
-    let mut survey =
-        Survey { roles, increments: lint.increments(), rivals: Rivals::new(lint), facts, feeds: Feeds::default() };
+    let mut survey = Survey {
+        roles,
+        increments: lint.increments(),
+        rivals: Rivals::new(lint),
+        facts,
+        feeds: Feeds::default(),
+        unit: FeedUnit::default(),
+    };
     survey.facts.errors(lint);
     for (index, program) in (0..).zip(&lint.deck.programs) {
         survey.program(lint, index, program);
@@ -40,6 +47,7 @@ struct Survey<'a> {
     rivals: Rivals,
     facts: Facts,
     feeds: Feeds,
+    unit: FeedUnit,
 }
 
 /// State of the pass in one program.
@@ -58,6 +66,7 @@ impl Survey<'_> {
         let short = Short::new(lint, self.increments[0]);
         let mut here = InProgram { index, points: Points::new(self.increments), short, forks: false, data: false };
         self.feeds.program();
+        self.unit.program(lint, index);
         let mut bends = false;
         for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
             if !matches!(block.stmt, Stmt::Words { .. }) {
@@ -80,6 +89,7 @@ impl Survey<'_> {
             let unit = self.facts.bad_block(lint, (here.index, at), block);
             self.feeds.bad_block(unit);
         }
+        self.unit.statement(block.stmt);
         here.forks |= !matches!(block.stmt, Stmt::Empty | Stmt::Assign { .. } | Stmt::Message(_) | Stmt::Call { .. });
         messages::length(lint, at, block);
         if let Stmt::Call { name, .. } = block.stmt {
@@ -133,6 +143,7 @@ impl Survey<'_> {
         }
         here.points.block(at, block, words, bits, counts);
         self.feeds.block(lint, self.roles, (at, block), (words, bits), (letters, feed));
+        self.unit.block(lint, (at, block), words, bits);
         here.short.block((at, block), words, bits);
         let goes = bits & (CALL | SUB | RETURN | END) != 0;
         if goes {

@@ -38,6 +38,7 @@ const ROWS: &[Row] = &[
         named: "G0 X1",
         switches: &[("call-parameters", "#9999=200")],
     },
+    row("lint.call-not-alone", "G512 B200 D1 Q2 M3", ""),
     row("lint.no-argument", "G65 P2 G01 A5.", ""),
     row("lint.calls-itself", "M98", ""),
     row("lint.calls-own-program", "M98 P1", ""),
@@ -56,6 +57,7 @@ const ROWS: &[Row] = &[
         named: "G1 Z-20 F200",
         switches: &[("startup-feed", "G99")],
     },
+    row("lint.feed-unit-changed", "G98 G00 X5. F100\nG99 G01 X8.", ""),
     row("lint.feed-zero", "G01 X1. F0", "G1 X1 F0"),
     row("lint.feed-zero-digit", "G01 X1. F0", ""),
     Row { id: "lint.feed-zero-rapid", program: "G01 X1. F0", named: "", switches: &[("feed-zero", "rapid")] },
@@ -139,7 +141,9 @@ fn every_warning_appears_on_every_control() {
     // A row that one language or another control does not have: vacant words that count as 0, comparisons that round, one spelling of F0.
     expect![[r#"
         mitsubishi-e60 lint.axis-again
+        mitsubishi-e60 lint.call-not-alone
         mitsubishi-e60 lint.feed-per-revolution
+        mitsubishi-e60 lint.feed-unit-changed
         mitsubishi-e60 lint.feed-zero
         mitsubishi-e60 lint.centre-unlimited
         mitsubishi-e60 lint.loose-comparison
@@ -149,6 +153,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.small-offset
         mitsubishi-e60 lint.unset-parameter
         gsk-980tdc lint.argument-before-call
+        gsk-980tdc lint.call-not-alone
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.calls-own-program
         gsk-980tdc lint.feed-zero-digit
@@ -162,15 +167,18 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.word-again
         knd-k2000t lint.no-argument
         knd-k2000t lint.calls-itself
+        knd-k2000t lint.feed-unit-changed
         knd-k2000t lint.feed-zero-digit
         knd-k2000t lint.feed-zero-rapid
         knd-k2000t lint.loose-comparison
         knd-k2000t lint.setting-unread
         knd-k2000t lint.small-offset
         knd-k2000t lint.unset-parameter
+        fanuc-0i-tf lint.call-not-alone
         fanuc-0i-tf lint.no-argument
         fanuc-0i-tf lint.calls-itself
         fanuc-0i-tf lint.feed-per-minute
+        fanuc-0i-tf lint.feed-unit-changed
         fanuc-0i-tf lint.feed-zero-digit
         fanuc-0i-tf lint.feed-zero-rapid
         fanuc-0i-tf lint.loose-comparison
@@ -178,9 +186,11 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-tf lint.small-offset
         fanuc-0i-tf lint.unset-parameter
         fanuc-0i-mf lint.axis-again
+        fanuc-0i-mf lint.call-not-alone
         fanuc-0i-mf lint.no-argument
         fanuc-0i-mf lint.calls-itself
         fanuc-0i-mf lint.feed-per-revolution
+        fanuc-0i-mf lint.feed-unit-changed
         fanuc-0i-mf lint.feed-zero-digit
         fanuc-0i-mf lint.feed-zero-rapid
         fanuc-0i-mf lint.loose-comparison
@@ -193,11 +203,13 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.code-again
         sinumerik-802d lint.cycle-ended
         sinumerik-802d lint.call-parameter
+        sinumerik-802d lint.call-not-alone
         sinumerik-802d lint.no-argument
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.dwell-without-time
         sinumerik-802d lint.equal-decimals
         sinumerik-802d lint.feed-per-minute
+        sinumerik-802d lint.feed-unit-changed
         sinumerik-802d lint.feed-zero-digit
         sinumerik-802d lint.feed-zero-rapid
         sinumerik-802d lint.kept-as-scratch
@@ -216,11 +228,13 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.code-again
         sinumerik-808d lint.cycle-ended
         sinumerik-808d lint.call-parameter
+        sinumerik-808d lint.call-not-alone
         sinumerik-808d lint.no-argument
         sinumerik-808d lint.calls-itself
         sinumerik-808d lint.dwell-without-time
         sinumerik-808d lint.equal-decimals
         sinumerik-808d lint.feed-per-minute
+        sinumerik-808d lint.feed-unit-changed
         sinumerik-808d lint.feed-zero-digit
         sinumerik-808d lint.feed-zero-rapid
         sinumerik-808d lint.kept-as-scratch

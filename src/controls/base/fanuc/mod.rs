@@ -117,6 +117,7 @@ pub const MACROS: Macros = Macros {
     functions: &[],
     code_calls: &[],
     calls_override: true,
+    code_calls_alone: false,
     user_alarms: (0, 200),
     user_alarm_base: Some(3000),
     user_alarm_prefix: "",

@@ -164,6 +164,7 @@ pub const MACROS: Macros = Macros {
     user_alarms: (65_000, 65_999),
     user_alarm_base: Some(0),
     user_alarm_prefix: "",
+    code_calls_alone: false,
     cite: ARITHMETIC,
 };
 

@@ -1,0 +1,54 @@
+//! Feeds whose unit changes behind them, and blocks with a call by code.
+
+use expect_test::expect;
+
+use super::{GSK, KND};
+
+/// The GSK keeps the number of F at a change of its unit; other controls raise an alarm for the missing F.
+#[test]
+fn feed_kept_in_another_unit_is_a_warning() {
+    let text = "O1\nG98 G00 X20. Z2. F100\nG01 Z0\nG99\nG00 X22.\nG01 Z-5.\nX24.\nM30";
+    GSK.check(text, expect![[r#"
+        7:5 “Z-5.” warning lint.feed-unit-changed
+            Z-5. cuts with F100, written under G98: G99 counts it in another unit, and this control keeps the number. Write F behind G99.
+    "#]]);
+    // The unit after power-on counts for the main program.
+    GSK.check("O1\nG01 X20. F100\nG99 G02 X24. Z-2. R2.\nM30", expect![[r#"
+        4:9 “X24.” warning lint.feed-unit-changed
+            X24. cuts with F100, written under G98: G99 counts it in another unit, and this control keeps the number. Write F behind G99.
+    "#]]);
+    GSK.quiet(&text.replace("G01 Z-5.", "G01 Z-5. F.1"));
+    GSK.quiet(&text.replace("G01 Z-5.\nX24.", "G04 X1."));
+    GSK.quiet(&text.replace("G99\n", "G99\nG98\n"));
+    // A lead is no feed, and behind a jump the unit is not known.
+    GSK.quiet("O1\nG98 G01 X20. F100\nG99 G32 Z-20. F1.5\nM30");
+    GSK.quiet("O1\nG98 G01 X20. F100\nG99\nIF[#1032 GT 0]GOTO10\nG01 F.1 Z1.\nN10 G01 Z-5.\nM30");
+    KND.quiet(text);
+}
+
+/// The KND's calls by code stand alone in their blocks; S would become a variable, M would not act.
+#[test]
+fn command_beside_a_call_by_code_is_a_warning() {
+    let program = "O9120\nM99\nO9121\nM99";
+    KND.check(&format!("O1\nG512 B200. D1 Q2 M3 S100\nM8 G502\nM30\n{program}"), expect![[r#"
+        3:18 “M3” warning lint.call-not-alone
+            M3 stands beside G512, which needs a block of its own: M3 is not carried out, it is at most an argument of the program. Write it in another block.
+        4:1 “M8” warning lint.call-not-alone
+            M8 stands beside G502, which needs a block of its own: M8 is not carried out, it is at most an argument of the program. Write it in another block.
+    "#]]);
+    KND.quiet(&format!("O1\nG512 B200. D1 Q2 A5. E3.\nG502\nM30\n{program}"));
+}
+
+#[test]
+fn missing_program_of_a_call_by_code_is_a_remark() {
+    // A call by code names its program in a parameter.
+    KND.check(
+        "O1\nG512 B200. D1 Q2\nG502\nG512 B100. D1 Q2\nM30",
+        expect![[r#"
+        3:1 “G512” info lint.no-such-program
+            O9120 is in none of these files: the call stops with 078 unless the control has it in its memory.
+        4:1 “G502” info lint.no-such-program
+            O9121 is in none of these files: the call stops with 078 unless the control has it in its memory.
+    "#]],
+    );
+}
