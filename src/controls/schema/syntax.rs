@@ -57,6 +57,8 @@ pub struct Names {
     pub extended: AddressSet,
     /// Statements known only to other controls of the maker.
     pub foreign: &'static [&'static str],
+    /// Statements that the control has and the simulation lacks: a run stops there.
+    pub left_out: &'static [&'static str],
     /// Statements that the control may have; no manual at hand has them, and a run stops there.
     pub unsimulated: &'static [&'static str],
     /// `DEF` defines variables of a program; otherwise it is a foreign statement.
@@ -79,6 +81,11 @@ impl Names {
     /// Index in [`Names::codes`] of a name in capitals.
     pub fn code(&self, name: &str) -> Option<usize> {
         self.codes.iter().position(|code| *code == name)
+    }
+
+    /// Whether a name in capitals is a statement that other controls have, or that the simulation lacks.
+    pub fn lists(&self, name: &str) -> bool {
+        [self.foreign, self.left_out, self.unsimulated].iter().any(|list| list.contains(&name))
     }
 }
 

@@ -11,8 +11,15 @@ use super::syntax::Names;
 use super::{Address, AxisDef, Control, Limits, Syntax};
 use sources::RANGES;
 
-/// Names of the family, with definitions of variables: 808D turning 01/2017, p.126.
-const NAMES: Names = Names { local_data: true, ..sinumerik::NAMES };
+/// Names of the family, with definitions of variables: 808D turning 01/2017, p.126. Control structures, SPOSA and WAITS are in its alarms:
+/// 808D diagnostics 07/2018, pp.167-168 and p.311. FOR is not named there, and neither denied.
+const NAMES: Names = Names {
+    local_data: true,
+    foreign: &["CALL", "CASE", "COUPON", "DEF", "EGON", "EXTERN", "GOTOC", "PCALL", "PROC", "SETAL"],
+    left_out: &["ELSE", "ENDIF", "ENDLOOP", "ENDWHILE", "LOOP", "SPOSA", "WAITS", "WHILE"],
+    unsimulated: &["ENDFOR", "EXTCALL", "FGROUP", "FOR", "MCALL", "REPEAT", "REPEATB", "TRAILON", "UNTIL"],
+    ..sinumerik::NAMES
+};
 
 /// The control.
 pub static CONTROL: Control = Control {

@@ -91,6 +91,8 @@ pub(super) struct BlockParts {
     pub(super) main: bool,
     pub(super) comment: Option<TextId>,
     pub(super) label: Option<TextId>,
+    /// Index of the first word of the block in the deck.
+    pub(super) first_word: usize,
     /// The first alarm of the block.
     pub(super) bad: Option<BadBlock>,
 }
@@ -349,7 +351,9 @@ impl<'a> Reader<'a> {
         let character = self.file.text.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
         let end = (start + character.len_utf8()).min(self.cursor.line.len());
         let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
-        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".chars().any(|c| c == character);
+        // In a language with names quotation marks enclose texts.
+        let quotes = character == '"' && self.names().is_some();
+        let known = character.is_ascii_alphanumeric() || quotes || "+-*/.,#[]()=%;:".contains(character);
         if known {
             let message = match character {
                 '0'..='9' => msg!("nc.number-without-address"),

@@ -497,7 +497,8 @@ impl Reader<'_> {
                     let finding =
                         self.finding(Alarm::Format, start, self.cursor.line.len(), msg!("nc.second-assignment"));
                     let place = self.place(self.span(start, start));
-                    let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, self.newline().to_owned())]);
+                    let edit = format!("{}{}", self.newline(), self.skip_mark());
+                    let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, edit)]);
                     self.report_as(Alarm::Format, finding);
                     self.cursor.at = self.cursor.line.len();
                     return Ok(());

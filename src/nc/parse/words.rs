@@ -11,7 +11,7 @@ use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Read};
 use crate::nc::parse::reader::Reader;
-use crate::text::{DiagnosticKind, Message, either};
+use crate::text::{Diagnostic, DiagnosticKind, Message, either};
 
 impl<'a> Reader<'a> {
     /// The next byte after white space and comments, which it passes; 0 at the end.
@@ -148,6 +148,7 @@ impl<'a> Reader<'a> {
 
     fn words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
+        self.block.first_word = first;
         let (mut seen, mut again) = (AddressSet::EMPTY, false);
         let mut calls = false;
         loop {
@@ -294,20 +295,39 @@ impl<'a> Reader<'a> {
     /// Reports a decimal point in P. In a dwell it most likely means seconds, where P counts milliseconds.
     #[cold]
     fn point_in_p(&mut self, first: usize, number: Dec, start: usize, end: usize) {
+        let message = msg!("nc.point-not-allowed", address = "P");
+        let finding = self.finding(Alarm::PointNotAllowed, start, end, message).kind(DiagnosticKind::GuessedFix);
+        match self.with_dwell_fixes(finding, first, number, (start, end)) {
+            Some(finding) => self.report_as(Alarm::PointNotAllowed, finding),
+            None => {
+                // Without a code it may be the dwell of a cycle in force.
+                let words = self.deck.words.get(first..).unwrap_or_default();
+                let alone = !words.iter().any(|word| matches!(word.letter, Address::G | Address::M));
+                self.needless_point((Address::P, number), start, end, alone);
+            }
+        }
+    }
+
+    /// Adds the spellings of a time in P with a decimal separator, from `start` to `end`: milliseconds, and seconds in X. `None` in a block without a
+    /// dwell; its words so far begin with the one of index `first`.
+    #[cold]
+    fn with_dwell_fixes(
+        &self,
+        mut finding: Diagnostic,
+        first: usize,
+        number: Dec,
+        (start, end): (usize, usize),
+    ) -> Option<Diagnostic> {
         let words = self.deck.words.get(first..).unwrap_or_default();
         let row = |word: &Word| self.tables.codes.row_of(word);
         let dwell = words.iter().filter_map(row).any(|row| row.code == Code::Dwell);
         let cycle = words.iter().filter_map(row).any(|row| row.group == Group::Cycle && row.code.is_left_out());
         if !(dwell || cycle) {
-            // Without a code it may be the dwell of a cycle in force.
-            let alone = !words.iter().any(|word| matches!(word.letter, Address::G | Address::M));
-            return self.needless_point((Address::P, number), start, end, alone);
+            return None;
         }
-        let message = msg!("nc.point-not-allowed", address = "P");
-        let mut finding = self.finding(Alarm::PointNotAllowed, start, end, message).kind(DiagnosticKind::GuessedFix);
         let milliseconds = number.to_f64() * 1000.0;
         let in_x = dwell && self.control.syntax.dwell_addresses.contains(Address::X);
-        let text = String::from_utf8_lossy(self.cursor.line.get(start + 1..end).unwrap_or_default());
+        let text = String::from_utf8_lossy(self.cursor.line.get(start + 1..end).unwrap_or_default()).replace(',', ".");
         let seconds = (milliseconds.fract() == 0.0).then(|| (format!("P{milliseconds}"), number.to_f64()));
         let word = in_x.then(|| (format!("X{}", text.trim()), number.to_f64()));
         let whole = number.to_f64();
@@ -316,7 +336,20 @@ impl<'a> Reader<'a> {
             let title = msg!("nc.fix.dwell", text = word.as_str(), seconds = seconds.to_string());
             finding = finding.fix(title, vec![(self.place(self.span(start, end)), word)]);
         }
-        self.report_as(Alarm::PointNotAllowed, finding);
+        Some(finding)
+    }
+
+    /// Reports a decimal comma in the number of an address without points, from `start` to the cursor: a point would be the next mistake.
+    #[cold]
+    pub(super) fn comma_in_whole(&mut self, letter: Address, start: usize, number: Option<Dec>) {
+        let end = self.cursor.at;
+        let finding = self.finding(Alarm::Format, start, end, msg!("nc.decimal-comma"));
+        let finding = finding.hint(msg!("nc.point-not-allowed", address = letter.to_string()));
+        let fixed = number.filter(|_| letter == Address::P).and_then(|number| {
+            let finding = finding.clone().kind(DiagnosticKind::GuessedFix);
+            self.with_dwell_fixes(finding, self.block.first_word, number, (start, end))
+        });
+        self.report_as(Alarm::Format, fixed.unwrap_or(finding));
     }
 
     /// Reports a letter that is not an address here.

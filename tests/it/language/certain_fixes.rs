@@ -575,6 +575,56 @@ fn point_in_the_p_of_a_dwell_is_a_choice() {
     );
 }
 
+/// Without the skip mark the second half would act where the operator skips the block.
+#[test]
+fn block_of_its_own_keeps_the_block_skip() {
+    check(
+        "sinumerik-802d",
+        "/N10 R1=5 G1 X10 F.1",
+        expect![[r#"
+        1:11 error 12080 Assignments need a block of their own.
+            Give it a block of its own: 1:11 ""→"\n/"
+        = /N10 R1=5 
+          /G1 X10 F.1
+    "#]],
+    );
+    check(
+        "fanuc-0i-tf",
+        "/2 #100=5 #101=6",
+        expect![[r#"
+        1:11 error PS0004 A block holds one assignment.
+            Give it a block of its own: 1:11 ""→"\n/2"
+        = /2 #100=5 
+          /2#101=6
+    "#]],
+    );
+}
+
+/// A point in place of the comma would be the next mistake.
+#[test]
+fn comma_in_a_whole_number_is_no_point() {
+    check(
+        "fanuc-0i-tf",
+        "G04 P1,5\nG04 X1,5\nM98 P1,5\nT0101,0",
+        expect![[r#"
+        1:5 error PS0004 The decimal separator is a point, not a comma.
+            = P takes a whole number, written without a point.
+            Write “P1500”, 1.5 s: 1:5 "P1,5"→"P1500"
+            Write “X1.5”, 1.5 s: 1:5 "P1,5"→"X1.5"
+        2:7 error PS0004 The decimal separator is a point, not a comma.
+            Write “.”: 2:7 ","→"."
+        3:5 error PS0004 The decimal separator is a point, not a comma.
+            = P takes a whole number, written without a point.
+        4:1 error PS0004 The decimal separator is a point, not a comma.
+            = T takes a whole number, written without a point.
+        = G04 P1,5
+          G04 X1.5
+          M98 P1,5
+          T0101,0
+    "#]],
+    );
+}
+
 #[test]
 fn point_in_a_p_without_a_code_is_a_guess() {
     check(

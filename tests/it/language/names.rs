@@ -178,8 +178,9 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "WHILE[R1 LT 5]DO1",
         expect![[r#"
-        1:1 error 12080 WHILE is a statement of larger controls, not of the SINUMERIK 802D.
-    "#]],
+            1:1 error 12080 WHILE … DO is the loop of another macro language, not of the SINUMERIK 802D.
+                = Loops and jumps are written with labels: MARK1: … IF R1>0 GOTOB MARK1, or GOTOF toward the end.
+        "#]],
     );
     check(
         "IF R1 GT 0 GOTOF AB\nAB:",

@@ -36,6 +36,58 @@ fn cycle_with_an_unknown_number_is_an_unknown_name() {
     }
 }
 
+/// The 808D has control structures, SPOSA and WAITS; whether the 802D has them is open. No fix makes a SPOS of a SPOSA.
+#[test]
+fn statements_that_the_simulation_lacks_are_warnings() {
+    let text = "IF R1>0\nELSE\nENDIF\nWHILE R1<5\nENDWHILE\nLOOP\nENDLOOP\nG0 X5 SPOSA=90\nSPOSA=90\nWAITS(1)\nFOR R1=1 TO 5\nCOUPON(S2)";
+    check_on(
+        "sinumerik-808d",
+        text,
+        expect![[r#"
+        1:1 warning - The SINUMERIK 808D has IF … ENDIF, but macroline does not simulate it: a run stops at this block.
+        2:1 warning - The SINUMERIK 808D has ELSE, but macroline does not simulate it: a run stops at this block.
+        3:1 warning - The SINUMERIK 808D has ENDIF, but macroline does not simulate it: a run stops at this block.
+        4:1 warning - The SINUMERIK 808D has WHILE, but macroline does not simulate it: a run stops at this block.
+        5:1 warning - The SINUMERIK 808D has ENDWHILE, but macroline does not simulate it: a run stops at this block.
+        6:1 warning - The SINUMERIK 808D has LOOP, but macroline does not simulate it: a run stops at this block.
+        7:1 warning - The SINUMERIK 808D has ENDLOOP, but macroline does not simulate it: a run stops at this block.
+        8:7 warning - The SINUMERIK 808D has SPOSA, but macroline does not simulate it: a run stops at this block.
+        9:1 warning - The SINUMERIK 808D has SPOSA, but macroline does not simulate it: a run stops at this block.
+        10:1 warning - The SINUMERIK 808D has WAITS, but macroline does not simulate it: a run stops at this block.
+        11:1 warning - FOR is not simulated, and no manual at hand says whether the SINUMERIK 808D has it: a run stops at this block.
+        12:1 error 12080 COUPON is a statement of larger controls, not of the SINUMERIK 808D.
+    "#]],
+    );
+    check_on(
+        "sinumerik-802d",
+        text,
+        expect![[r#"
+        1:1 warning - IF … ENDIF is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        2:1 warning - ELSE is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        3:1 warning - ENDIF is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        4:1 warning - WHILE is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        5:1 warning - ENDWHILE is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        6:1 warning - LOOP is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        7:1 warning - ENDLOOP is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        8:7 warning - SPOSA is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        9:1 warning - SPOSA is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        10:1 warning - WAITS is not simulated, and no manual at hand says whether the SINUMERIK 802D has it: a run stops at this block.
+        11:1 error 12080 FOR is a statement of larger controls, not of the SINUMERIK 802D.
+        12:1 error 12080 COUPON is a statement of larger controls, not of the SINUMERIK 802D.
+    "#]],
+    );
+    // Words behind the condition are no branch.
+    check_on(
+        "sinumerik-808d",
+        "IF R1>0 G0 X5\nWHILE[R1 LT 5]DO1",
+        expect![[r#"
+        1:1 error 12080 GOTOF or GOTOB with a label must follow the condition.
+        2:1 error 12080 WHILE … DO is the loop of another macro language, not of the SINUMERIK 808D.
+            = Loops and jumps are written with labels: MARK1: … IF R1>0 GOTOB MARK1, or GOTOF toward the end.
+    "#]],
+    );
+}
+
 #[test]
 fn data_that_the_simulation_lacks_is_a_warning() {
     check_on(

@@ -317,6 +317,24 @@ fn words_of_other_controls_beside_an_arc_or_g4_are_named() {
     "#]],
     );
     check_802d(
+        "G1 X10 R1=5 F.1",
+        expect![[r#"
+        1:8 error 12080 Assignments need a block of their own.
+    "#]],
+    );
+    check_802d(
+        "G2 X10 Z-5 R1=5 F.1",
+        expect![[r#"
+        1:12 error 12080 Assignments need a block of their own.
+    "#]],
+    );
+    check_802d(
+        "R1=\"A\"",
+        expect![[r#"
+        1:4 error 12080 R1 takes a number here, no text.
+    "#]],
+    );
+    check_802d(
         "G4 X1.5",
         expect![[r#"
         1:1 error 12120 G4 waits F seconds or S turns of the spindle here: X, U and P are no times.

@@ -58,10 +58,13 @@ pub const NAMES: Names = Names {
     codes: CODE_NAMES,
     extended: AddressSet::letters("HIJKMSXYZ"),
     foreign: &[
-        "CALL", "CASE", "COUPON", "DEF", "EGON", "ELSE", "ENDFOR", "ENDIF", "ENDLOOP", "ENDWHILE", "EXTERN", "FGROUP",
-        "FOR", "GOTOC", "LOOP", "PCALL", "PROC", "SETAL", "SPOSA", "TRAILON", "UNTIL", "WAITS", "WHILE",
+        "CALL", "CASE", "COUPON", "DEF", "EGON", "ENDFOR", "EXTERN", "FOR", "GOTOC", "PCALL", "PROC", "SETAL", "UNTIL",
     ],
-    unsimulated: &["EXTCALL", "MCALL", "REPEAT", "REPEATB"],
+    left_out: &[],
+    unsimulated: &[
+        "ELSE", "ENDIF", "ENDLOOP", "ENDWHILE", "EXTCALL", "FGROUP", "LOOP", "MCALL", "REPEAT", "REPEATB", "SPOSA",
+        "TRAILON", "WAITS", "WHILE",
+    ],
     local_data: false,
     endings: ["MPF", "SPF"],
     numbered: &["L", "MPF", "SPF"],
@@ -161,10 +164,10 @@ pub const MACROS: Macros = Macros {
     functions: &[],
     code_calls: &[],
     calls_override: false,
+    code_calls_alone: false,
     user_alarms: (65_000, 65_999),
     user_alarm_base: Some(0),
     user_alarm_prefix: "",
-    code_calls_alone: false,
     cite: ARITHMETIC,
 };
 

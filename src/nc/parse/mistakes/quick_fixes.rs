@@ -1,7 +1,7 @@
 //! Mistakes with one obvious correction: reported once with the fix, and read as corrected.
 
-use crate::controls::Alarm;
 use crate::controls::syntax::Function;
+use crate::controls::{Address, Alarm};
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
 use crate::nc::dec::Dec;
@@ -230,10 +230,30 @@ impl Reader<'_> {
         let at = self.cursor.at;
         let after = self.cursor.line.get(at + 1..).unwrap_or_default();
         let digits = after.iter().take_while(|b| b.is_ascii_digit()).count();
-        if digits > 0 {
-            self.report_replaced(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
-            self.cursor.at += 1 + digits;
+        if digits == 0 {
+            return;
         }
+        if let Some((letter, start)) = self.whole_address_before(at) {
+            let written = self.cursor.line.get(start + 1..at + 1 + digits).unwrap_or_default();
+            let mantissa = written
+                .iter()
+                .filter(|byte| byte.is_ascii_digit())
+                .try_fold(0_i64, |sum, digit| sum.checked_mul(10)?.checked_add(i64::from(digit - b'0')));
+            let scale = u8::try_from(digits).ok().filter(|scale| *scale <= 18);
+            let number = mantissa.zip(scale).map(|(mantissa, scale)| Dec { mantissa, scale, point: true });
+            self.cursor.at += 1 + digits;
+            return self.comma_in_whole(letter, start, number);
+        }
+        self.report_replaced(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
+        self.cursor.at += 1 + digits;
+    }
+
+    /// The address of the number that ends at `at`, with its place, if it takes whole numbers alone.
+    fn whole_address_before(&self, at: usize) -> Option<(Address, usize)> {
+        let head = self.cursor.line.get(..at)?;
+        let start = head.iter().rposition(|byte| !(byte.is_ascii_digit() || *byte == b' '))?;
+        let letter = Address::of(*head.get(start)?)?;
+        self.tables.whole.contains(letter).then_some((letter, start))
     }
 
     /// Reports letters O in place of zeros in a number and reads on after them and the following digits; returns whether there were any.

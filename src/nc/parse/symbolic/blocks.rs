@@ -255,6 +255,19 @@ impl<'a> Reader<'a> {
             _ => {}
         }
         let Some(names) = self.names() else { return Ok(None) };
+        if names.local_data && name == "DEF" {
+            self.local_data();
+            return Ok(Some(Stmt::Empty));
+        }
+        if names.lists(&name)
+            && FOREIGN_STATEMENTS.contains(&name.as_str())
+            && (after.starts_with(b"[") || self.ends_with_do())
+        {
+            return Err(self.other_loop(start, &name));
+        }
+        if let Some(failure) = self.listed_statement(start, &name) {
+            return Err(failure);
+        }
         let variable = name.strip_prefix("IF").is_some_and(|rest| self.missing_equals(&format!("X{rest}")));
         if variable && matches!(after.first(), Some(b'=' | b'<' | b'>' | b'+' | b'-' | b'*' | b'/')) {
             let end = start + 2;
@@ -266,18 +279,6 @@ impl<'a> Reader<'a> {
         let known = names.code(&name).is_some() || names.addresses.iter().any(|row| name.starts_with(row.0));
         if known || after.first() == Some(&b'=') || self.missing_equals(written) {
             return Ok(None);
-        }
-        if names.local_data && name == "DEF" {
-            self.local_data();
-            return Ok(Some(Stmt::Empty));
-        }
-        if names.unsimulated.contains(&name.as_str()) {
-            let message = msg!("nc.unsimulated-statement", word = name, control = self.control.name);
-            return Err(self.stops_here(start, self.cursor.line.len(), message));
-        }
-        if names.foreign.contains(&name.as_str()) {
-            let message = msg!("nc.foreign-statement", word = name, control = self.control.name);
-            return Err(self.failure(Alarm::Format, start, start + written.len(), message));
         }
         let others = FOREIGN_STATEMENTS
             .iter()
@@ -295,6 +296,24 @@ impl<'a> Reader<'a> {
             return Err(failure);
         }
         self.call().map(Some)
+    }
+
+    /// The failure of a statement that is listed by its name: the control has it, may have it, or leaves it to other controls of its maker.
+    #[cold]
+    fn listed_statement(&self, start: usize, name: &str) -> Option<Box<ParseFailure>> {
+        let names = self.names()?;
+        let (end, control) = (self.cursor.line.len(), self.control.name);
+        let message = if names.left_out.contains(&name) {
+            msg!("nc.left-out-statement", word = name, control)
+        } else if names.unsimulated.contains(&name) {
+            msg!("nc.unsimulated-statement", word = name, control)
+        } else if names.foreign.contains(&name) {
+            let message = msg!("nc.foreign-statement", word = name, control);
+            return Some(self.failure(Alarm::Format, start, start + name.len(), message));
+        } else {
+            return None;
+        };
+        Some(self.stops_here(start, end, message))
     }
 
     fn check_label(&mut self, name: &str, start: usize) {
@@ -364,6 +383,9 @@ impl<'a> Reader<'a> {
         let message = msg!("nc.unknown-name", name, control = self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message).at_word();
         let Some(names) = self.names() else { return failure };
+        if let Some(listed) = self.listed_statement(start, &name.to_ascii_uppercase()) {
+            return listed;
+        }
         if self.is_local_variable(name) {
             return self.local_variable(start, name);
         }
@@ -424,6 +446,23 @@ impl<'a> Reader<'a> {
             jump = word.eq_ignore_ascii_case("GOTOF") || word.eq_ignore_ascii_case("GOTOB");
             found
         })
+    }
+
+    /// Whether the block ends with DO and a number.
+    fn ends_with_do(&self) -> bool {
+        let head = self.cursor.line.trim_ascii_end();
+        let digits = head.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+        let head = head.get(..head.len() - digits).unwrap_or_default().trim_ascii_end();
+        digits > 0 && head.get(head.len().saturating_sub(2)..).is_some_and(|word| word.eq_ignore_ascii_case(b"DO"))
+    }
+
+    /// The failure of `WHILE[…]DO1`, a loop of another macro language.
+    #[cold]
+    fn other_loop(&self, start: usize, name: &str) -> Box<ParseFailure> {
+        let message = msg!("nc.other-loop", keyword = name, control = self.control.name);
+        let mut failure = self.failure(Alarm::Format, start, start + name.len(), message);
+        failure.finding = failure.finding.hint(msg!("nc.hint.other-jump"));
+        failure
     }
 
     /// The failure of a statement of another macro language.
@@ -488,6 +527,11 @@ impl<'a> Reader<'a> {
                 if self.cursor.ahead("GOTO") {
                     return Err(self.other_statement(self.cursor.at, "GOTO"));
                 }
+                if self.cursor.ended()
+                    && let Some(failure) = self.branch(start.saturating_sub(2))
+                {
+                    return Err(failure);
+                }
                 return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), end, msg!("nc.if-without-jump")));
             }
             let (target, way, keyword) = self.jump()?;
@@ -503,6 +547,20 @@ impl<'a> Reader<'a> {
             }
             _ => Ok(Stmt::Ifs { first: first as u32, count: count as u16 }),
         }
+    }
+
+    /// The failure of an IF, from `start` on, that ends with its condition: the head of IF … ENDIF where the control has or may have that.
+    #[cold]
+    fn branch(&self, start: usize) -> Option<Box<ParseFailure>> {
+        let (names, control) = (self.names()?, self.control.name);
+        let message = if names.left_out.contains(&"ENDIF") {
+            msg!("nc.left-out-statement", word = "IF … ENDIF", control)
+        } else if names.unsimulated.contains(&"ENDIF") {
+            msg!("nc.unsimulated-statement", word = "IF … ENDIF", control)
+        } else {
+            return None;
+        };
+        Some(self.stops_here(start, self.cursor.line.len(), message))
     }
 
     fn symbolic_jump_ahead(&self) -> bool {
@@ -609,6 +667,10 @@ impl<'a> Reader<'a> {
             };
             let end = self.cursor.at;
             self.equals_sign(start, end)?;
+            if self.next_byte() == b'"' {
+                let variable = self.cursor.line.get(start..end).unwrap_or_default().trim_ascii_end();
+                return Err(self.text_value(&String::from_utf8_lossy(variable)));
+            }
             let value = self.symbolic_formula()?;
             self.deck.assignments.push(Assignment { to, value });
             self.pass_blanks();
@@ -624,7 +686,8 @@ impl<'a> Reader<'a> {
             let (start, end) = (self.cursor.at, self.cursor.line.len());
             let finding = self.finding(Alarm::Mixed, start, end, msg!("nc.assignments-alone"));
             let place = self.place(self.span(start, start));
-            let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, self.newline().to_owned())]);
+            let edit = format!("{}{}", self.newline(), self.skip_mark());
+            let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, edit)]);
             self.report_as(Alarm::Mixed, finding);
             self.cursor.at = end;
         }
@@ -658,9 +721,7 @@ impl<'a> Reader<'a> {
             return false;
         };
         let address = names.addresses.iter().any(|row| name.starts_with(row.0));
-        let statement = SYMBOLIC_STATEMENTS.contains(&name.as_str())
-            || names.foreign.contains(&name.as_str())
-            || names.unsimulated.contains(&name.as_str());
+        let statement = SYMBOLIC_STATEMENTS.contains(&name.as_str()) || names.lists(&name);
         !(statement || address || names.code(&name).is_some() || self.missing_equals(&name))
     }
 

@@ -7,7 +7,7 @@ use crate::msg;
 use crate::nc::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
-use crate::nc::parse::failure::{IgnoredFeature, Read};
+use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::reader::{Reader, starts_value};
 use crate::text::{Diagnostic, DiagnosticKind};
 
@@ -237,7 +237,8 @@ impl Reader<'_> {
     fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<SymbolicValue> {
         let known = self.names().is_some_and(|names| names.extended.contains(letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
-        if index.is_none() {
+        // `R1=5` behind words is an assignment, which the check of the words reports.
+        if index.is_none() && letter != Address::R {
             let address = letter.to_string();
             self.report(Alarm::Format, start, self.cursor.at, msg!("nc.extended-address", address));
         }
@@ -278,9 +279,7 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::Format, start, self.cursor.at, message));
         }
         if self.next_byte() == b'"' {
-            let end = self.cursor.at + self.cursor.enclosed(b'"').0;
-            let message = msg!("nc.text-value", address = self.control.address(letter));
-            return Err(self.failure(Alarm::Format, self.cursor.at, end, message));
+            return Err(self.text_value(&self.control.address(letter)));
         }
         let dimensioning = self.dimensioning();
         if dimensioning != Dimensioning::Plain {
@@ -297,6 +296,13 @@ impl Reader<'_> {
             return Ok(SymbolicValue { dimensioning, ..SymbolicValue::plain(inner) });
         }
         Ok(SymbolicValue::plain(self.constant_or_formula()?))
+    }
+
+    /// The failure of a text as the value of an address or a variable, from the quotation mark at the cursor on.
+    #[cold]
+    pub(super) fn text_value(&self, address: &str) -> Box<ParseFailure> {
+        let end = self.cursor.at + self.cursor.enclosed(b'"').0;
+        self.failure(Alarm::Format, self.cursor.at, end, msg!("nc.text-value", address))
     }
 
     /// Reads `AC` or the like in front of a bracket.
@@ -634,7 +640,12 @@ impl Reader<'_> {
         }
         let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
         let value = String::from_utf8_lossy(self.cursor.line.get(start + 1..end).unwrap_or_default()).into_owned();
-        let radius = format!("CR={}", value.trim().trim_start_matches('='));
+        let value = value.trim().trim_start_matches('=');
+        // `R1=5` is an assignment.
+        if value.contains('=') {
+            return false;
+        }
+        let radius = format!("CR={value}");
         self.report_replaced(Alarm::Mixed, start, end, msg!("nc.radius-by-letter", word = radius.as_str()), &radius);
         true
     }
