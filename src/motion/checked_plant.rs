@@ -1,6 +1,6 @@
 //! The plant with checked numbers: one entry for each possible axis of a control.
 
-use super::plant::{AxisPlant, Plant, SpindlePlant};
+use super::plant::{AxisPlant, Plant, SpindlePlant, WebRegulator};
 use super::plc::{PlcSignals, WordPart};
 use super::setup::Budget;
 use crate::controls::vars::HALF_RANGE;
@@ -94,6 +94,7 @@ impl CheckedPlant {
             stage_count: plant.spindle.stage_count.clamp(1, STAGES as u8),
             reached_delay: positive(plant.spindle.reached_delay, 0.0),
             surface_low: positive(plant.spindle.surface_low, 0.0),
+            regulator: plant.spindle.regulator.and_then(WebRegulator::checked),
             ..plant.spindle
         };
         for stage in &mut spindle.stages {

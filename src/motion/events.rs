@@ -67,6 +67,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.rest(t);
         self.mark(t);
         self.await_contacts(t);
+        self.await_web(t);
     }
 
     /// The end of the run, if only the operator can continue it; `t` is the time of the next event.

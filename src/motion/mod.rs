@@ -19,6 +19,8 @@
 //!   slip. Override acts at once. The PLC shifts gears: it receives the wanted stage and reports the engaged one. Positioning runs beside
 //!   the motion of its block, which ends when both are finished. The [rules](crate::controls::SpindleRules) of a control hold its
 //!   behaviour at M30, at reset, without M03, in threads and before cuts.
+//! * **Web.** A regulator in the inverter may trim the speed by the web between spindle and axis: sampled while the program runs and the
+//!   spindle turns; a trim becomes a ramp as long as the time between two samples. S and volts stay.
 //! * **PLC.** Scanned when one of its inputs has changed and at the times it requests; the codes of one block are put out together and end
 //!   with FIN.
 //! * **PMC axes.** Axes moved by the PLC alone: it gives their speeds; acceleration and lag are those of any axis. Hold and the program's
@@ -70,6 +72,7 @@ mod spindle_speed;
 mod standstill;
 mod strobe;
 mod surface_speed;
+mod web_regulator;
 mod zero_return;
 
 // Runs.
@@ -81,7 +84,7 @@ pub use gate::Gate;
 pub use milestones::Milestone;
 pub use panel::{Action, ActionValue, Event, Panel};
 pub use plan::Planner;
-pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};
+pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant, WebRegulator};
 pub use plc::{
     BenchPlc, GearShift, OverrideKnobs, Plc, PlcAlarm, PlcOrders, PlcSignals, ProgramState, SpindleOrders, Strobes,
     WordPart,

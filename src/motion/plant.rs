@@ -3,6 +3,7 @@
 use crate::controls::{Address, Code, Control, SpindleRules};
 use crate::drives::speed::STAGES;
 use crate::drives::{Analog, Positioning, Stage};
+use crate::math;
 
 /// Maximum number of axes moved by the PLC.
 pub const PMC_AXES: usize = 2;
@@ -55,6 +56,43 @@ impl AxisPlant {
     }
 }
 
+/// Regulator in the inverter of a spindle that unwinds a web: it trims the speed by the position of a dancer between spindle and axis.
+///
+/// `trim = -limit · clamp(w / range, -1, 1)` with the web `w` (mm) beyond the set point, so that it falls by `e^(-t / T)` with
+/// `T = range / (limit · v)` at the speed `v` of the web. Source: ribbon line facts, 7.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WebRegulator {
+    /// Index of the axis that takes the web, in the control's order.
+    pub axis: usize,
+    /// Web (mm) per turn of the spindle.
+    pub per_turn: f64,
+    /// Web (mm) beyond the set point at which the trim reaches its limit.
+    pub range: f64,
+    /// Greatest trim, as a fraction of the speed.
+    pub limit: f64,
+    /// Time (s) between two samples of the dancer's position.
+    pub interval: f64,
+}
+
+impl WebRegulator {
+    /// Step of the trim, as a fraction of its limit: smaller changes give no new ramp.
+    const STEP: f64 = 0.01;
+
+    /// The regulator, if its numbers are usable.
+    pub(super) fn checked(self) -> Option<WebRegulator> {
+        let is_positive = |x: f64| x > 0.0 && x.is_finite();
+        let usable = is_positive(self.range) && self.limit > 0.0 && self.limit < 1.0 && self.per_turn.is_finite();
+        (usable && self.interval >= 1e-3).then_some(self)
+    }
+
+    /// Trim for `web` mm beyond the set point, in whole steps. The last one stays until it is wrong by a step.
+    pub(super) fn trim(&self, web: f64, last: f64) -> f64 {
+        let wanted = -self.limit * math::clamp(web / self.range, -1.0, 1.0);
+        let step = self.limit * WebRegulator::STEP;
+        if (wanted - last).abs() < step { last } else { step * (wanted / step).trunc() }
+    }
+}
+
 /// A spindle on an analog output, through an inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpindlePlant {
@@ -89,6 +127,8 @@ pub struct SpindlePlant {
     pub driven_tool: bool,
     /// The spindle turns work or tool: motion before its speed is reached is a finding.
     pub drives_cut: bool,
+    /// Regulator of the web that the spindle unwinds, if a dancer is fitted.
+    pub regulator: Option<WebRegulator>,
     /// Spindle rules of the control.
     pub rules: SpindleRules,
 }
@@ -112,6 +152,7 @@ impl SpindlePlant {
             centre: None,
             driven_tool: false,
             drives_cut: true,
+            regulator: None,
             rules,
         }
     }

@@ -93,6 +93,8 @@ pub struct PlcSignals {
     pub spindle_command: f64,
     /// Actual spindle speed in r/min, signed.
     pub spindle_actual: f64,
+    /// Trim of the speed by the inverter, as a fraction: its contact "at speed" compares with the trimmed command.
+    pub speed_trim: f64,
     /// The position loop of the spindle is on: it turns to an angle or holds it.
     pub positions: bool,
     /// Commanded turns of the axes moved by the PLC since the start of the run, before acceleration.
@@ -154,6 +156,8 @@ pub struct PlcOrders {
     pub notice: Option<Message>,
     /// Speeds in r/min, signed, of the axes moved by the PLC.
     pub pmc_speed: [f64; PMC_AXES],
+    /// Web (mm) unwound and not taken since the start of the run at which the dancer is at its set point.
+    pub web_at_set_point: f64,
 }
 
 impl Default for PlcOrders {
@@ -171,6 +175,7 @@ impl Default for PlcOrders {
             alarm: None,
             notice: None,
             pmc_speed: [0.0; PMC_AXES],
+            web_at_set_point: 0.0,
         }
     }
 }

@@ -21,9 +21,22 @@ pub(super) struct SpeedCommand {
     pub(super) bound: Bound,
     /// The drive supplies no current: the spindle coasts to rest.
     pub(super) coasts: bool,
+    /// Trim by the inverter's regulator, as a fraction of the speed; 0 at standstill. Speed and volts of the control do not include it.
+    pub(super) trim: f64,
 }
 
 impl SpeedCommand {
+    /// Signed speeds (r/min) for the inverter, now and after the span: the commanded ones with the trim.
+    pub(super) fn trimmed(&self) -> (f64, f64) {
+        let factor = self.rotation.sign() * (1.0 + self.trim);
+        (factor * self.from, factor * self.to)
+    }
+
+    /// Whether this command differs from the last one by its trim alone.
+    pub(super) fn is_trimmed_anew(&self, last: &SpeedCommand) -> bool {
+        self.trim != last.trim && SpeedCommand { trim: last.trim, ..*self } == *last
+    }
+
     /// Relative difference of two commands at one time below which speed and feed have settled: far below the curvature of the speed
     /// between two steps, and far above rounding errors.
     const AGREED: f64 = 1e-9;

@@ -70,6 +70,9 @@ pub(super) struct SpindleControl {
     pub(super) diameter_axis: Option<(u8, f64)>,
     /// End (s) of the ramp, or of a part of a travel to an angle.
     pub(super) reached_at: f64,
+    /// Trim by the regulator of the web, as a fraction of the speed, and the time (s) of its next sample.
+    pub(super) trim: f64,
+    pub(super) sampled_at: f64,
     /// Travel to an angle.
     pub(super) orienting: Option<Orienting>,
     /// The encoder's zero mark was found.
@@ -95,6 +98,8 @@ impl SpindleControl {
             automatic: false,
             diameter_axis: diameter_axis.map(|axis| (axis, 0.0)),
             reached_at: f64::INFINITY,
+            trim: 0.0,
+            sampled_at: f64::INFINITY,
             orienting: None,
             synced: false,
             locked: false,
@@ -115,6 +120,11 @@ impl SpindleControl {
 
     /// Time (s) of the spindle's next event.
     pub(super) fn next(&self) -> f64 {
+        self.next_change().min(self.sampled_at)
+    }
+
+    /// The same without the samples of the web.
+    pub(super) fn next_change(&self) -> f64 {
         self.surface.map_or(self.reached_at, |surface| surface.again.min(self.reached_at))
     }
 }

@@ -13,6 +13,13 @@ pub(super) const FASTEST: f64 = 1e9;
 impl<P: RunningProgram> Sim<'_, P> {
     /// Carries out the spindle's next event.
     pub(super) fn spindle(&mut self, t: f64) {
+        let changes = self.state.spindle.next_change() <= t;
+        if self.state.spindle.sampled_at <= t {
+            self.regulate_web(t);
+        }
+        if !changes {
+            return;
+        }
         if self.state.spindle.reached_at <= t {
             self.state.spindle.reached_at = f64::INFINITY;
             self.travel_on(t);
@@ -61,8 +68,9 @@ impl<P: RunningProgram> Sim<'_, P> {
         let last = self.out.timeline.ramps.last();
         // A drive with its current restored does not brake before its next speed command.
         let coasted = last.is_some_and(|last| last.command.coasts) && rotation == Rotation::Stopped;
-        let command =
-            SpeedCommand { from, to, span, rotation, stage: self.gear(), bound, coasts: without_current || coasted };
+        let coasts = without_current || coasted;
+        let trim = if rotation == Rotation::Stopped { 0.0 } else { self.state.spindle.trim };
+        let command = SpeedCommand { from, to, span, rotation, stage: self.gear(), bound, coasts, trim };
         let is_followed = |last: &InverterRamp| {
             let same = if span > 0.0 { last.t == t && command.agrees(&last.command) } else { command == last.command };
             same && last.control == SpindleMode::Speed
@@ -134,8 +142,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let plant = &self.plant.spindle;
         let last = self.out.timeline.ramps.last();
         let (mut start, turns) = last.map_or((0.0, 0.0), |ramp| (ramp.speed(t), ramp.turns(plant, t)));
-        let sign = command.rotation.sign();
-        let (from, target) = (sign * command.from, sign * command.to);
+        let (from, target) = command.trimmed();
         let mut rate =
             if command.coasts { plant.coasting_rate(command.stage) } else { plant.acceleration(command.stage) };
         if command.span > 0.0 {
@@ -144,7 +151,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             rate = rate.min((target - start).abs() / command.span);
         }
-        self.state.plc.signals.spindle_command = target;
+        if let (Some(regulator), Some(last)) = (plant.regulator, last)
+            && command.is_trimmed_anew(&last.command)
+        {
+            rate = rate.min((target - start).abs() / regulator.interval);
+        }
+        self.state.plc.signals.spindle_command = command.rotation.sign() * command.to;
+        self.state.plc.signals.speed_trim = command.trim;
         let diameter_axis = self.state.spindle.diameter_axis;
         let ramp = InverterRamp { t, start, target, rate, turns, command, control: SpindleMode::Speed, diameter_axis };
         self.put(ramp);

@@ -219,7 +219,8 @@ impl LadderPlc {
             }
             Bit::Input(MachineContact::InverterReady | MachineContact::InverterEnabled) => !signals.inverter_fault,
             Bit::Input(MachineContact::AtSpeed) => {
-                signals.spindle_actual.abs() >= self.wiring.at_speed * signals.spindle_command.abs()
+                let command = signals.spindle_command.abs() * (1.0 + signals.speed_trim);
+                signals.spindle_actual.abs() >= self.wiring.at_speed * command
             }
             Bit::Input(MachineContact::AtShiftSpeed) => {
                 signals.spindle_actual.abs() <= self.wiring.shift_speed(self.gear.0)
@@ -368,6 +369,7 @@ impl LadderPlc {
         let Some(last) = &mut self.last_scan else { return false };
         let seen = &mut last.signals;
         (seen.spindle_actual, seen.spindle_command) = (signals.spindle_actual, signals.spindle_command);
+        seen.speed_trim = signals.speed_trim;
         last.again.is_none_or(|again| t < again)
             && *seen == *signals
             && last.orders == *orders
