@@ -2,6 +2,7 @@
 
 use super::pose::unwound;
 use super::reel::wound;
+use super::regulator::{regulator, set_point};
 use super::resolved::RibbonLine;
 use super::tension_switch::TensionSwitch;
 use crate::machines::ladder::MachineContact;
@@ -49,10 +50,14 @@ pub(super) struct RibbonContacts {
     shortest: f64,
     /// Ribbon (mm) unwound from a reel at which the third opens.
     reel: f64,
+    /// Whether a regulator keeps the loop: then the operator takes up a loop at its limits only.
+    is_regulated: bool,
     /// Greatest speed (mm/s) at which the loop changes.
     fastest: f64,
     /// Ribbon unwound less ribbon pulled (mm) when the loop was last taken up.
     taken_up: f64,
+    /// Ribbon (mm) in the loop that the regulator keeps.
+    set_point: f64,
     /// Ribbon unwound (mm) when the present reel was put on.
     put_on: f64,
     closed: [bool; 3],
@@ -62,18 +67,25 @@ impl RibbonContacts {
     pub(super) fn new(line: &RibbonLine) -> RibbonContacts {
         let p = &line.params;
         let (per_turn, motor) = (unwound(p, 1.0), p.induction());
-        let unwinds = per_turn * (p.speed_at_10v * motor.gain().max(1.0) + motor.slip().abs());
+        let unwinds = per_turn * (p.speed_at_10v * motor.gain().max(1.0 + p.loop_trim()) + motor.slip().abs());
         RibbonContacts {
             per_turn,
             pull: line.pull(),
             longest: if p.loop_capacity > 0.0 { p.loop_capacity } else { f64::INFINITY },
             shortest: -TensionSwitch::new(line).missing,
             reel: (1e3 * wound(p).length() - left_at_reel_end(line)).max(0.0),
+            is_regulated: regulator(line).is_some(),
             fastest: (unwinds + p.clamp_x.max(p.rapid_x)) / 60.0,
             taken_up: 0.0,
+            set_point: set_point(line),
             put_on: 0.0,
             closed: [true; 3],
         }
+    }
+
+    /// Ribbon unwound less ribbon pulled (mm) with the dancer at its set point.
+    pub(super) fn web_at_set_point(&self) -> f64 {
+        self.taken_up + self.set_point
     }
 
     /// Contacts with their states.
@@ -82,13 +94,14 @@ impl RibbonContacts {
     }
 
     /// Reads the contacts at `t` (s); returns the time (s) until the next limit may be reached. At a cycle start the
-    /// operator is assumed to have acted as in the table of stops: a new product begins with a loop that is taken up
-    /// and a full reel, and a reel at its end is replaced.
+    /// operator is assumed to have acted as in the table of stops: a new product begins with a loop that is taken up, where no regulator
+    /// keeps it, and a full reel, and a reel at its end is replaced.
     pub(super) fn read(&mut self, t: f64, program: ProgramState, machine: &Timeline) -> f64 {
         let unwound = self.per_turn * machine.turns(t);
         let laid = unwound - machine.actual(self.pull, t);
         let begins = program == ProgramState::Idle;
-        if begins {
+        let is_within = |slack: f64| slack > self.shortest && slack < self.longest;
+        if begins && !(self.is_regulated && is_within(laid - self.taken_up)) {
             self.taken_up = laid;
         }
         if begins || program != ProgramState::Running && !self.closed[2] {

@@ -21,6 +21,7 @@ mod program;
 mod readouts;
 mod reel;
 mod reel_demand;
+mod regulator;
 mod resolved;
 mod rules;
 mod scene;

@@ -2,6 +2,7 @@
 
 use super::coasting;
 use super::params::PULL;
+use super::regulator::regulator;
 use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::SpindleRules;
@@ -48,12 +49,12 @@ pub(super) fn plant(line: &RibbonLine) -> Plant {
     }
 }
 
-/// The unwinder. A dancer trims it to the pull of X: no slip, and π as the program writes it.
+/// The unwinder. The regulator of a dancer has trimmed its motor to the pull of X before: no slip, and π as the program writes it.
 fn spindle(line: &RibbonLine) -> SpindlePlant {
     let p = &line.params;
     let motor = p.induction();
     let (gain, slip) =
-        if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
+        if p.is_regulated() { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
     let analog = line.control.analog_output.with_speed(p.speed_at_10v);
     // The builder's ladder, not the control's, decides about M3 at reset.
     let turns_through_reset = unwinder(Interruption::Reset) == SpindleReaction::Turns;
@@ -65,6 +66,7 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
         coasting: Some([coasting::ramp(line); STAGES]),
         // The ribbon's slack at the start is a result of its own.
         drives_cut: false,
+        regulator: regulator(line),
         ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules)
     }
 }

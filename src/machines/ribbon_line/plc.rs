@@ -75,6 +75,7 @@ impl RibbonPlc {
 impl Plc for RibbonPlc {
     fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
         let next = self.ladder.scan(t, signals, orders);
+        orders.web_at_set_point = self.contacts.web_at_set_point();
         if let Some(contact) = self.opened.take() {
             orders.notice = Some(self.contacts.message(contact));
         } else if signals.program == ProgramState::Running && signals.spindle_command != 0.0 {

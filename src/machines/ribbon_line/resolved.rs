@@ -218,6 +218,13 @@ impl RibbonLine {
         ]
     }
 
+    /// Time (s) in which the regulator of a dancer takes 63 % of a slack away while the line runs, `T = range / (limit · v)`; none without
+    /// regulator, or at standstill. Source: ribbon line facts, 7.
+    pub(super) fn regulating_time(&self) -> Option<f64> {
+        let speed = self.params.loop_trim() * self.derived.feeds.line_speed / 60.0;
+        (speed > 0.0).then(|| self.params.loop_trim_range() / speed)
+    }
+
     /// F counts per revolution of the unwinder.
     pub(super) fn feeds_per_revolution(&self) -> bool {
         self.params.feeds_per_revolution()

@@ -32,13 +32,14 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     let left = line.params.loop_capacity - (worst.slack.loop_needed - worst.slack.interruption);
     let again = match worst.slack.interruption {
         none if none <= 0.0 => laid(0.0),
-        each => msg!(
-            "ribbon.stops.laid-twice",
-            hold = (d.slack.hold, 0),
-            restart = (d.slack.resume, 0),
-            pause = (d.slack.interruption, 0),
-            count = (left / each).max(0.0).floor()
-        ),
+        each => {
+            let (hold, restart, pause) = ((d.slack.hold, 0), (d.slack.resume, 0), (d.slack.interruption, 0));
+            let count = (left / each).max(0.0).floor();
+            match line.regulating_time() {
+                Some(time) => msg!("ribbon.stops.laid-twice-dancer", hold, restart, pause, time = (time, 0), count),
+                None => msg!("ribbon.stops.laid-twice", hold, restart, pause, count),
+            }
+        }
     };
     let goes_on =
         if line.feeds_per_revolution() { msg!("ribbon.stops.start-in-step") } else { msg!("ribbon.stops.start") };

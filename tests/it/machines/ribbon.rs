@@ -1,6 +1,7 @@
 //! The ribbon dot-printing line: its results against the paper and the sizing table, its limits and its notes.
 
 mod contacts;
+mod dancer;
 pub(super) mod each_control;
 mod edges;
 mod endless;

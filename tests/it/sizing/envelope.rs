@@ -23,11 +23,14 @@ fn row<'a>(sizing: &'a Sizing, event: OperatingEvent, id: &str) -> &'a EnvelopeR
         .unwrap_or_else(|| panic!("no {id} at {}", event.id()))
 }
 
-/// A line without slip, whose loop is empty in the run, and without a brake at the motor of the unwinder.
+/// A line without slip, whose loop is empty in the run, and without a brake at the motor of the unwinder. Its motor turns as commanded: a
+/// dancer would trim the speeds by which the formulas of single stops are checked.
 fn line() -> Project {
     let mut project = Project::named("ribbon-line", None, None).unwrap();
     for (field, value) in [
-        ("dancer", Value::Flag(true)),
+        ("dancer", Value::Flag(false)),
+        ("no-load-speed", Value::Number(1480.0)),
+        ("rated-load-speed", Value::Number(1480.0)),
         ("pitch-count", Value::Number(400.0)),
         ("unwinder-motor-brake", Value::Number(0.0)),
     ] {
@@ -277,11 +280,17 @@ fn knob_turned_up_overfills_the_loop_by_the_formula() {
 #[test]
 fn loop_keeps_the_ribbon_of_a_turn_until_the_stop() {
     let line = Project::named("ribbon-line", None, None).unwrap();
-    let line = line.with_entries(&[("pitches-per-block", "6"), ("loop-capacity", "580")]).unwrap();
+    let entries = [("pitches-per-block", "6"), ("loop-capacity", "580")];
+    // A dancer takes the ribbon of the turn away before the stop; without one the motor turns as commanded.
+    let kept = sized(&line.with_entries(&entries).unwrap());
+    let open = [("dancer", "false"), ("no-load-speed", "1480"), ("rated-load-speed", "1480")];
+    let line = line.with_entries(&[&entries[..], &open].concat()).unwrap();
     let form = line.design().readouts.into_iter().find(|row| row.id == "loop-turned").unwrap();
     let turned = row(&sized(&line), OperatingEvent::Knob, "loop").clone();
     assert_eq!((form.verdict, turned.verdict), (Verdict::Fail, Verdict::Fail), "{} {}", form.value, turned.value);
     assert!(turned.value <= form.value, "{} {}", turned.value, form.value);
+    let kept = row(&kept, OperatingEvent::Knob, "loop").value;
+    assert!(kept < turned.value, "{kept} {}", turned.value);
 }
 
 /// A macro time of 10 ms and four pitches a block: 240 mm keep the feed of 10 % while the unwinder goes to 123.3 %.

@@ -46,9 +46,9 @@ fn thickness_error(p: &Params) -> f64 {
 
 impl Params {
     /// Ribbon that the press roller lays more than the pull roller takes up, as a share of the line speed, where the diameters are entered
-    /// without the ribbon's thickness: `t / D - t / Dx`; 0 for equal rollers, and with a dancer, which trims it. Source: ribbon line facts, 3.
+    /// without the ribbon's thickness: `t / D - t / Dx`; 0 for equal rollers, and with the regulator of a dancer, which trims it. Source: ribbon line facts, 3.
     pub(in crate::machines::ribbon_line) fn laid_by_thickness(&self) -> f64 {
-        if self.effective_diameter || self.dancer {
+        if self.effective_diameter || self.is_regulated() {
             return 0.0;
         }
         self.ribbon_thickness / self.press_roller_diameter - self.ribbon_thickness / self.x_roller_diameter

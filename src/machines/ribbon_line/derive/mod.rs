@@ -4,6 +4,7 @@
 //! (override 0) the times of a pitch are infinite.
 
 mod accuracy;
+mod dancer;
 mod feeds;
 mod passes;
 mod printing;
@@ -14,6 +15,7 @@ mod tension;
 mod timing;
 mod unwinder;
 
+pub(super) use dancer::TRIM;
 pub(super) use product::{PITCH_TOLERANCE, SHORTEST};
 pub(super) use start::{AT_SPEED, FIN_DELAY, least_dwell};
 

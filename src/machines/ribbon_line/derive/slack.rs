@@ -37,18 +37,19 @@ pub(in crate::machines::ribbon_line) struct Slack {
 impl Slack {
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, feeds: &LineFeeds, timing: &LineTiming) -> Slack {
         let (line_speed, error) = (feeds.line_speed, unwinder.error);
-        // Ribbon unwound per minute, with the exact π and the thickness; a dancer trims it to the program's.
+        // Ribbon unwound per minute, with the exact π and the thickness; a regulator trims it to the program's.
         let unwound =
             k(PI, p.press_roller_diameter, p.reduction_ratio) * unwinder.actual * (1.0 + p.laid_by_thickness());
-        let unwound = |error: f64| if p.dancer { line_speed } else { unwound * (1.0 + error) };
+        let unwound = |error: f64| if p.is_regulated() { line_speed } else { unwound * (1.0 + error) };
         // A feed per revolution follows the measured speed of the unwinder.
         let in_step = p.feeds_per_revolution();
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
-        let rate = |error: f64, kept: f64| unwound(error) - pulled(error) * kept;
+        let rate = |error: f64, kept: f64| p.beyond_trim(unwound(error) - pulled(error) * kept, unwound(error));
         let (rate, rate_rated) = (rate(error, timing.kept), rate(unwinder.error_rated, timing.kept_rated));
         // Slip acts throughout; losses by exact stops and starved blocks act only from the first pass to the last.
         let slip = unwound(error) - pulled(error);
         let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
+        let run = if p.is_regulated() { run.min(kept_by_trim(p, timing, line_speed)) } else { run };
         let second = line_speed / 60.0;
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = unwinder.actual > 0.0;
@@ -86,4 +87,12 @@ impl Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
         }
     }
+}
+
+/// Slack (mm) to which a regulator lets the losses of X by exact stops and starved blocks grow. With the share `λ` of the speed that X loses
+/// it is `range · λ / limit`; a share beyond the limit of the trim adds `(λ - limit) · v · t`. Source: ribbon line facts, 7.
+fn kept_by_trim(p: &Params, timing: &LineTiming, line_speed: f64) -> f64 {
+    let (lost, limit) = (1.0 - timing.kept, p.loop_trim());
+    let held = if limit > 0.0 { p.loop_trim_range() * (lost / limit).min(1.0) } else { 0.0 };
+    held + p.beyond_trim(lost * line_speed, line_speed) / 60.0 * timing.product
 }

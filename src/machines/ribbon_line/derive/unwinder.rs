@@ -90,7 +90,7 @@ impl Params {
         self.commanded_speed_at(percent).min(self.top_speed())
     }
 
-    /// The unwinder's motor and inverter. With a dancer they follow the pull.
+    /// The unwinder's motor and inverter.
     pub(in crate::machines::ribbon_line) fn induction(&self) -> Induction {
         Induction {
             full_command: self.speed_at_10v,
@@ -100,11 +100,17 @@ impl Params {
         }
     }
 
-    /// Relative errors of the unwinder's speed at its running load and at rated load; 0 with a dancer, which trims
+    /// Relative errors of the unwinder's speed at its running load and at rated load; 0 with the regulator of a dancer, which trims
     /// them.
     pub(super) fn speed_errors(&self, speed: f64) -> (f64, f64) {
         let motor = self.induction();
         let loaded = Induction { load: 1.0, ..motor };
-        if self.dancer { (0.0, 0.0) } else { (motor.error(speed), loaded.error(speed)) }
+        if self.is_regulated() { (0.0, 0.0) } else { (motor.error(speed), loaded.error(speed)) }
+    }
+
+    /// Whether the regulator of a dancer keeps the loop. With a feed per revolution X follows every trim of the unwinder, which then changes
+    /// nothing in the loop.
+    pub(in crate::machines::ribbon_line) fn is_regulated(&self) -> bool {
+        self.dancer && !self.feeds_per_revolution()
     }
 }

@@ -147,7 +147,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "slack-rate-knob", label: "ribbon.readout.slack-rate-knob", unit: "mm/min", decimals: 1,
-        formula: "K · (n with the knob at its worse end - #104)",
+        formula: "K · (n with the knob at its worse end - #104), less the trim of a dancer",
         cite: Citation::new("ribbon line facts, 8", Grade::Inferred), value: slack::knob_slack, ..ReadoutRow::BASE
     },
     ReadoutRow {
@@ -213,7 +213,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "dancer-trim", label: "ribbon.readout.dancer-trim", unit: "%", decimals: 2,
         formula: "n / n10 - 1 at 10 V and the running load",
-        cite: Citation::new("sizing facts 2.6", Grade::Inferred), value: feeds::dancer_trim, shown: |line| line.params.dancer, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts 2.6", Grade::Inferred), value: feeds::dancer_trim, shown: |line| line.params.is_regulated(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "speed-error", label: "ribbon.readout.speed-error", unit: "%", decimals: 3,
@@ -232,17 +232,17 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "slack-rate", label: "ribbon.readout.slack-rate", unit: "mm/min", decimals: 1,
-        formula: "v unwound - v pulled",
+        formula: "v unwound - v pulled, less the trim of a dancer",
         cite: Citation::new("sizing facts D7", Grade::Inferred), value: |line| line.derived.slack.rate, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "slack-rate-rated", label: "ribbon.readout.slack-rate-rated", unit: "mm/min", decimals: 1,
-        formula: "v unwound - v pulled",
+        formula: "v unwound - v pulled, less the trim of a dancer",
         cite: Citation::new("sizing facts D9", Grade::Inferred), value: |line| line.derived.slack.rate_rated, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "slack-run", label: "ribbon.readout.slack-run", unit: "mm", decimals: 1,
-        formula: "slack rate · time of a product",
+        formula: "slack rate · time of a product; with a dancer what X loses, at most range · lost share / trim",
         cite: Citation::new("sizing facts 2.6", Grade::Inferred), value: |line| line.derived.slack.run, ..ReadoutRow::BASE
     },
     ReadoutRow {

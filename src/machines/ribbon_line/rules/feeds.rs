@@ -5,6 +5,7 @@ use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
 use crate::machines::form::entry::{at_least, at_most, nearest};
+use crate::machines::ribbon_line::derive::TRIM;
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
@@ -164,8 +165,8 @@ pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Op
         );
     }
     let drift = (1.0 - (feed / step).round() * step / feed) * d.feeds.line_speed;
-    if drift.abs() > 1.0 && !line.params.dancer {
-        return warn(AtMost(limit), [with_dancer(msg!("ribbon.feed-in-steps", step, rate = (drift.abs(), 1)))]);
+    if drift.abs() > 1.0 {
+        return warn(AtMost(limit), [with_dancer(line, msg!("ribbon.feed-in-steps", step, rate = (drift.abs(), 1)))]);
     }
     ok(AtMost(limit))
 }
@@ -224,17 +225,14 @@ pub(in crate::machines::ribbon_line) fn rapid_y(line: &RibbonLine) -> Option<Jud
 
 /// Error (%) of the unwinder's speed at 10 V, which the regulator of a dancer has to make up for.
 pub(in crate::machines::ribbon_line) fn dancer_trim(line: &RibbonLine) -> f64 {
-    100.0 * line.params.induction().error(line.params.speed_at_10v)
+    100.0 * line.params.error_at_10v()
 }
-
-/// Greatest speed error (%) that the regulator of a dancer can compensate. Source: engineering choice.
-const TRIM: f64 = 10.0;
 
 /// Judges whether the regulator of the dancer can make up for the unwinder's error; the remedy is the frequency of the inverter at 10 V, at
 /// which the motor turns as fast as the control counts on. Its slip is the same at every frequency.
 pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgement> {
-    let (error, limit) = (dancer_trim(line), Within(TRIM));
-    if error.abs() <= TRIM {
+    let (error, limit) = (dancer_trim(line), Within(100.0 * TRIM));
+    if limit.holds(error) {
         return ok(limit);
     }
     let (p, motor) = (&line.params, line.params.induction());

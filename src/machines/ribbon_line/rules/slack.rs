@@ -158,8 +158,8 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
             offer(message, shortest, vec![FormChange { button, entries: vec![ramp.into()] }, steep.change]);
         }
     }
-    if d.slack.run != 0.0 && !p.dancer {
-        advice.push(with_dancer(msg!("ribbon.run-fills", length = (d.slack.run.abs(), 0))));
+    if d.slack.run != 0.0 && !p.is_regulated() {
+        advice.push(with_dancer(line, msg!("ribbon.run-fills", length = (d.slack.run.abs(), 0))));
     }
     fail(limit, advice)
 }
@@ -440,7 +440,7 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
         msg!("ribbon.loop-empties", rate = (-rate, 0), capacity = (line.params.loop_capacity, 0), time = (lasts, 0))
     };
     let mut advice = vec![Advice::from(fills)];
-    // Loss of X by exact stops and starved blocks, mm/min; a dancer does not compensate it.
+    // Loss of X by exact stops and starved blocks, mm/min; a regulator leaves what is beyond its trim.
     let lost = d.feeds.line_speed * (1.0 - d.timing.kept);
     if lost > DRIFT {
         let kept = (d.timing.kept * 100.0, 1);
@@ -450,15 +450,20 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
             PathMode::Continuous => starved(line, kept),
         });
     }
-    if !p.dancer && (rate - lost).abs() > DRIFT {
-        advice.push(with_dancer(msg!("ribbon.trim")));
+    if !p.is_regulated() && (rate - lost).abs() > DRIFT {
+        advice.push(with_dancer(line, msg!("ribbon.trim")));
     }
     fail(limit, advice)
 }
 
-/// An advice to fit a dancer.
-pub(in crate::machines::ribbon_line) fn with_dancer(advice: Message) -> Advice {
-    Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true")])
+/// An advice to fit a dancer, where X follows the unwinder with a feed per minute, since it would follow the trim.
+pub(in crate::machines::ribbon_line) fn with_dancer(line: &RibbonLine, advice: Message) -> Advice {
+    let advice = Advice::from(advice);
+    if line.feeds_per_revolution() {
+        let entries = [("dancer", "true"), ("feed-form", "per-minute")];
+        return advice.setting(msg!("advice.add-dancer-per-minute"), entries);
+    }
+    advice.setting(msg!("advice.add-dancer"), [("dancer", "true")])
 }
 
 pub(in crate::machines::ribbon_line) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
@@ -470,7 +475,7 @@ pub(in crate::machines::ribbon_line) fn slack_rate_rated(line: &RibbonLine) -> O
 }
 
 /// Slack rate (mm/min) with the knob at its worse extreme position, where the knob turns the unwinder and the axes stay; else 0:
-/// `K · (n_knob - n)`.
+/// `K · (n_knob - n)`, less the trim of a regulator.
 pub(in crate::machines::ribbon_line) fn knob_slack(line: &RibbonLine) -> f64 {
     worst_knob(line).map_or(0.0, |knob| knob.slack_rate)
 }
@@ -493,7 +498,8 @@ pub(in crate::machines::ribbon_line) fn worst_knob(line: &RibbonLine) -> Option<
     }
     let at = |percent: f64| {
         let speed = p.speed_at(percent);
-        KnobPosition { percent, speed, slack_rate: d.feeds.k * (speed - d.unwinder.actual) }
+        let slack_rate = p.beyond_trim(d.feeds.k * (speed - d.unwinder.actual), d.feeds.k * speed);
+        KnobPosition { percent, speed, slack_rate }
     };
     // A knob at 0 stops the unwinder alone; its ladder raises every other position below the lowest.
     let lowest = if line.dialect.spindle().knob.low > 0.0 { line.lowest_position() } else { 0.0 };
@@ -546,7 +552,7 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
     }
     if drawn.tension.draw > most {
         let message = msg!("ribbon.stiff-web", tension = (drawn.tension.draw, 0), limit = (most, 0));
-        advice.push(with_dancer(message));
+        advice.push(with_dancer(line, message));
     }
     if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
 }
@@ -559,7 +565,7 @@ pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool
 /// An advice against a taut ribbon: a dancer if the draw pulls more, else the dwell with which no start misses ribbon.
 pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, message: Message) -> Advice {
     if is_drawn_taut(line) {
-        return with_dancer(message);
+        return with_dancer(line, message);
     }
     let dwell = matching_dwell(line, &line.params);
     let button = msg!("advice.set-dwell", time = dwell.text.as_str());

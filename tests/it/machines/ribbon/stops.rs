@@ -122,13 +122,19 @@ fn loop_is_judged_at_the_end_of_the_knob() {
         advice.starts_with("With the knob at 123.3 % one product may lay 380 mm into the loop of 260 mm"),
         "{advice}"
     );
-    // A run at 123 % with a hold of a second ends with start, short stop and stop in the loop: more than 260 mm.
-    let mut fast = project.clone();
-    fast.values.extend(values(&[("override", "123")]));
-    let mut planner = over_time(&fast, vec![event(8.0, Action::Hold), event(9.0, Action::Start)]);
-    assert_eq!(ended(&mut planner), RunEnd::ProgramEnd);
-    let most = slack(&fast, &planner, 6001).into_iter().map(|point| point.1).fold(0.0, f64::max);
-    assert!((300.0..wanted).contains(&most), "{most}");
+    // A run at 123 % with a hold of a second ends with start, short stop and stop in the loop: more than 260 mm. A dancer takes the ribbon of
+    // the hold away before the end; without one the motor turns as commanded, for the sum alone.
+    let most = |changes: &[(&str, &str)]| {
+        let mut fast = project.clone();
+        fast.values.extend(values(&[&[("override", "123")], changes].concat()));
+        let mut planner = over_time(&fast, vec![event(8.0, Action::Hold), event(9.0, Action::Start)]);
+        assert_eq!(ended(&mut planner), RunEnd::ProgramEnd);
+        slack(&fast, &planner, 6001).into_iter().map(|point| point.1).fold(0.0, f64::max)
+    };
+    let open = most(&[("dancer", "false"), ("no-load-speed", "1480"), ("rated-load-speed", "1480")]);
+    assert!((300.0..wanted).contains(&open), "{open}");
+    let kept = most(&[]);
+    assert!((150.0..open).contains(&kept), "{kept}");
     // Held by the clamp, the knob adds nothing: 253 mm at 1200 r/min.
     let clamped = example(&[("loop-capacity", "260"), ("speed-clamp", "1200")]);
     assert_eq!(readout(&clamped, "loop-needed").verdict, Verdict::Ok);
@@ -223,7 +229,8 @@ fn feed_override_fills_no_loop_where_it_is_fixed() {
             let points = slack(&project, &planner, 6001);
             let laid = slack_at(&points, 11.9) - slack_at(&points, 8.5);
             let wanted = if acts { v * 3.4 } else { 0.0 };
-            assert!((laid - wanted).abs() < 3.0, "{name}: {laid} of {wanted}");
+            // The dancer trims the unwinder meanwhile, by a tenth at most.
+            assert!(laid < wanted + 3.0 && laid > 0.9 * wanted - 3.0, "{name}: {laid} of {wanted}");
             let found = planner.diagnostics();
             let full = format!("full or empty after {seconds}");
             let full_loop = found.iter().find(|found| sentence(&found.message).contains(&full));

@@ -155,7 +155,15 @@ const LOSING: [&[(&str, &str)]; 7] = [
         ("unwinder-load", "100"),
     ],
     &[("macro-time", "12")],
-    &[("macro-time", "12"), ("dancer", "true"), ("pitches-per-block", "2"), ("pitch", "4"), ("heads", "94")],
+    // Without the slip of the motor.
+    &[
+        ("macro-time", "12"),
+        ("no-load-speed", "1480"),
+        ("rated-load-speed", "1480"),
+        ("pitches-per-block", "2"),
+        ("pitch", "4"),
+        ("heads", "94"),
+    ],
     &[("variant", "published"), ("pitch", "4"), ("heads", "94"), ("macro-time", "4")],
     &[("macro-time", "12"), ("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("rated-load-speed", "1440")],
 ];
