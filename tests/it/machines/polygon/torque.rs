@@ -253,7 +253,8 @@ fn slender_work_that_bends_is_red_and_mended() {
     let moment = |diameter: f64| std::f64::consts::PI * math::pow(diameter, 4.0) / 64.0;
     let by_hand = readout(&slender, "cutting-force").value / (3.0 * 210e3)
         * (math::pow(20.0, 3.0) / moment(8.0) + (math::pow(160.0, 3.0) - math::pow(20.0, 3.0)) / moment(10.0));
-    near_share(bends.value, by_hand, 1e-9);
+    // The last pass takes the allowance of 0.2 mm off.
+    near_share(bends.value, by_hand - 0.2, 1e-9);
     assert!(bends.value > 7.6, "{} mm", bends.value);
     assert_eq!(bends.verdict, Verdict::Fail);
     let shorter = bends.advice.iter().find(|advice| !advice.entries.is_empty()).expect("a remedy");
@@ -266,6 +267,6 @@ fn slender_work_that_bends_is_red_and_mended() {
         let mended = readout(&longer.with_entries(&advice.entries).unwrap(), "bending");
         assert_eq!(mended.verdict, Verdict::Ok, "{:?}: {}", advice.entries, mended.value);
     }
-    // The part of the example bends less than its tolerance, but for the feed override at its highest position.
-    assert_eq!(readout(&key, "bending").verdict, Verdict::Warn);
+    // The part of the example bends in roughing less than its allowance, at every position of the feed override.
+    assert_eq!(readout(&key, "bending").verdict, Verdict::Ok);
 }
