@@ -285,7 +285,10 @@ fn turn_up_outruns_an_unwinder_on_its_ramp() {
     assert_eq!(row.verdict, Verdict::Fail);
     assert_eq!(row.advice[0].message.id, "ribbon.knob-outruns");
     // A run misses as much but for the block in which the knob turns.
-    let mut planner = begun(&slow, vec![knob(8.0, 200.0)]).without_contacts();
+    // A dancer would trim before and after the turn; without one the motor turns as commanded.
+    let open = [("dancer", "false"), ("no-load-speed", "1480"), ("rated-load-speed", "1480")];
+    let open = slow.with_entries(&open).unwrap();
+    let mut planner = begun(&open, vec![knob(8.0, 200.0)]).without_contacts();
     assert_eq!(ended(&mut planner), RunEnd::ProgramEnd);
     let charts = line.prepared().charts(&planner, 0.0, planner.timeline().end(), 8001);
     let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
