@@ -110,10 +110,10 @@ impl Facts {
                     let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
                     let to = lint.programs.number(called);
                     // The reader reports repeats in P.
-                    if to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none()) {
-                        if let Some(word) = words.iter().find(|word| word.letter == Address::P) {
-                            self.missing(lint, (block, word), called);
-                        }
+                    let is_missing =
+                        to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none());
+                    if let Some(word) = words.iter().find(|word| is_missing && word.letter == Address::P) {
+                        self.missing(lint, (block, word), called);
                     }
                     to
                 }

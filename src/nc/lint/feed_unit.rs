@@ -72,7 +72,7 @@ impl FeedUnit {
         let codes = lint.parsed.codes();
         let mut rows = words.iter().filter_map(|word| codes.row_of(word)).map(|row| row.code);
         if bits & (PER_MINUTE | OTHER_FEED) != 0 {
-            self.per_revolution = rows.clone().filter_map(unit_of).last();
+            self.per_revolution = rows.clone().filter_map(unit_of).next_back();
         }
         if bits & (RAPID | LINEAR | CURVED) != 0 {
             let arc = rows.any(|code| matches!(code, Code::ArcCw | Code::ArcCcw));
