@@ -168,6 +168,11 @@ impl Placement {
     pub fn of(group: u16) -> Placement {
         Placement { group, ..Placement::default() }
     }
+
+    /// A group at rest that is shown or not.
+    pub fn shown(group: u16, is_shown: bool) -> Placement {
+        Placement { opacity: f64::from(u8::from(is_shown)), ..Placement::of(group) }
+    }
 }
 
 /// One moment of a scene: the changes from rest. Nodes are referred to by their [id](Node::id).

@@ -62,10 +62,8 @@ pub(in super::super) fn pose(
     placements: &mut Vec<Placement>,
     paths: &mut Vec<(u16, String)>,
 ) {
-    let shown =
-        |group: u16, is_shown: bool| Placement { opacity: f64::from(u8::from(is_shown)), ..Placement::of(group) };
-    placements.push(shown(group::TURNING_TOOL, tool.is_none()));
-    placements.push(shown(group::DRIVEN_TOOL, tool.is_some()));
+    placements.push(Placement::shown(group::TURNING_TOOL, tool.is_none()));
+    placements.push(Placement::shown(group::DRIVEN_TOOL, tool.is_some()));
     let turning = tool.is_some_and(|tool| tool.turns);
     // No faster than the eye follows, whatever the speed of the page.
     let per_second = (6.0 * p.driven_speed).min(SEEN / step.max(1e-3));

@@ -155,11 +155,12 @@ pub(in super::super) fn pose(
     let part: Vec<(f64, f64)> = upper.into_iter().chain(ends).collect();
     let half = layout.lens.2 + 4.0;
     paths.push((node::LENS_PART, polygon(&clipped(part, half))));
-    let shown =
-        |group: u16, is_shown: bool| Placement { opacity: f64::from(u8::from(is_shown)), ..Placement::of(group) };
-    placements.extend([shown(group::LENS_CHIP, at.cuts && !at.mills), shown(group::LENS_INSERT, !at.mills)]);
+    placements.extend([
+        Placement::shown(group::LENS_CHIP, at.cuts && !at.mills),
+        Placement::shown(group::LENS_INSERT, !at.mills),
+    ]);
     if let Some(diameter) = lathe.keyway() {
-        placements.push(shown(group::LENS_MILL, at.mills));
+        placements.push(Placement::shown(group::LENS_MILL, at.mills));
         let corners = at.groove.filter(|_| at.mills).map(|(depth, [end, begin])| {
             let [top, bottom] = [diameter, diameter - 2.0 * depth];
             [(end, top), (begin, top), (begin, bottom), (end, bottom)].map(|corner| place(&corner)).to_vec()
