@@ -173,7 +173,8 @@ impl DrawnMachine for PolygonLathe {
     }
 
     fn activity(&self, run: &dyn Samples, now: &Snapshot) -> Option<Message> {
-        if progress::turning_spans(self, run, now.t).pop().is_some_and(|(_, end)| end >= now.t) {
+        let turned = || progress::turning_spans(self, run, now.t).pop();
+        if self.has_main_spindle() && turned().is_some_and(|(_, end)| end >= now.t) {
             return Some(msg!("polygon.turning-end"));
         }
         let (_, end) = progress::cuts(self, run, now.t).pop()?;
