@@ -148,7 +148,7 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
     let signs = signs.into_iter().map(columns).max().unwrap_or(0);
     for r in readouts.iter().cloned().map(Readout::shown) {
         let label = words(r.label);
-        let value = Fixed(r.value, r.decimals).to_string();
+        let value = Fixed(r.value, r.decimals_apart()).to_string();
         let limit = r.limit.map_or(String::new(), |limit| {
             let shown = number_text(limit.value(), r.decimals.max(3));
             format!("  {}", sentence(&msg!("project.list.limit", limit = sentence(&limit.message(shown)))))

@@ -214,23 +214,6 @@ pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
     number::four_digits(number, decimals)
 }
 
-/// The value of a result with four significant digits; with more where the value of one that does not hold would read like its limit.
-pub(crate) fn value_text(readout: &Readout) -> String {
-    let decimals = number::decimals_of_four(readout.value, readout.decimals);
-    let exceeded = readout.limit.filter(|limit| readout.verdict >= Verdict::Warn && !limit.holds(readout.value));
-    let reads_as = |limit: &Limit, decimals| figure(readout.value, decimals) == figure(limit.value(), decimals);
-    match exceeded.filter(|limit| readout.value.is_finite() && reads_as(limit, decimals)) {
-        Some(limit) => {
-            let enough = (decimals..=MOST_DECIMALS).find(|decimals| !reads_as(&limit, *decimals));
-            figure(readout.value, enough.unwrap_or(MOST_DECIMALS))
-        }
-        None => four_digits(readout.value, readout.decimals),
-    }
-}
-
-/// Greatest number of decimals that tell a value from its limit.
-const MOST_DECIMALS: u8 = 6;
-
 /// The limit of a result in its shortest form: `≤ 20 000`.
 pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
     readout.limit.map(|limit| {
@@ -272,18 +255,6 @@ mod tests {
     fn stop_after_a_reset_begins_the_program_anew() {
         let words = [false, true].map(|is_reset| end_words(&RunEnd::Stop, is_reset));
         assert_eq!(words, [t("page.end-stop"), t("page.end-reset")]);
-    }
-
-    #[wasm_bindgen_test]
-    fn value_beyond_its_limit_does_not_read_like_it() {
-        let row = crate::ui::testing::project().design().readouts.into_iter().next().unwrap();
-        let value = |value, limit| {
-            let (verdict, limit) = (Verdict::Fail, Some(Limit::AtMost(limit)));
-            value_text(&Readout { value, decimals: 3, limit, verdict, ..row.clone() })
-        };
-        assert_eq!(plain(&value(5000.2, 5000.0)), "5 000.2");
-        assert_eq!(plain(&value(4999.9, 5000.0)), "5 000");
-        assert_eq!(plain(&value(5100.2, 5000.0)), "5 100");
     }
 
     #[wasm_bindgen_test]

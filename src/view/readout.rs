@@ -5,7 +5,11 @@ use serde::Serialize;
 use super::field_entry::FieldEntry;
 use crate::msg;
 use crate::text::catalog::sentence;
+use crate::text::number::{decimals_of_four, figure, four_digits};
 use crate::text::{Citation, Message, MessageValue, Phrase, clauses, units};
+
+/// Greatest number of decimals that tell a value from the limit that it exceeds.
+const MOST_DECIMALS: u8 = 6;
 
 /// Engineering verdict of a result. It never prevents the export of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -173,6 +177,26 @@ impl Readout {
             unit: units::unit(self.unit),
             ..self
         }
+    }
+
+    /// Its decimals, and those that a value beyond its limit needs to read differently from the limit.
+    pub fn decimals_apart(&self) -> u8 {
+        self.apart_from(self.decimals)
+    }
+
+    /// The value with four significant digits, and those that a value beyond its limit needs to read differently from the limit.
+    pub fn value_text(&self) -> String {
+        let fewest = decimals_of_four(self.value, self.decimals);
+        let decimals = self.apart_from(fewest);
+        if decimals > fewest { figure(self.value, decimals) } else { four_digits(self.value, self.decimals) }
+    }
+
+    /// `fewest` decimals, or the first number of them with which a value beyond its limit reads differently from the limit.
+    fn apart_from(&self, fewest: u8) -> u8 {
+        let exceeded = self.limit.filter(|limit| self.verdict >= Verdict::Warn && !limit.holds(self.value));
+        let Some(limit) = exceeded.filter(|_| self.value.is_finite()) else { return fewest };
+        let reads_as = |decimals: &u8| figure(self.value, *decimals) == figure(limit.value(), *decimals);
+        (fewest..MOST_DECIMALS).find(|decimals| !reads_as(decimals)).unwrap_or(fewest)
     }
 
     /// The bar to the limit: its filled part and the position of the limit, both in percent of its length; `None` without a limit.

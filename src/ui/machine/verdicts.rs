@@ -6,7 +6,7 @@ use crate::machines::Design;
 use crate::ui::parts::Later;
 use crate::ui::parts::verdict::VerdictLines;
 use crate::ui::state::Page;
-use crate::ui::words::{Tone, limit_sign, t, value_text, verdict_words};
+use crate::ui::words::{Tone, limit_sign, t, verdict_words};
 use crate::view::{Readout, Verdict};
 
 /// The results above the drawing: those of the headline, where failing results replace those without a limit.
@@ -49,7 +49,7 @@ pub(super) fn VerdictList() -> impl IntoView {
         view! {
             <li class=tone.class()>
                 <i aria-hidden="true">{tone.sign()}</i> " " {t(readout.label)} " "
-                <b>{value_text(&readout)} " " {readout.unit}</b>
+                <b>{readout.value_text()} " " {readout.unit}</b>
                 <span class="hidden">{verdict_words(readout.verdict)}</span>
                 <span class="n">{limit_sign(&readout)}</span>
             </li>

@@ -4,13 +4,13 @@ use leptos::prelude::*;
 
 use crate::text::number::filled;
 use crate::ui::state::Page;
-use crate::ui::words::{Tone, figure, limit_sign, limit_text, sentence, t, value_text, verdict_words};
+use crate::ui::words::{Tone, figure, limit_sign, limit_text, sentence, t, verdict_words};
 use crate::view::{Advice, Readout};
 
 /// Tooltip of a result: its advice, or its figure in full.
 fn title(readout: &Readout) -> String {
     let advice = readout.advice.first().map(|advice| sentence(&advice.message));
-    advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit))
+    advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals_apart()), readout.unit))
 }
 
 /// The line: a click leads to the result among all results, the button carries out the best advice. Unchanged parts are not written again,
@@ -52,7 +52,7 @@ fn VerdictLine(
                 <i class="s" aria-hidden="true">{of(|readout| Tone::from(readout.verdict).sign().to_owned())}</i>
                 <span class="k">{t(label)}</span>
                 <span class="v">
-                    <b>{of(value_text)}</b> " " <small>{of(|readout| readout.unit.to_owned())}</small>
+                    <b>{of(Readout::value_text)}</b> " " <small>{of(|readout| readout.unit.to_owned())}</small>
                 </span>
                 <span class="hidden">{of(judged)}</span>
                 <span class="n" aria-hidden="true">{of(|readout| limit_sign(readout).unwrap_or_default())}</span>

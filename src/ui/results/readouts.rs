@@ -93,7 +93,7 @@ fn Row(
                 <i aria-hidden="true">{tone.sign()}</i> " " {t(readout.label)}
                 <span class="hidden">" " {verdict_words(readout.verdict)}</span>
             </h3>
-            <p class="v">{figure(readout.value, readout.decimals)} " " <small>{readout.unit}</small></p>
+            <p class="v">{figure(readout.value, readout.decimals_apart())} " " <small>{readout.unit}</small></p>
             {limit}
             {formula}
             {advice}

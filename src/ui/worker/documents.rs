@@ -18,7 +18,6 @@ use crate::project::saved::with_line;
 use crate::project::size::sections::SizingSection;
 use crate::project::size::{size, size_with_progress};
 use crate::project::variants::compare;
-use crate::text::number::four_digits;
 use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
@@ -49,7 +48,7 @@ fn found_repairs(way: &RepairWay) -> FoundRepairs {
     let entry = |entry: &FieldEntry| (entry.field.to_owned(), entry.text.clone());
     let consequence = |(before, after): &(Readout, Readout)| {
         let [before, after] = [before, after].map(|readout| readout.clone().shown());
-        let [from, to] = [&before, &after].map(|readout| four_digits(readout.value, readout.decimals));
+        let [from, to] = [&before, &after].map(|readout| readout.value_text());
         format!("{} {from} → {to} {}", t(after.label), after.unit).trim_end().to_owned()
     };
     FoundRepairs {

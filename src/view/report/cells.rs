@@ -78,7 +78,7 @@ fn limit_words(readout: &Readout, limit: Limit) -> String {
 pub(super) fn cells_of_result(report: &Report, readout: &Readout) -> [String; 6] {
     [
         words(readout.label).to_owned(),
-        shown(readout.value, readout.decimals, readout.unit),
+        shown(readout.value, readout.decimals_apart(), readout.unit),
         readout.limit.map_or(String::new(), |limit| limit_words(readout, limit)),
         verdict(readout.verdict).to_owned(),
         with_variable(report, readout.formula.words()),

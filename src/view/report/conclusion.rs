@@ -3,7 +3,6 @@
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{pieces, sentence, words};
-use crate::text::number::four_digits;
 use crate::text::{Message, Severity, clauses, listed, sentences};
 use crate::view::svg::escape;
 use crate::view::{Readout, Verdict};
@@ -46,8 +45,7 @@ fn draft(report: &Report) -> Option<Message> {
 /// Sentence about the work of the machine, or its headline figures if it does not work.
 fn work(report: &Report) -> Message {
     let figure = |readout: &Readout| {
-        let value = four_digits(readout.value, readout.decimals);
-        format!("{} {value} {}", words(readout.label), readout.unit).trim_end().to_owned()
+        format!("{} {} {}", words(readout.label), readout.value_text(), readout.unit).trim_end().to_owned()
     };
     report.summary.clone().unwrap_or_else(|| {
         let headline = report.readouts.iter().filter(|readout| readout.headline).take(3);

@@ -49,7 +49,9 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     let print = p.print_axis.address().to_string();
     ground(&mut drawing, layout);
     let wound = reels::Wound::new(&mut drawing);
-    reels::behind(&mut drawing, layout, &layout.supply, reels::SUPPLY, wound);
+    drawing.showing("reel-diameter", |drawing| {
+        reels::behind(drawing, layout, &layout.supply, reels::SUPPLY, wound);
+    });
     stations::behind(&mut drawing, layout, &layout.unwinder, group::UNWINDER, "S");
     stations::behind(&mut drawing, layout, &layout.pull, group::PULL, "X");
     printing::behind(&mut drawing, layout, &print);
@@ -62,8 +64,12 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
         labels::slack(drawing, layout);
         labels::limit(drawing, line, layout);
     });
-    reels::before(&mut drawing, layout, &layout.supply, reels::SUPPLY, wound);
-    reels::before(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
+    drawing.showing("reel-diameter", |drawing| {
+        reels::face(drawing, layout, &layout.supply, reels::SUPPLY, wound);
+    });
+    drawing.showing("reel-core-diameter", |drawing| reels::hub(drawing, reels::SUPPLY));
+    reels::face(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
+    reels::hub(&mut drawing, reels::TAKE_UP);
     stations::before(&mut drawing, layout, &layout.unwinder, group::UNWINDER, DriveKind::Inverter);
     stations::before(&mut drawing, layout, &layout.pull, group::PULL, DriveKind::Servo);
     printing::before(&mut drawing, layout, p);

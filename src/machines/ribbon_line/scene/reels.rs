@@ -82,15 +82,18 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, reel: &DrawnReel, g
     });
 }
 
-/// The wound face with its hub.
-pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, reel: &DrawnReel, groups: [u16; 4], wound: Wound) {
-    let [_, _, face, hub] = groups;
+/// The face of the wound ribbon.
+pub(crate) fn face(drawing: &mut Drawing, layout: &Layout, reel: &DrawnReel, [_, _, face, _]: [u16; 4], wound: Wound) {
     let radius = reel.r / layout.scale;
     drawing.within(face, |drawing| {
         drawing.circle((0.0, 0.0, radius), Look::fill(wound.face));
         drawing.path(spiral(reel.core / layout.scale, radius), Look::line(Paint::RibbonShade, 0.9).faint(0.75));
         drawing.circle((0.0, 0.0, radius), Look::line(Paint::RibbonShade, 1.6));
     });
+}
+
+/// The hub in the core.
+pub(crate) fn hub(drawing: &mut Drawing, [_, _, _, hub]: [u16; 4]) {
     drawing.within(hub, |drawing| {
         drawing.circle((0.0, 0.0, CORE), Look::DARK_FACE);
         drawing.circle((0.0, 0.0, 27.0), Look::FACE);

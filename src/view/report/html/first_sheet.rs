@@ -3,7 +3,7 @@
 use super::writer::ReportHtml;
 use crate::msg;
 use crate::text::catalog::sentence;
-use crate::text::number::{decimals_of_four, filled, four_digits, short};
+use crate::text::number::{decimals_of_four, filled, short};
 use crate::text::{Message, Provenance};
 use crate::view::report::Report;
 use crate::view::report::cells::{PART_COLUMNS, cells_of_part};
@@ -85,7 +85,7 @@ impl ReportHtml<'_> {
         self.raw(&format!("<tr class=\"{class}\">"));
         self.text("td", "sign", sign);
         self.text("td", "", self.words(readout.label));
-        self.text("td", "figure", &four_digits(readout.value, readout.decimals));
+        self.text("td", "figure", &readout.value_text());
         self.text("td", "", readout.unit);
         self.raw("<td>");
         if let Some((part, limit)) = readout.bar() {

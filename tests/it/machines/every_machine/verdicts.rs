@@ -521,6 +521,25 @@ fn override_behind_the_limits_is_held_by_the_chuck() {
 }
 
 #[test]
+fn value_beyond_its_limit_does_not_read_like_it() {
+    let row = project("ribbon-line", "mitsubishi-e60", &[]).design().readouts.into_iter().next().unwrap();
+    let with = |value, limit| Readout { value, decimals: 1, limit: Some(limit), verdict: Verdict::Fail, ..row.clone() };
+    let texts = |readout: &Readout| (readout.value_text(), list::readouts_text(std::slice::from_ref(readout)));
+    for (value, limit, shown, in_full) in [
+        (5000.2, Limit::AtMost(5000.0), "5000.2", "5000.2 "),
+        (5000.0004, Limit::AtMost(5000.0), "5000.0004", "5000.0004 "),
+        (4999.9, Limit::AtMost(5000.0), "5000", "4999.9 "),
+        (49.996, Limit::AtLeast(50.0), "49.996", "49.996 "),
+        (-50.01, Limit::Within(50.0), "-50.01", "-50.01 "),
+    ] {
+        let (four_digits, text) = texts(&with(value, limit));
+        assert_eq!(four_digits, shown);
+        assert!(text.contains(&format!(" {in_full}")), "{text}");
+    }
+    assert_eq!(with(f64::INFINITY, Limit::AtMost(1.0)).value_text(), "–");
+}
+
+#[test]
 fn limits_are_written_with_their_direction() {
     let line = project("ribbon-line", "mitsubishi-e60", &[]);
     let text = list::readouts_text(&line.design().readouts);
