@@ -24,6 +24,15 @@ pub fn whole_up(x: f64) -> f64 {
     ((x * 1e9).round() / 1e9).ceil()
 }
 
+/// The greatest of 1, 2 or 5 times a power of ten that is not above a positive number; 1 for any other number.
+pub fn step_at_most(x: f64) -> f64 {
+    if !(x.is_finite() && x > 0.0) {
+        return 1.0;
+    }
+    let decade = pow(10.0, log10(x).floor());
+    [10.0, 5.0, 2.0].into_iter().find(|times| times * decade <= x).unwrap_or(1.0) * decade
+}
+
 /// Bisection of the interval between a value at which a condition holds and a value, above or below it, at which it fails: the ends after
 /// so many halvings. The condition is taken to hold at the first end and to fail at the second one.
 pub fn bisect(holds: f64, fails: f64, halvings: u32, mut condition: impl FnMut(f64) -> bool) -> (f64, f64) {

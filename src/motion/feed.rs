@@ -6,7 +6,6 @@ use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use crate::controls::Address;
-use crate::controls::spindle::REACHED;
 use crate::drives::Rotation;
 use crate::interp::Feed;
 use crate::msg;
@@ -88,7 +87,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn report_motion_on_ramp(&mut self, t: f64, pace: Pace) {
         let plant = &self.plant.spindle;
         let Some(ramp) = self.out.timeline.ramps.last().filter(|_| plant.drives_cut) else { return };
-        let part = plant.rules.reached.unwrap_or(REACHED);
+        let part = plant.rules.tolerance();
         let turns = self.state.spindle.rotation != Rotation::Stopped
             && self.state.spindle.orienting.is_none()
             && ramp.target != 0.0;

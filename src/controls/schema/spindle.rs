@@ -98,6 +98,11 @@ pub struct SpindleRules {
 }
 
 impl SpindleRules {
+    /// Speed tolerance, as a fraction of the commanded speed: that of the control, or of the drive's own signal where cuts do not wait.
+    pub fn tolerance(&self) -> f64 {
+        self.reached.unwrap_or(REACHED)
+    }
+
     /// Spindle override (%) that the control takes for a code from the PLC; none for a code without a position of the knob.
     pub fn override_of_code(&self, code: f64) -> Option<f64> {
         let at = self.override_codes.iter().position(|known| f64::from(*known) == code)?;
@@ -115,5 +120,5 @@ pub(super) const TENS_CODES: &[u8] = &[5, 6, 7, 8, 9, 10, 11, 12];
 pub(super) const PANEL: KnobRange = KnobRange { low: 50.0, high: 120.0, step: 5.0 };
 
 /// Fraction of the speed within which it counts as reached, if the drive's own signal reports it to the control.
-/// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).
-pub(crate) const REACHED: f64 = 0.1;
+/// Source: `docs/reference/sinumerik-802d.md` section 3.2 (MD35150).
+pub(super) const REACHED: f64 = 0.1;

@@ -26,9 +26,9 @@ pub struct GearTurns {
 
 /// The drive of an axis.
 #[derive(Debug, Clone, Copy)]
-pub struct AxisDrive<'a> {
+pub struct AxisDrive {
     /// Name of the axis on the sheets.
-    pub axis: &'a str,
+    pub axis: &'static str,
     /// Travel per turn of screw, roller or table, in mm or °.
     pub lead: f64,
     /// The gear between motor and screw, roller or table.
@@ -50,7 +50,7 @@ pub struct Scaling {
     travel: f64,
 }
 
-impl AxisDrive<'_> {
+impl AxisDrive {
     /// Travel per turn of the motor, in mm or °: `lead · load turns / motor turns`.
     pub fn travel(&self) -> f64 {
         self.lead * self.gear.load / self.gear.motor
@@ -166,7 +166,7 @@ pub fn judge(control: &Control, drive: &AxisDrive) -> Option<Judgement> {
 }
 
 /// Rows of the parameter sheet for the scaling of axes.
-pub fn parameters<'a>(control: &Control, drives: &[AxisDrive<'a>]) -> Vec<(ParamRole, AxisValues<'a>)> {
+pub fn parameters(control: &Control, drives: &[AxisDrive]) -> Vec<(ParamRole, AxisValues<'static>)> {
     let scaled = drives.iter().filter_map(|drive| Some((drive.axis, drive.scaling(control)?)));
     let values = scaled.flat_map(|(axis, scaling)| scaling.values.into_iter().map(move |value| (axis, value)));
     values.map(|(axis, (role, value))| (role, vec![(axis, ParamValue::Fine(value))])).collect()

@@ -129,9 +129,9 @@ impl Params {
         self.shape == Shape::Own
     }
 
-    /// Whether the bar is turned by the main spindle.
+    /// Whether the form asks for the main spindle.
     fn turns(&self, _: &Control) -> bool {
-        self.turned_ends.iter().any(|end| end.on)
+        self.turns_ends()
     }
 
     /// Whether the polygon begins at a distance from the face, with stock at both of its ends.

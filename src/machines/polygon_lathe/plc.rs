@@ -19,7 +19,7 @@ const SAME_ANGLE: f64 = 1e-9;
 /// The PLC of the lathe.
 pub(super) fn plc(lathe: &PolygonLathe) -> LadderPlc {
     let knob = KnobRange { step: 0.0, ..lathe.dialect.spindle().knob };
-    let at_speed = 1.0 - lathe.dialect.spindle().reached.unwrap_or(0.1);
+    let at_speed = 1.0 - lathe.dialect.spindle().tolerance();
     let rules = lathe.dialect.spindle();
     let wiring = Wiring { knob, rules, at_speed, meshing: 0.0, shift_volts: 0.0, shift_speeds: [0.0; STAGES] };
     LadderPlc::new(ladder(lathe), wiring, lathe.control).with_block(Box::new(Axes::new(lathe)))

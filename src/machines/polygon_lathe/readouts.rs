@@ -56,12 +56,12 @@ fn cuts_unevenly(lathe: &PolygonLathe) -> bool {
     lathe.derived.cuts && !lathe.derived.section.even
 }
 
-/// Whether each corner has one opposite it: an even number of sides.
 /// Whether a polygon has passes before its last one.
 fn roughs(lathe: &PolygonLathe) -> bool {
     lathe.derived.cuts && lathe.polygons().any(|lathe| lathe.sizes.len() > 1)
 }
 
+/// Whether each corner has one opposite it: an even number of sides.
 fn cuts_opposite_corners(lathe: &PolygonLathe) -> bool {
     lathe.derived.cuts && lathe.derived.section.sides % 2.0 == 0.0
 }

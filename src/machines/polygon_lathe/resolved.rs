@@ -133,12 +133,12 @@ impl PolygonLathe {
     }
 
     /// Drives of the slides across and along the work.
-    pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
+    pub(super) fn drives(&self) -> [AxisDrive; 2] {
         self.params.slides.drives(self.x_per_mm())
     }
 
     /// Drives of the work and the tool.
-    pub(super) fn turning_drives(&self) -> [AxisDrive<'static>; 2] {
+    pub(super) fn turning_drives(&self) -> [AxisDrive; 2] {
         let params = &self.params;
         let drive = |axis, gear, encoder| AxisDrive { axis, lead: 360.0, gear, encoder, rotary: true, words: 1.0 };
         [

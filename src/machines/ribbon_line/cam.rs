@@ -8,7 +8,7 @@ use super::params::{CamLaw, Params};
 use super::resolved::RibbonLine;
 use crate::drives::block;
 use crate::drives::cam::{Coefficients, Correction, Law};
-use crate::math::{self, PI, RPM};
+use crate::math::{self, RPM};
 
 /// Halvings in the search for a speed: to the last digit of a double.
 const HALVINGS: u32 = 60;
@@ -70,7 +70,7 @@ impl Cam {
                 pitch: p.pitch / 1e3,
                 contact: p.contact_length / 1e3,
                 // The arc between two heads is real: the exact π, not that of the program.
-                arc: PI * p.print_roller_diameter / p.heads / 1e3,
+                arc: p.head_spacing() / 1e3,
                 speed: d.feeds.line_speed / 60e3,
             },
             law,

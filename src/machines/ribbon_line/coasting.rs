@@ -48,7 +48,7 @@ fn laid_while_x_stops(line: &RibbonLine, d: &Derived, (delay, ramp): (f64, f64),
         return 0.0;
     }
     let coasting = self::ramp(line) * d.unwinder.actual / line.params.speed_at_10v;
-    web::slack_after_stop(d.feeds.line_speed / 60.0, coasting, ramp, delay) - lag
+    web::slack_after_stop(d.feeds.mm_per_second(), coasting, ramp, delay) - lag
 }
 
 /// Ribbon (mm) that is laid into the loop while X stops over its time constant and the unwinder coasts: as at a hold, with the time of
@@ -58,7 +58,7 @@ pub(super) fn laid_in_move(line: &RibbonLine, d: &Derived) -> f64 {
         line,
         d,
         (0.0, line.params.time_constant_x / 1000.0),
-        d.feeds.line_speed / 60.0 / line.params.position_gain_x,
+        d.feeds.mm_per_second() / line.params.position_gain_x,
     )
 }
 
@@ -93,7 +93,7 @@ impl EndOfMove {
             PathMode::Continuous => EndOfMove {
                 rest: p.slowest(),
                 stop: p.time_constant_x / 1000.0,
-                lag: line.fast.feeds.line_speed / 60.0 / p.position_gain_x,
+                lag: line.fast.feeds.mm_per_second() / p.position_gain_x,
             },
         }
     }
@@ -119,7 +119,7 @@ pub(super) fn holds(line: &RibbonLine) -> Option<Judgement> {
         msg!("ribbon.coasts-too-long", time = (time, 2), needed = (needed.ceil(), 0), capacity = (capacity, 0));
     let mut advice = Vec::new();
     // The brake that stops the unwinder in the time in which the loop fills up, less the time in which it closes.
-    let speed = line.fast.feeds.line_speed / 60.0;
+    let speed = line.fast.feeds.mm_per_second();
     let EndOfMove { rest, stop, lag } = EndOfMove::new(line);
     let left = 2.0 * (capacity - loop_before_stop(line) + lag) / speed - 2.0 * rest + stop - 2.0 * CLOSING_TIME;
     if left > 0.0 {

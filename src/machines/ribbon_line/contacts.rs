@@ -1,6 +1,5 @@
 //! Contacts that hold the program (inverter ready, loop at its limits, reel at its end): their places, and their states in a run.
 
-use super::pose::unwound;
 use super::reel::wound;
 use super::regulator::{regulator, set_point};
 use super::resolved::RibbonLine;
@@ -27,8 +26,8 @@ pub(super) fn holding(line: &RibbonLine) -> Vec<MachineContact> {
 /// line facts, 11.
 pub(super) fn left_at_reel_end(line: &RibbonLine) -> f64 {
     let (p, fast) = (&line.params, &line.fast);
-    let ramp = p.inverter_ramp * fast.unwinder.actual / p.speed_at_10v;
-    fast.feeds.line_speed / 60.0 * ramp / 2.0
+    let ramp = p.ramp_to(fast.unwinder.actual);
+    fast.feeds.mm_per_second() * ramp / 2.0
 }
 
 /// Room (mm) that the loop needs below the sensor of the longest loop: ribbon laid while the program holds, at the
@@ -66,7 +65,7 @@ pub(super) struct RibbonContacts {
 impl RibbonContacts {
     pub(super) fn new(line: &RibbonLine) -> RibbonContacts {
         let p = &line.params;
-        let (per_turn, motor) = (unwound(p, 1.0), p.induction());
+        let (per_turn, motor) = (p.laid_by_turns(1.0), p.induction());
         let unwinds = per_turn * (p.speed_at_10v * motor.gain().max(1.0 + p.loop_trim()) + motor.slip().abs());
         RibbonContacts {
             per_turn,

@@ -101,5 +101,5 @@ impl ErrorSource {
 /// sizing facts 2.6, `v₁T₁ - v₂T₂`.
 pub(super) fn strain(line: &RibbonLine) -> f64 {
     let p = &line.params;
-    p.web.tension_before / (p.youngs_modulus * p.ribbon_width * p.ribbon_thickness)
+    p.web.tension_before / p.force_per_strain()
 }

@@ -3,7 +3,7 @@
 use super::mechanics::{ServoAxis, unwinder_load};
 use super::pose::LineState;
 use super::resolved::RibbonLine;
-use super::tension_switch::{self, TensionSwitch};
+use super::tension_switch::TensionSwitch;
 use super::unwinder_motor::SHORT_TIME;
 use super::variables::PITCH;
 use crate::drives::ShortTime;
@@ -113,7 +113,7 @@ fn unwinder_gear(line: &RibbonLine) -> FormGear {
 /// Run-up and stop of the unwinder over the inverter's ramp, with a product between them, at the fastest position of the knob.
 fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
     let (p, speed) = (&line.params, line.fast.unwinder.actual);
-    let ramp = p.inverter_ramp * speed / p.speed_at_10v;
+    let ramp = p.ramp_to(speed);
     InverterCycle {
         load: unwinder_load(p, line.mechanics.unwinder),
         // The inertia of the form includes the rotor.
@@ -148,7 +148,7 @@ pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
 /// highest position.
 pub(super) fn resistor(line: &RibbonLine) -> Option<ResistorDemand> {
     let (p, speed, torque) = (&line.params, line.fast.unwinder.actual, line.mechanics.unwinder_braking);
-    let ramp = p.inverter_ramp * speed / p.speed_at_10v;
+    let ramp = p.ramp_to(speed);
     let energy = 0.5 * torque * speed * RPM * ramp;
     let cycle = line.fast.product.time + p.pause;
     let is_asked = torque > WITHOUT_RESISTOR / 100.0 * p.unwinding.torque && energy > 0.0 && cycle.is_finite();
@@ -205,5 +205,5 @@ pub(super) const GAUGES: &[GaugeRow<RibbonLine>] = &[
 
 /// Tension of the web in N: by the brake, and with an empty loop also by the stretch for the missing length.
 fn tension(line: &RibbonLine, now: &Snapshot) -> f64 {
-    tension_switch::tension(line, (-LineState::new(line, now).slack).max(0.0))
+    line.params.tension_with_missing((-LineState::new(line, now).slack).max(0.0))
 }

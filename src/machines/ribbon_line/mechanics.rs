@@ -246,7 +246,7 @@ impl Mechanics {
     pub(super) fn new(p: &Params, d: &Derived, tautest: f64) -> Mechanics {
         let (web, pull, print, unwinding) = (&p.web, &p.pull, &p.print, &p.unwinding);
         let radius = p.x_roller_diameter / 2e3;
-        let web_mass = p.ribbon_width * p.ribbon_thickness * web.span * 1e-9 * web.density;
+        let web_mass = p.ribbon_area() * web.span * 1e-9 * web.density;
         let pinch = inertia::solid(pull.pinch_mass, pull.pinch_diameter / 1e3);
         let pull_side = Side {
             turning: roller(p.x_roller_diameter, pull.wall, pull.length).inertia()
@@ -307,8 +307,8 @@ impl Mechanics {
             ),
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
-            allowed_tension: d.tension.limit.min(web.tension_behind + GRIP / 100.0 * nip.friction * nip.force),
-            slip_or_break_tension: (2.0 * d.tension.limit).min(web.tension_behind + nip.friction * nip.force),
+            allowed_tension: d.tension.allowed.min(web.tension_behind + GRIP / 100.0 * nip.friction * nip.force),
+            slip_or_break_tension: d.tension.breaking.min(web.tension_behind + nip.friction * nip.force),
             unwound: unwound(p, unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,

@@ -13,7 +13,6 @@ mod ladder;
 mod mechanics;
 mod params;
 mod parts_list;
-mod phase;
 mod plant;
 mod plc;
 mod pose;

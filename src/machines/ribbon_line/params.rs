@@ -14,6 +14,9 @@ use crate::{member, options};
 /// The axis that pulls the ribbon.
 pub(super) const PULL: Address = Address::X;
 
+/// Letter of that axis in texts.
+pub(super) const PULL_LETTER: &str = "X";
+
 options! {
     /// Unit of the override in the macro input.
     pub(crate) enum OverrideForm {
@@ -182,6 +185,15 @@ impl PrintAxis {
             PrintAxis::Y => Address::Y,
             PrintAxis::C => Address::C,
             PrintAxis::Z => Address::Z,
+        }
+    }
+
+    /// Its letter in texts.
+    pub(super) fn letter(self) -> &'static str {
+        match self {
+            PrintAxis::Y => "Y",
+            PrintAxis::C => "C",
+            PrintAxis::Z => "Z",
         }
     }
 }

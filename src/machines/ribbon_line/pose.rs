@@ -21,16 +21,10 @@ use crate::view::{Paint, Placement, Pose};
 const SEEN: f64 = 20.0;
 
 /// Slack (mm, negative) below which the ribbon counts as tight.
-pub(super) const TIGHT: f64 = -0.5;
+const TIGHT: f64 = -0.5;
 
 /// Lag of the pull roller, mm, within which a dot counts as printed.
 const AT_DOT: f64 = 1e-4;
-
-/// Ribbon unwound (mm) after turns of the unwinder's motor, in the scale of the pull roller: `n · π · D / i · (1 + t / D - t / Dx)`, the
-/// thickness t counting where the diameters are entered without it.
-pub(super) fn unwound(p: &Params, turns: f64) -> f64 {
-    turns / p.reduction_ratio * PI * p.press_roller_diameter * (1.0 + p.laid_by_thickness())
-}
 
 /// The state of the line at a moment, in the units of the drawing's figures.
 pub(super) struct LineState {
@@ -57,7 +51,7 @@ impl LineState {
         // The actual position of the axis, which lags its command.
         let pulled = x.actual;
         let turns = now.spindle.turns / p.reduction_ratio;
-        let unwound = unwound(p, now.spindle.turns);
+        let unwound = p.laid_by_turns(now.spindle.turns);
         let degrees = if line.degrees() { 1.0 } else { 360.0 / (PI * p.print_roller_diameter) };
         LineState {
             unwinder_turns: turns,

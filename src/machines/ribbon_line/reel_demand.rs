@@ -26,8 +26,8 @@ pub(super) fn time(line: &RibbonLine) -> f64 {
 fn left_in_loop(line: &RibbonLine) -> f64 {
     let p = &line.params;
     greatest(line.over_knob(), |d| {
-        let ramp = p.inverter_ramp * d.unwinder.actual / p.speed_at_10v;
-        d.slack.start + d.slack.run + d.slack.stop - d.feeds.line_speed / 60.0 * ramp / 2.0
+        let ramp = p.ramp_to(d.unwinder.actual);
+        d.slack.start + d.slack.run + d.slack.stop - d.feeds.mm_per_second() * ramp / 2.0
     })
 }
 

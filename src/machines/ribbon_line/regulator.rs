@@ -1,6 +1,5 @@
 //! The regulator of a dancer in the unwinder's inverter, for the run.
 
-use super::pose::unwound;
 use super::resolved::RibbonLine;
 use crate::motion::WebRegulator;
 
@@ -12,7 +11,7 @@ const SAMPLES: f64 = 0.1;
 pub(super) fn regulator(line: &RibbonLine) -> Option<WebRegulator> {
     let p = &line.params;
     let limit = p.loop_trim();
-    let per_turn = unwound(p, 1.0);
+    let per_turn = p.laid_by_turns(1.0);
     let regulator = WebRegulator { axis: line.pull(), per_turn, range: p.loop_trim_range(), limit, interval: SAMPLES };
     (limit > 0.0).then_some(regulator)
 }

@@ -4,9 +4,12 @@ use std::sync::OnceLock;
 
 use super::derive::{Derived, greatest};
 use super::mechanics::Mechanics;
-use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
+use super::params::{
+    Endless, KnobStep, OverrideForm, PULL, PULL_LETTER, Params, PathMode, PrintAxis, YUnit, override_input,
+};
 use super::scene::captions::{distance, names};
 use super::scene::layout::Layout;
+use super::variables::TYPED_OVERRIDE;
 use crate::controls::interface::SignalRole;
 use crate::controls::{AnalogOutput, Control, Dialect};
 use crate::drives::speed::KnobRange;
@@ -19,9 +22,6 @@ use crate::text::columns;
 
 /// Override (%) to which the line's ladder limits the knob.
 pub(super) const KNOB_LIMIT: f64 = 200.0;
-
-/// Variable for the typed override, on controls without a macro input for the override.
-const TYPED: u32 = 103;
 
 /// The ribbon line on a control.
 #[derive(Debug)]
@@ -161,8 +161,8 @@ impl RibbonLine {
     }
 
     /// Letter of the print roller's axis.
-    pub(super) fn letter(&self) -> String {
-        self.params.print_axis.address().to_string()
+    pub(super) fn print_letter(&self) -> &'static str {
+        self.params.print_axis.letter()
     }
 
     /// Units of X words per millimetre of ribbon: 2 where they are diameters.
@@ -183,7 +183,7 @@ impl RibbonLine {
         [rolls, self.degrees() || rolls && !self.reads_positions()]
     }
 
-    /// Whether a program of the control reads the positions of its axes.
+    /// Whether a program of the control reads the positions of its axes, and with them brings a head to the ribbon itself.
     pub(super) fn reads_positions(&self) -> bool {
         writing::work_position(self.control).is_some()
     }
@@ -193,14 +193,14 @@ impl RibbonLine {
         self.rolls_over()[0] && self.pull_words() > 1
     }
 
-    /// Drives of the pull axis and of the print roller. `print` is the name of its axis.
-    pub(super) fn drives<'a>(&self, print: &'a str) -> [AxisDrive<'a>; 2] {
+    /// Drives of the pull axis and of the print roller.
+    pub(super) fn drives(&self) -> [AxisDrive; 2] {
         let params = &self.params;
         let [pull_rolls, print_rolls] = self.rolls_over();
         let turn = if self.degrees() { 360.0 } else { PI * params.print_roller_diameter };
         [
             AxisDrive {
-                axis: "X",
+                axis: PULL_LETTER,
                 lead: PI * params.x_roller_diameter,
                 gear: GearTurns { motor: params.gear_x, load: 1.0 },
                 encoder: params.encoder_x,
@@ -208,7 +208,7 @@ impl RibbonLine {
                 words: f64::from(self.pull_words()),
             },
             AxisDrive {
-                axis: print,
+                axis: self.print_letter(),
                 lead: turn,
                 gear: GearTurns { motor: params.gear_y, load: 1.0 },
                 encoder: params.encoder_y,
@@ -221,7 +221,7 @@ impl RibbonLine {
     /// Time (s) in which the regulator of a dancer takes 63 % of a slack away while the line runs, `T = range / (limit · v)`; none without
     /// regulator, or at standstill. Source: ribbon line facts, 7.
     pub(super) fn regulating_time(&self) -> Option<f64> {
-        let speed = self.params.loop_trim() * self.derived.feeds.line_speed / 60.0;
+        let speed = self.params.loop_trim() * self.derived.feeds.mm_per_second();
         (speed > 0.0).then(|| self.params.loop_trim_range() / speed)
     }
 
@@ -252,7 +252,7 @@ impl RibbonLine {
 
     /// Variable of the override: the macro input, or the variable in which it is typed.
     pub(super) fn override_variable(&self) -> u32 {
-        self.override_macro_input().unwrap_or(TYPED)
+        self.override_macro_input().unwrap_or(TYPED_OVERRIDE)
     }
 
     /// Macro input with the override, if the control has one.

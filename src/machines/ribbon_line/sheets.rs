@@ -23,7 +23,7 @@ pub(super) fn sheets(line: &RibbonLine) -> Vec<Sheet> {
 /// Parameters with their values for this project.
 fn parameters(line: &RibbonLine) -> Sheet {
     let p = &line.params;
-    let print: &str = &p.print_axis.address().to_string();
+    let print = p.print_axis.letter();
     let number = |value: f64| ParamValue::Number(value);
     let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];
     let one = |setting: ParamValue| vec![("", setting)];
@@ -49,7 +49,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::SpindleGearMaximum(1), one(number(p.top_speed().min(p.speed_at_10v)))),
         (ParamRole::SpindleStageMaximum, vec![("1", number(p.top_speed()))]),
         (ParamRole::SpindleMinimum, one(number(0.0))),
-        (ParamRole::SpindleTolerance, one(number(rules.reached.unwrap_or(0.1)))),
+        (ParamRole::SpindleTolerance, one(number(rules.tolerance()))),
         (ParamRole::SpindleReached, yes(rules.reached.is_some())),
         (ParamRole::SpindleReachedDelay, one(number(0.0))),
         (ParamRole::SpindleEncoder, yes(p.spindle_encoder)),
@@ -89,7 +89,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
     if p.spindle_encoder {
         values.extend(p.encoder.parameters(line.control));
     }
-    values.extend(scaling::parameters(line.control, &line.drives(print)));
+    values.extend(scaling::parameters(line.control, &line.drives()));
     let axes = AxisUnits { in_diameters: if line.pull_words() == 2 { &["X"] } else { &[] }, rotary: &rolling };
     sheets::parameters(line.control, &axes, values)
 }

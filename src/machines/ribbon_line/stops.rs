@@ -2,7 +2,6 @@
 
 use super::coasting;
 use super::contacts::{CONTACTS, left_at_reel_end, room_below_sensor};
-use super::phase;
 use super::resolved::RibbonLine;
 use super::rules::slack::worst_loop;
 use super::variables::PHASE;
@@ -26,7 +25,7 @@ pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
 
 /// The table, with the ribbon (mm) that each interruption lays into the loop.
 pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
-    let (d, print) = (&line.derived, line.params.print_axis.address().to_string());
+    let (d, print) = (&line.derived, line.params.print_axis.letter());
     let laid = |mm: f64| msg!("ribbon.stops.laid", length = (mm, 0));
     let worst = worst_loop(line);
     let left = line.params.loop_capacity - (worst.slack.loop_needed - worst.slack.interruption);
@@ -44,10 +43,10 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     let goes_on =
         if line.feeds_per_revolution() { msg!("ribbon.stops.start-in-step") } else { msg!("ribbon.stops.start") };
     // After a broken-off product a head has to be brought to the ribbon again.
-    let program_sets_phase = phase::program_sets_phase(line);
+    let finds_the_head = line.reads_positions();
     let variable = line.control.variable(PHASE);
     let anew = |by_program: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| {
-        if program_sets_phase { by_program(print.as_str()) } else { by_hand(print.as_str(), variable.as_str()) }
+        if finds_the_head { by_program(print) } else { by_hand(print, variable.as_str()) }
     };
     let row = |at, axes: Message, material, operator| Reaction {
         at,
@@ -58,9 +57,9 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         operator,
         cite: MODEL,
     };
-    let block = msg!("ribbon.stops.axes-block", axis = print.as_str());
+    let block = msg!("ribbon.stops.axes-block", axis = print);
     let mut rows = vec![
-        row(Interruption::Hold, msg!("ribbon.stops.axes-hold", axis = print.as_str()), again.clone(), goes_on.clone()),
+        row(Interruption::Hold, msg!("ribbon.stops.axes-hold", axis = print), again.clone(), goes_on.clone()),
         row(Interruption::BlockStop, block.clone(), again, goes_on),
         row(
             Interruption::Alarm,
@@ -73,7 +72,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
         row(
             Interruption::Reset,
-            msg!("ribbon.stops.axes-reset", axis = print.as_str()),
+            msg!("ribbon.stops.axes-reset", axis = print),
             laid(d.slack.hold),
             anew(
                 |axis| msg!("ribbon.stops.anew", axis),
@@ -82,7 +81,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
         row(
             Interruption::EmergencyStop,
-            msg!("ribbon.stops.axes-emergency", axis = print.as_str()),
+            msg!("ribbon.stops.axes-emergency", axis = print),
             laid(d.slack.hold),
             anew(
                 |axis| msg!("ribbon.stops.clear", axis),
@@ -91,7 +90,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         ),
         row(
             Interruption::InverterFault,
-            msg!("ribbon.stops.axes-reset", axis = print.as_str()),
+            msg!("ribbon.stops.axes-reset", axis = print),
             laid(coasting::laid_in_move(line, d)),
             anew(
                 |axis| msg!("ribbon.stops.fault", axis),
@@ -101,7 +100,7 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     ];
     rows.push(row(
         Interruption::PowerFailure,
-        msg!("ribbon.stops.axes-unpowered", axis = print.as_str()),
+        msg!("ribbon.stops.axes-unpowered", axis = print),
         laid(coasting::laid_in_move(line, d)),
         anew(
             |axis| msg!("ribbon.stops.power-on", axis),
@@ -116,8 +115,8 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
 /// Row of dry run and machine lock: the program runs on, the axes have another feed or stand still, and no signal tells the ladder to stop the
 /// unwinder.
 fn dry_run(line: &RibbonLine) -> Reaction {
-    let (print, capacity) = (line.params.print_axis.address().to_string(), line.params.loop_capacity);
-    let (axis, speed) = (print.as_str(), line.derived.feeds.line_speed / 60.0);
+    let (print, capacity) = (line.params.print_axis.letter(), line.params.loop_capacity);
+    let (axis, speed) = (print, line.derived.feeds.mm_per_second());
     Reaction {
         at: Interruption::Hold,
         cause: Some("ribbon.stops.dry-run"),
@@ -135,9 +134,8 @@ fn dry_run(line: &RibbonLine) -> Reaction {
 
 /// Rows of the contacts that hold the program, with the alarm of an inverter that is not ready.
 fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
-    let (d, print) = (&line.derived, line.params.print_axis.address().to_string());
-    let (axis, program_sets_phase, in_step) =
-        (print.as_str(), phase::program_sets_phase(line), line.feeds_per_revolution());
+    let (d, print) = (&line.derived, line.params.print_axis.letter());
+    let (axis, finds_the_head, in_step) = (print, line.reads_positions(), line.feeds_per_revolution());
     let variable = line.control.variable(PHASE);
     let variable = variable.as_str();
     let row = |at, cause, axes, material, operator| Reaction {
@@ -157,7 +155,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             "ribbon.stops.loop-full",
             hold(),
             msg!("ribbon.stops.room", length = (room_below_sensor(line), 0)),
-            if program_sets_phase {
+            if finds_the_head {
                 msg!("ribbon.stops.shorten", axis)
             } else {
                 msg!("ribbon.stops.shorten-by-hand", axis, variable)
@@ -182,7 +180,7 @@ fn by_contacts(line: &RibbonLine) -> [Reaction; 4] {
             "ribbon.stops.not-ready",
             msg!("ribbon.stops.axes-reset", axis),
             laid(coasting::laid_in_move(line, d)),
-            if program_sets_phase {
+            if finds_the_head {
                 msg!("ribbon.stops.make-ready", axis)
             } else {
                 msg!("ribbon.stops.make-ready-by-hand", axis, variable)

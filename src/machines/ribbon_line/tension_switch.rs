@@ -1,15 +1,17 @@
 //! The switch that holds the program before a taut ribbon tears or slips: its place, its tension, and whether it opens in time.
 
+use super::mechanics::GRIP;
 use super::params::FIELDS;
-use super::pose::TIGHT;
 use super::resolved::RibbonLine;
-use crate::drives::web;
 use crate::machines::form::entry::at_least;
 use crate::machines::verdict::{Judgement, fail, ok};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
 use crate::view::Limit::AtLeast;
+
+/// Least missing ribbon (mm) that the switch detects. Source: ribbon line facts, 11.
+pub(super) const LEAST_DETECTED: f64 = 0.5;
 
 /// Operating point of the tension switch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,36 +24,24 @@ pub(super) struct TensionSwitch {
 
 impl TensionSwitch {
     /// The switch opens at the allowed tension, or earlier, so that X has stopped before the ribbon tears or slips; the
-    /// unwinder is taken as stopped at once. The switch does not detect less than half a millimetre. Source: ribbon
-    /// line facts, 11.
+    /// unwinder is taken as stopped at once. Source: ribbon line facts, 11.
     pub(super) fn new(line: &RibbonLine) -> TensionSwitch {
         let allowed = stretch(line, line.mechanics.allowed_tension);
-        let missing = allowed.min(room_for_the_stop(line)).max(-TIGHT);
-        TensionSwitch { missing, tension: tension(line, missing) }
+        let missing = allowed.min(room_for_the_stop(line)).max(LEAST_DETECTED);
+        TensionSwitch { missing, tension: line.params.tension_with_missing(missing) }
     }
 }
 
 /// Stretch (mm) of the ribbon before X at a tension (N): `s = (T - T1) · L / (E · A)`, and none where T1 is above that. Source: ribbon line
 /// facts, 7 and 11.
 fn stretch(line: &RibbonLine, tension: f64) -> f64 {
-    (tension - line.params.web.tension_before).max(0.0) * line.params.web.span / force_per_strain(line)
-}
-
-/// Tension (N) of the ribbon before X where some of it (mm) is missing: `T = T1 + E · A · s / L`. Source: ribbon line facts, 7.
-pub(super) fn tension(line: &RibbonLine, missing: f64) -> f64 {
-    line.params.web.tension_before + force_per_strain(line) * missing / line.params.web.span
-}
-
-/// Force (N) per unit of strain of the ribbon: `E · A`.
-fn force_per_strain(line: &RibbonLine) -> f64 {
-    let p = &line.params;
-    web::draw_tension(p.youngs_modulus, p.ribbon_width * p.ribbon_thickness, 1.0)
+    (tension - line.params.web.tension_before).max(0.0) * line.params.web.span / line.params.force_per_strain()
 }
 
 /// Distance (mm) that X travels from a hold to its stop, with the knob at its highest position: `v · (τ / 2 + 1 / K)`.
 /// Source: ribbon line facts, 11.
 fn way_to_the_stop(line: &RibbonLine) -> f64 {
-    line.fast.feeds.line_speed / 60.0 * (line.params.time_constant_x / 2000.0 + 1.0 / line.params.position_gain_x)
+    line.fast.feeds.mm_per_second() * line.params.x_stop_time()
 }
 
 /// Stretch (mm) of the ribbon up to tearing or slipping, less the distance of X to its stop: the latest point for the
@@ -64,7 +54,7 @@ pub(super) fn room_for_the_stop(line: &RibbonLine) -> f64 {
 /// force, up to the strength of the ribbon.
 pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
     let (room, way) = (room_for_the_stop(line), way_to_the_stop(line));
-    let limit = AtLeast(-TIGHT);
+    let limit = AtLeast(LEAST_DETECTED);
     if limit.holds(room) {
         return ok(limit);
     }
@@ -74,19 +64,18 @@ pub(super) fn stops_in_time(line: &RibbonLine) -> Option<Judgement> {
         stretch = (way + room, 1),
         tension = (line.mechanics.slip_or_break_tension, 0)
     );
-    fail(limit, [with_pinch(line, message, -TIGHT)])
+    fail(limit, [with_pinch(line, message, LEAST_DETECTED)])
 }
 
 /// Adds a button to an advice: the pinch force with which the switch opens at `missing` mm of missing ribbon or more.
 /// No button if the ribbon would break.
 pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> Advice {
-    let (p, half) = (&line.params, line.derived.tension.limit);
-    let (allowed, holds) = (tension(line, missing), tension(line, missing + way_to_the_stop(line)));
-    if allowed > half || holds > 2.0 * half {
+    let (p, ribbon) = (&line.params, &line.derived.tension);
+    let (allowed, holds) = (p.tension_with_missing(missing), p.tension_with_missing(missing + way_to_the_stop(line)));
+    if allowed > ribbon.allowed || holds > ribbon.breaking {
         return message.into();
     }
-    // The nip may be used to half of its holding force.
-    let grip = (2.0 * (allowed - p.web.tension_behind)).max(holds - p.web.tension_behind);
+    let grip = ((allowed - p.web.tension_behind) / (GRIP / 100.0)).max(holds - p.web.tension_behind);
     let set = at_least(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
     Advice::from(message).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])
 }

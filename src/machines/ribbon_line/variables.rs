@@ -9,6 +9,9 @@ pub(super) const REDUCTION: u32 = 101;
 /// Diameter of the press roller, mm.
 pub(super) const PRESS_ROLLER: u32 = 102;
 
+/// Override that the operator types in, where the control has no macro input for it, %.
+pub(super) const TYPED_OVERRIDE: u32 = 103;
+
 /// Actual speed of the unwinder, equation (1), r/min.
 pub(super) const ACTUAL_SPEED: u32 = 104;
 
@@ -73,7 +76,7 @@ pub(super) const RUNNING_SPEED: u32 = 127;
 pub(super) const BLOCK_PITCHES: u32 = 128;
 
 /// Word of the pull axis in a block.
-pub(super) const PULL: u32 = 129;
+pub(super) const PULL_LENGTH: u32 = 129;
 
 /// Copy of the override, to detect a turned knob in the running line.
 pub(super) const KNOB: u32 = 130;

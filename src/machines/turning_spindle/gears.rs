@@ -28,11 +28,6 @@ pub(super) fn gear_times(lathe: &TurningSpindle) -> GearTimes {
     GearTimes { before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
 }
 
-/// Whether the spindle has gears to change.
-pub(super) fn has_gears(lathe: &TurningSpindle) -> bool {
-    lathe.params.stages().nth(1).is_some()
-}
-
 /// Longest time (s) in which the spindle slows down in the stage that it leaves: `t · n / n10`, t the ramp from 0 to
 /// the speed n10 at 10 V, n the highest speed in that stage, at most the chuck's limit; of all stages the longest.
 /// Source: turning spindle facts, 2.

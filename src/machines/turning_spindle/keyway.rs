@@ -2,7 +2,7 @@
 
 use super::params::{Output, Params, Path};
 use super::program::{APPROACH, DRIVEN_WAY, KEYWAY};
-use super::resolved::TurningSpindle;
+use super::resolved::{CodePair, TurningSpindle};
 use crate::controls::CodeId;
 use crate::controls::interface::SignalRole;
 use crate::machines::driven::devices::{AskedDevice, BillItem};
@@ -21,10 +21,12 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         return;
     }
     codes(lathe, found);
-    if p.lock_code <= 0.0 {
-        found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));
-    } else if p.release_code <= 0.0 {
-        found.push(Diagnostic::warning(msg!("turning.keyway-stays-locked")).about("release-code"));
+    match lathe.lock_codes() {
+        None => found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code")),
+        Some(CodePair { off: None, .. }) => {
+            found.push(Diagnostic::warning(msg!("turning.keyway-stays-locked")).about("release-code"));
+        }
+        Some(CodePair { off: Some(_), .. }) => {}
     }
     let Some(diameter) = lathe.keyway() else {
         let (why, field) = match p.driven_tool {
@@ -45,9 +47,9 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic::warning(message).about(field).mended_by(clamp));
         }
     }
-    if p.driven_code > 0.0 && p.driven_stop <= 0.0 {
-        let code = f64::from(p.driven_code as u32);
-        found.push(Diagnostic::error(msg!("turning.driven-tool-turns-on", code)).about("driven-stop"));
+    if let Some(CodePair { on, off: None }) = lathe.driven_codes() {
+        let message = msg!("turning.driven-tool-turns-on", code = f64::from(on));
+        found.push(Diagnostic::error(message).about("driven-stop"));
     }
     if p.keyway_depth >= 0.5 * diameter {
         let message = msg!("turning.keyway-too-deep", depth = (p.keyway_depth, 3), limit = (0.5 * diameter, 3));

@@ -40,7 +40,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
     let locks = lathe.lock_codes();
     let stages = lathe.params.stages().count().min(WANTED.len());
     // Before the run command: the answer to M3 reads the gears in the same scan.
-    if stages > 1 {
+    if lathe.params.has_several_stages() {
         Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe), slowing: slowing(lathe) }.write();
     }
     book.spindle(
@@ -51,7 +51,7 @@ pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
             reports_standstill: false,
             holds: if lathe.params.tailstock { &[MachineContact::WorkHeld] } else { &[] },
             locked_by: if locks.is_some() { &[CLAMP, CLAMPED] } else { &[] },
-            has_gears: stages > 1,
+            has_gears: lathe.params.has_several_stages(),
             positions: lathe.positions(),
             emergency_holds: false,
             direction,

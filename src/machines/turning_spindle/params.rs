@@ -159,6 +159,11 @@ impl Params {
         [self.stage_1, self.stage_2, self.stage_3, self.stage_4].into_iter().take_while(|speed| *speed > 0.0)
     }
 
+    /// Whether more than one gear stage is fitted.
+    pub(super) fn has_several_stages(&self) -> bool {
+        self.stages().nth(1).is_some()
+    }
+
     /// Whether the control can hold a constant surface speed.
     pub(super) fn holds_surface_speed(&self, control: &Control) -> bool {
         control.can(Code::SurfaceSpeed)

@@ -2,7 +2,7 @@
 
 use super::gears::gear_times;
 use super::ladder::ladder;
-use super::resolved::TurningSpindle;
+use super::resolved::{TurningSpindle, given_code};
 use crate::controls::SpindleRules;
 use crate::drives::speed::{KnobRange, STAGES};
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
@@ -27,8 +27,8 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
     let p = &lathe.params;
     let analog = p.analog(p.stage_1, &lathe.control.analog_output);
     let rules = SpindleRules {
-        lock: (p.lock_code > 0.0).then_some(p.lock_code as u32).or(lathe.rules().lock),
-        driven_tool: (p.driven_code > 0.0).then_some(p.driven_code as u32).or(lathe.rules().driven_tool),
+        lock: given_code(p.lock_code).or(lathe.rules().lock),
+        driven_tool: given_code(p.driven_code).or(lathe.rules().driven_tool),
         ..lathe.rules()
     };
     let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle.ramp, rules);
@@ -60,7 +60,7 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
     let wiring = Wiring {
         knob: if lathe.rules().override_codes.is_empty() { lathe.rules().knob } else { ANY_POSITION },
         rules: lathe.rules(),
-        at_speed: 1.0 - lathe.rules().reached.unwrap_or(0.1),
+        at_speed: 1.0 - lathe.rules().tolerance(),
         meshing: gear_times(lathe).meshing,
         shift_volts: SHIFT_VOLTS,
         shift_speeds: shift_speeds(lathe),

@@ -214,9 +214,8 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     if lathe.positions() {
         b.n(53).words([word(Address::Spos, entry(ANGLE))]).note("FOR THE KEYWAY");
-        let lock = lathe.params.lock_code as u32;
-        if lock > 0 {
-            b.words([m(lock)]).note("LOCKS THE SPINDLE");
+        if let Some(CodePair { on, .. }) = lathe.lock_codes() {
+            b.words([m(on)]).note("LOCKS THE SPINDLE");
         }
         match lathe.keyway() {
             Some(_) => keyway(b, lathe),
@@ -334,13 +333,13 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
     let p = &lathe.params;
     let surface = || entry(if p.path == Path::Facing { STOCK } else { FINISHED });
     let clear = || surface() + entry(CLEARANCE) * 2;
-    let (start, stop) = (p.driven_code as u32, p.driven_stop as u32);
-    let driven = |own: u32, sign: u32| if own > 0 { m(own) } else { indexed(Address::M, DRIVEN, sign) };
-    if p.lock_code <= 0.0 {
+    let own = lathe.driven_codes();
+    let driven = |code: Option<u32>, sign: u32| code.map_or_else(|| indexed(Address::M, DRIVEN, sign), m);
+    if lathe.lock_codes().is_none() {
         b.n(54).words([m(0)]).note("LOCK THE SPINDLE BY HAND");
     }
     b.n(56).words(writing::tool(lathe.control, p.driven_number as u32)).note("DRIVEN TOOL AND ITS OFFSET");
-    b.n(57).words([indexed(Address::S, DRIVEN, entry(DRIVEN_SPEED)), driven(start, 3)]);
+    b.n(57).words([indexed(Address::S, DRIVEN, entry(DRIVEN_SPEED)), driven(own.map(|codes| codes.on), 3)]);
     b.n(DRIVEN_WAY[0]).words(codes(lathe, [Code::FeedPerMinute, Code::Rapid]).into_iter().chain([z(-(entry(
         KEYWAY_START,
     ) + entry(
@@ -357,14 +356,13 @@ fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(62).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
     b.n(63).words([cross(lathe, entry(START_X))]);
     b.n(DRIVEN_WAY[1]).words([z(entry(START_Z))]);
-    if start == 0 || stop > 0 {
-        b.n(65).words([driven(stop, 5)]);
+    if own.is_none_or(|codes| codes.off.is_some()) {
+        b.n(65).words([driven(own.and_then(|codes| codes.off), 5)]);
     }
-    let release = p.release_code as u32;
-    if p.lock_code <= 0.0 {
-        b.n(66).words([m(0)]).note("RELEASE THE SPINDLE BY HAND");
-    } else if release > 0 {
-        b.n(66).words([m(release)]).note("RELEASES THE SPINDLE");
+    match lathe.lock_codes() {
+        None => _ = b.n(66).words([m(0)]).note("RELEASE THE SPINDLE BY HAND"),
+        Some(CodePair { off: Some(release), .. }) => _ = b.n(66).words([m(release)]).note("RELEASES THE SPINDLE"),
+        Some(CodePair { off: None, .. }) => {}
     }
 }
 
@@ -450,7 +448,7 @@ fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
 fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
     let stage = lathe.stage();
     let words = codes(lathe, [Code::GearStage(stage)]);
-    (lathe.params.stages().nth(1).is_some() && !words.is_empty()).then_some(words)
+    (lathe.params.has_several_stages() && !words.is_empty()).then_some(words)
 }
 
 /// The spindle: surface speed, or the speed of the largest diameter.

@@ -76,7 +76,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "gear-delay", label: "turning.readout.gear-delay", unit: "s", decimals: 2,
-        formula: "t · n / n10", cite: GEARS, value: gears::slowing, shown: |lathe| gears::has_gears(lathe) && lathe.params.spindle.ramp > 0.0, ..ReadoutRow::BASE
+        formula: "t · n / n10", cite: GEARS, value: gears::slowing, shown: |lathe| lathe.params.has_several_stages() && lathe.params.spindle.ramp > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3,

@@ -158,7 +158,7 @@ impl TurningSpindle {
     }
 
     /// Drives of the slides across and along the work.
-    pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
+    pub(super) fn drives(&self) -> [AxisDrive; 2] {
         self.params.slides.drives(if self.diameters() { 2.0 } else { 1.0 })
     }
 
@@ -268,6 +268,6 @@ impl TurningSpindle {
 }
 
 /// The code of a field; 0 is none.
-fn given_code(number: f64) -> Option<u32> {
+pub(super) fn given_code(number: f64) -> Option<u32> {
     (number > 0.0).then_some(number as u32)
 }

@@ -47,7 +47,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     // If the sheet has the ratio of each stage, the voltage represents the speed of the motor.
     let by_motor = lathe.control.param(ParamRole::SpindleRatioMotor).is_some();
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
-    let (shifts, positioning) = (p.stages().nth(1).is_some(), lathe.positioning());
+    let (shifts, positioning) = (p.has_several_stages(), lathe.positioning());
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
     let mut values: Vec<(ParamRole, AxisValues)> = vec![
         (ParamRole::SpindleCount, yes(true)),
@@ -74,7 +74,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleRatioSpindle, by_stage(&|speed| speed)),
         (ParamRole::SpindleRatioMotor, by_stage(&|_| p.spindle.top)),
         (ParamRole::SpindleStageMaximum, by_stage(&|speed| speed)),
-        (ParamRole::SpindleTolerance, number(rules.reached.unwrap_or(0.1))),
+        (ParamRole::SpindleTolerance, number(rules.tolerance())),
         (ParamRole::SpindleReached, yes(rules.reached.is_some())),
         (ParamRole::SpindleReachedDelay, number(0.0)),
         (ParamRole::PositioningAcceleration, angle(positioning.acceleration)),

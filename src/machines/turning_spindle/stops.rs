@@ -66,7 +66,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             anew(Interruption::InverterFault),
         ),
     ];
-    let unpowered = if gears::has_gears(lathe) {
+    let unpowered = if lathe.params.has_several_stages() {
         msg!("turning.stops.coasts-in-gear", time = coasts)
     } else {
         msg!("lathe.stops.work-coasts", time = coasts)
@@ -75,7 +75,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
         cite: if sinks.is_some() { CLOSING } else { DESIGN },
         ..row(Interruption::PowerFailure, slides_without_supply(sinks), unpowered, anew(Interruption::PowerFailure))
     });
-    if let Some(patience) = gears::gear_times(lathe).patience.filter(|_| gears::has_gears(lathe)) {
+    if let Some(patience) = gears::gear_times(lathe).patience.filter(|_| lathe.params.has_several_stages()) {
         rows.push(Reaction {
             cause: Some("turning.stops.gear-late"),
             spindle: SpindleReaction::Off,
@@ -87,7 +87,7 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             )
         });
     }
-    if gears::has_gears(lathe) {
+    if lathe.params.has_several_stages() {
         rows.push(Reaction {
             cause: Some("turning.stops.gear-lost"),
             spindle: SpindleReaction::OutputOff,

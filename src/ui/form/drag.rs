@@ -23,9 +23,7 @@ const SLACK: f64 = 4.0;
 fn step(value: f64, decimals: u8, fine: bool) -> f64 {
     let least = math::pow(10.0, -f64::from(decimals));
     let wanted = math::clamp(value.abs() / 50.0, least, 1e12) * if fine { 0.1 } else { 1.0 };
-    let power = math::pow(10.0, (math::log10(wanted) + 1e-9).floor());
-    let nice = [5.0, 2.0, 1.0].into_iter().find(|nice| nice * power <= wanted * (1.0 + 1e-9));
-    (nice.unwrap_or(1.0) * power).max(least)
+    math::step_at_most(wanted * (1.0 + 1e-9)).max(least)
 }
 
 /// A press that may become a pull.

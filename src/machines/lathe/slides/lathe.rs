@@ -113,7 +113,7 @@ impl LatheSlides {
     }
 
     /// Drives of X and Z. A word of X counts `x_units` per mm of its slide: 2 for diameters.
-    pub(in crate::machines) fn drives(&self, x_units: f64) -> [AxisDrive<'static>; 2] {
+    pub(in crate::machines) fn drives(&self, x_units: f64) -> [AxisDrive; 2] {
         [self.x.drive("X", x_units), self.z.drive("Z", 1.0)]
     }
 
@@ -135,7 +135,7 @@ impl LatheSlides {
 }
 
 impl SlideParams {
-    fn drive(&self, axis: &'static str, words: f64) -> AxisDrive<'static> {
+    fn drive(&self, axis: &'static str, words: f64) -> AxisDrive {
         let gear = GearTurns { motor: self.screw_teeth, load: self.motor_teeth };
         AxisDrive { axis, lead: self.lead, gear, encoder: self.encoder, rotary: false, words }
     }

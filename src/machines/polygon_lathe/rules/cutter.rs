@@ -8,6 +8,7 @@ use crate::machines::polygon_lathe::geometry::own_shape;
 use crate::machines::polygon_lathe::params::{FIELDS, Params};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::math;
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
@@ -141,15 +142,8 @@ fn flat_enough(lathe: &PolygonLathe) -> Option<f64> {
             .and_then(|setup| Section::new(&setup, 0.5 * p.blank()))
             .is_some_and(|section| section.sides().iter().all(|side| side.flatness() <= p.flatness))
     };
-    let (mut low, mut high) = (p.tip_radius, p.greatest_radius);
-    if !is_flat(high) {
-        return None;
-    }
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if is_flat(middle) { high = middle } else { low = middle }
-    }
-    Some(high)
+    let greatest = p.greatest_radius;
+    is_flat(greatest).then(|| math::last_holding(greatest, p.tip_radius, HALVINGS, is_flat))
 }
 
 /// Halvings of the range of tip radii: a hundredth of a millimetre of 1000 mm.

@@ -24,14 +24,10 @@ const HIGH: f64 = 30.0;
 /// Sides that are shown at most, and points of each.
 const SIDES: u32 = 24;
 const POINTS: u32 = 48;
+/// Halvings of the distance between two points, by which the begin of the stock is found.
+const STOCK_HALVINGS: u32 = 30;
 /// Height of the leader over the cutter.
 const OVER: f64 = 46.0;
-
-/// The greatest of 1, 2, 5, 10 … not above a value.
-fn round(value: f64) -> f64 {
-    let decade = math::pow(10.0, math::log10(value.max(1e-9)).floor());
-    decade * [5.0, 2.0].into_iter().find(|times| times * decade <= value).unwrap_or(1.0)
-}
 
 /// The lens with all sides over one plane.
 pub(super) fn draw(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
@@ -86,12 +82,8 @@ fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
         let mut offs: Vec<f64> = (0..=POINTS).map(sample).filter(|off| cut(*off)).collect();
         // Up to the point between two samples at which stock begins.
         for end in [offs.first().copied(), offs.last().copied()].into_iter().flatten() {
-            let (mut inside, mut beyond) = (end, end + (2.0 * most / f64::from(POINTS)).copysign(end));
-            for _ in 0..30 {
-                let middle = 0.5 * (inside + beyond);
-                *(if middle.abs() <= most && cut(middle) { &mut inside } else { &mut beyond }) = middle;
-            }
-            offs.push(inside);
+            let next = end + (2.0 * most / f64::from(POINTS)).copysign(end);
+            offs.push(math::last_holding(end, next, STOCK_HALVINGS, |off| off.abs() <= most && cut(off)));
         }
         offs.sort_by(f64::total_cmp);
         let point = |off: f64| {
@@ -107,7 +99,7 @@ fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
 fn scales(curves: &[Vec<(f64, f64)>], layout: &Layout) -> Option<(f64, f64)> {
     let all = curves.iter().flatten();
     let (length, high) = all.fold((0.0_f64, 0.0_f64), |(l, h), (x, y)| (l.max(x.abs()), h.max(y.abs())));
-    let times = round((HIGH / high.max(1e-9) / layout.scale).min(1e6));
+    let times = math::step_at_most((HIGH / high.max(1e-9) / layout.scale).min(1e6));
     (length > 0.0).then(|| (times, HALF / length))
 }
 

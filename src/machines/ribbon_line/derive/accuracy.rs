@@ -30,7 +30,7 @@ impl Accuracy {
         Accuracy {
             pi_drift: (PI / p.program_pi() - 1.0) * feeds.line_speed,
             thickness_error: thickness_error(p),
-            register_error: feeds.line_speed / 60.0 * lag,
+            register_error: feeds.mm_per_second() * lag,
             x_resolution: PI * p.x_roller_diameter / p.gear_x / p.encoder_x * 1000.0,
             y_resolution: PI * p.print_roller_diameter / p.gear_y / p.encoder_y * 1000.0,
             y_drift: y_drift(feeds.y_stroke, timing.pitch),

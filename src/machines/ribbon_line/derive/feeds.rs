@@ -31,6 +31,11 @@ pub(in crate::machines::ribbon_line) struct LineFeeds {
 }
 
 impl LineFeeds {
+    /// Speed of the ribbon, mm/s.
+    pub(in crate::machines::ribbon_line) fn mm_per_second(&self) -> f64 {
+        self.line_speed / 60.0
+    }
+
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed) -> LineFeeds {
         let k = ribbon_per_revolution(p);
         let line_speed = k * unwinder.actual;
@@ -80,7 +85,7 @@ impl Params {
     pub(super) fn printed_arc(&self) -> f64 {
         match self.y_unit {
             YUnit::Millimetres => self.y_stroke(),
-            YUnit::Degrees => PI * self.print_roller_diameter / self.heads,
+            YUnit::Degrees => self.head_spacing(),
         }
     }
 

@@ -29,7 +29,7 @@ impl PrintSurface {
             smear: web::smear(ratio, p.contact_length),
             matching_diameter: p.heads * p.pitch / PI,
             matching_heads: PI * p.print_roller_diameter / p.pitch,
-            matching_pitch: PI * p.print_roller_diameter / p.heads,
+            matching_pitch: p.head_spacing(),
         }
     }
 }
@@ -37,6 +37,11 @@ impl PrintSurface {
 impl Params {
     /// Room (mm) between two heads on the circumference of the print roller; negative where they overlap.
     pub(in crate::machines::ribbon_line) fn head_gap(&self) -> f64 {
-        PI * self.print_roller_diameter / self.heads - self.print.head_length
+        self.head_spacing() - self.print.head_length
+    }
+
+    /// Arc (mm) from head to head on the circumference of the print roller.
+    pub(in crate::machines::ribbon_line) fn head_spacing(&self) -> f64 {
+        PI * self.print_roller_diameter / self.heads
     }
 }

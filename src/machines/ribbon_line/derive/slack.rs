@@ -1,12 +1,11 @@
 //! Ribbon between unwinder and pull roller: lengths laid by start, run, stop and interruption, and the loop that holds them.
 
-use super::feeds::{LineFeeds, k};
+use super::feeds::LineFeeds;
 use super::start::{first_wait, laid_at_start, program_wait, ramp, speed_wait, wait};
 use super::timing::LineTiming;
 use super::unwinder::UnwinderSpeed;
 use crate::drives::web;
 use crate::machines::ribbon_line::params::{Params, PathMode, Wait};
-use crate::math::PI;
 
 /// Ribbon between unwinder and pull roller, mm; positive where it piles up.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,10 +36,9 @@ pub(in crate::machines::ribbon_line) struct Slack {
 impl Slack {
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, feeds: &LineFeeds, timing: &LineTiming) -> Slack {
         let (line_speed, error) = (feeds.line_speed, unwinder.error);
-        // Ribbon unwound per minute, with the exact π and the thickness; a regulator trims it to the program's.
-        let unwound =
-            k(PI, p.press_roller_diameter, p.reduction_ratio) * unwinder.actual * (1.0 + p.laid_by_thickness());
-        let unwound = |error: f64| if p.is_regulated() { line_speed } else { unwound * (1.0 + error) };
+        // Ribbon unwound per minute; a regulator trims it to the program's.
+        let laid = p.laid_by_turns(unwinder.actual);
+        let unwound = |error: f64| if p.is_regulated() { line_speed } else { laid * (1.0 + error) };
         // A feed per revolution follows the measured speed of the unwinder.
         let in_step = p.feeds_per_revolution();
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
@@ -50,27 +48,27 @@ impl Slack {
         let slip = unwound(error) - pulled(error);
         let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
         let run = if p.is_regulated() { run.min(kept_by_trim(p, timing, line_speed)) } else { run };
-        let second = line_speed / 60.0;
+        let speed = feeds.mm_per_second();
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = unwinder.actual > 0.0;
         // A running axis lags its command by v / K.
-        let lag = second / p.position_gain_x;
+        let lag = speed / p.position_gain_x;
         // Each exact stop has its ramps and the lag in its time.
         let stops = p.path_mode == PathMode::ExactStop;
         let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };
         let start =
-            if started { laid_at_start(p, second, feed_ramp, edge, first_wait(p, true)) + edge_lag } else { 0.0 };
+            if started { laid_at_start(p, speed, feed_ramp, edge, first_wait(p, true)) + edge_lag } else { 0.0 };
         // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it, or with their next block
         // where the control waits for the speed; others wait as at the start, with their blocks read.
-        let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
+        let hold = web::slack_after_stop(speed, feed_ramp, tau, 0.0) - lag;
         let again = if in_step { speed_wait(p) } else { wait(p, true) };
-        let resume = if started { laid_at_start(p, second, feed_ramp, tau, again) + lag } else { 0.0 };
+        let resume = if started { laid_at_start(p, speed, feed_ramp, tau, again) + lag } else { 0.0 };
         // A control that waits for the speed waits less after a short pause, so that the dwell alone counts there.
         let timed = p.wait == Wait::Dwell && !in_step;
-        let short = if timed { web::slack_of_short_stop(second, feed_ramp, program_wait(p, started)) } else { 0.0 };
+        let short = if timed { web::slack_of_short_stop(speed, feed_ramp, program_wait(p, started)) } else { 0.0 };
         let run = if started { run } else { 0.0 };
         // M5 follows the last move and is read when both axes have stopped.
-        let stop = web::slack_after_stop(second, feed_ramp, edge, rest) - edge_lag;
+        let stop = web::slack_after_stop(speed, feed_ramp, edge, rest) - edge_lag;
         let interruption = (hold.abs() + resume.abs()).max(short);
         let worst = rate.abs().max(rate_rated.abs());
         Slack {

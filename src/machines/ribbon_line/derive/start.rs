@@ -48,9 +48,21 @@ pub(super) fn still_to_ramp(p: &Params, wait: f64) -> f64 {
     if p.feed_form == FeedForm::PerRevolution && left > 0.0 { left * left / (2.0 * ramp) } else { 0.0 }
 }
 
-/// Time of the inverter from standstill to the actual speed n, s: `t_ramp = t_10 · n / n10`, with its ramp t_10 for the speed n10 at 10 V.
+/// Time (s) of the inverter from standstill to the actual speed.
 pub(super) fn ramp(p: &Params) -> f64 {
-    p.inverter_ramp * p.speed_at(p.override_stepped()) / p.speed_at_10v
+    p.ramp_to(p.speed_at(p.override_stepped()))
+}
+
+impl Params {
+    /// Time (s) of the inverter for a change of the unwinder's speed by n (r/min): `t_10 · n / n10`, with its ramp t_10 for the speed n10 at 10 V.
+    pub(in crate::machines::ribbon_line) fn ramp_to(&self, speed: f64) -> f64 {
+        self.inverter_ramp * speed / self.speed_at_10v
+    }
+
+    /// Time (s) at full speed in which X covers its way from a hold to its stop: `τ / 2 + 1 / K`. Source: ribbon line facts, 11.
+    pub(in crate::machines::ribbon_line) fn x_stop_time(&self) -> f64 {
+        self.time_constant_x / 2000.0 + 1.0 / self.position_gain_x
+    }
 }
 
 /// Ribbon unwound at a start before X pulls at the same speed, mm. With F per revolution and a wait t_w shorter than the spindle ramp t_r:

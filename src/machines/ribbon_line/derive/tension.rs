@@ -12,20 +12,23 @@ pub(in crate::machines::ribbon_line) struct Tension {
     pub draw: f64,
     /// After a start that misses ribbon; 0 if none is missing.
     pub start: f64,
-    /// Limit: half of the tension at which the ribbon tears.
-    pub limit: f64,
+    /// Tension at which the ribbon tears.
+    pub breaking: f64,
+    /// Allowed tension: half of that.
+    pub allowed: f64,
 }
 
 impl Tension {
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed, slack: &Slack) -> Tension {
-        let area = p.ribbon_width * p.ribbon_thickness;
         // Under a feed per revolution X follows the measured speed of the unwinder: no draw but that of the thickness.
         let slip = if p.feeds_per_revolution() { 0.0 } else { -unwinder.error.min(unwinder.error_rated) };
         let draw = (slip - p.laid_by_thickness()).max(0.0);
+        let breaking = p.tensile_strength * p.ribbon_area();
         Tension {
-            draw: web::draw_tension(p.youngs_modulus, area, draw),
-            start: start_tension(p, area, slack.missing),
-            limit: 0.5 * p.tensile_strength * area,
+            draw: p.force_per_strain() * draw,
+            start: if slack.missing > 0.0 { p.tension_with_missing(slack.missing) } else { 0.0 },
+            breaking,
+            allowed: 0.5 * breaking,
         }
     }
 
@@ -45,9 +48,20 @@ impl Tension {
     }
 }
 
-/// Tension (N) of a ribbon of cross-section A (mm²) that has `missing` mm too little after a start: `T = E · A · |s| / L + T1`, with the
-/// modulus E (N/mm²), the free length L (mm) before X and the tension T1 (N) that it has anyway. Source: ribbon line facts, 7.
-fn start_tension(p: &Params, area: f64, missing: f64) -> f64 {
-    let strain = missing / p.web.span;
-    if missing > 0.0 { web::draw_tension(p.youngs_modulus, area, strain) + p.web.tension_before } else { 0.0 }
+impl Params {
+    /// Cross-section of the ribbon, mm².
+    pub(in crate::machines::ribbon_line) fn ribbon_area(&self) -> f64 {
+        self.ribbon_width * self.ribbon_thickness
+    }
+
+    /// Force (N) per unit of strain of the ribbon: `E · A`.
+    pub(in crate::machines::ribbon_line) fn force_per_strain(&self) -> f64 {
+        web::draw_tension(self.youngs_modulus, self.ribbon_area(), 1.0)
+    }
+
+    /// Tension (N) of the ribbon before X where some of it (mm) is missing: `T = T1 + E · A · s / L`, with the tension T1 that it has anyway,
+    /// and its free length L before X. Source: ribbon line facts, 7.
+    pub(in crate::machines::ribbon_line) fn tension_with_missing(&self, missing: f64) -> f64 {
+        self.web.tension_before + self.force_per_strain() * missing / self.web.span
+    }
 }

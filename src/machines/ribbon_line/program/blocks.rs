@@ -1,10 +1,10 @@
 //! Blocks that the programs of the ribbon line share: codes, travels, waits, spindle, the end.
 
 use super::formulas::feed;
+use super::phase;
 use crate::controls::{Address, Code, VarKind};
 use crate::machines::program::writing;
 use crate::machines::ribbon_line::params::{Endless, OverrideForm, PathMode, Wait};
-use crate::machines::ribbon_line::phase;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{ACTUAL_SPEED, PRINT_TRAVEL, SPEED};
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};

@@ -1,22 +1,18 @@
 //! Checks of F and of the axes against their limits, and the alarms of these checks.
 
+use super::alarms;
 use super::blocks::codes;
 use super::formulas::feed;
 use crate::controls::Code;
 use crate::machines::program::writing::{self, alarm_block};
+use crate::machines::ribbon_line::params::PULL_LETTER;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{FEED_LIMIT, LINE_SPEED, PITCH, STROKE};
 use crate::nc::build::{Builder, real, v};
 
-/// Number of the alarm of an F above the limit.
-pub(super) const FEED_ALARM: u32 = 20;
-
-/// Numbers of the alarms of an axis above its clamp: the pull axis, the print roller.
-pub(super) const CLAMP_ALARMS: [u32; 2] = [24, 25];
-
 /// Jumps to the alarm of an F above the limit.
 pub(super) fn feed_guard(b: &mut Builder, line: &RibbonLine, number: u32) {
-    b.n(number).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(FEED_ALARM));
+    b.n(number).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(alarms::FEED));
 }
 
 /// Jumps to block `of_pull` or `of_print` if the pull axis or the print roller is above the clamp of its feed: the
@@ -30,14 +26,14 @@ pub(super) fn clamp_guards(b: &mut Builder, line: &RibbonLine, [of_pull, of_prin
 /// Jumps to the alarms of an F or an axis above its limit.
 pub(super) fn limit_guards(b: &mut Builder, line: &RibbonLine, number: u32) {
     feed_guard(b, line, number);
-    clamp_guards(b, line, CLAMP_ALARMS.map(alarm_block));
+    clamp_guards(b, line, alarms::CLAMPS.map(alarm_block));
 }
 
 /// The alarm of an F above the limit.
 pub(super) fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
     let feed = line.control.variable(feed(line));
     let limit = line.control.variable(FEED_LIMIT);
-    writing::alarm(b, line.control, FEED_ALARM, &format!("FEED {feed} ABOVE LIMIT {limit}"));
+    writing::alarm(b, line.control, alarms::FEED, &format!("FEED {feed} ABOVE LIMIT {limit}"));
     if writing::has_alarms(line.control) {
         b.words(codes(line, [Code::SubEnd]));
     }
@@ -45,8 +41,8 @@ pub(super) fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
 
 /// The alarms of an axis above its clamp.
 pub(super) fn clamp_alarms(b: &mut Builder, line: &RibbonLine) {
-    let axes = [("X".to_owned(), line.params.clamp_x), (line.letter(), line.params.clamp_y)];
-    for (number, (axis, clamp)) in CLAMP_ALARMS.into_iter().zip(axes) {
+    let axes = [(PULL_LETTER, line.params.clamp_x), (line.print_letter(), line.params.clamp_y)];
+    for (number, (axis, clamp)) in alarms::CLAMPS.into_iter().zip(axes) {
         writing::alarm(b, line.control, number, &format!("{axis} FEED ABOVE CLAMP {clamp}"));
         if writing::has_alarms(line.control) {
             b.words(codes(line, [Code::SubEnd]));

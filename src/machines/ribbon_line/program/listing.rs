@@ -1,13 +1,14 @@
 //! The main program that both listings of the paper share; each has passes of its own.
 
+use super::alarms;
 use super::blocks::{about, end, header, override_off, preset, presets, speed_before_reading, to_head};
 use super::entries::{entries, is_length};
 use super::formulas::print_stroke;
 use super::numbers::RUN;
-use super::product_length::{SHORT_ALARM, last_pitch, length_alarms, pitches_left};
+use super::phase;
+use super::product_length::{last_pitch, length_alarms, pitches_left};
 use crate::machines::program::writing::{self, alarm_block};
 use crate::machines::ribbon_line::params::Variant;
-use crate::machines::ribbon_line::phase;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{COUNT, LEFT, LENGTH, PITCH, PITCH_COPY, RUNNING_SPEED, STROKE};
 use crate::nc::build::{Builder, m, v};
@@ -41,7 +42,7 @@ pub(super) fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, pa
 pub(super) fn product(b: &mut Builder, line: &RibbonLine) {
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
-        b.if_goto(v(LEFT).lt(1), alarm_block(SHORT_ALARM));
+        b.if_goto(v(LEFT).lt(1), alarm_block(alarms::SHORT_LENGTH));
         if line.params.variant == Variant::Precomputed {
             b.assign(PITCH_COPY, v(PITCH));
         }

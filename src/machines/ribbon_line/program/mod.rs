@@ -3,12 +3,14 @@
 //! Written with the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
+mod alarms;
 mod blocks;
 mod entries;
 mod formulas;
 mod limits;
 mod listing;
 mod numbers;
+mod phase;
 mod precomputed;
 mod product_length;
 mod published;

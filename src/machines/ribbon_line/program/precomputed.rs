@@ -9,8 +9,8 @@ use super::product_length::compute_again;
 use crate::controls::Code;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
-    ACTUAL_SPEED, FEED_PER_TURN, HEADS, HEADS_COPY, KNOB, LEFT, LINE_SPEED, PITCH, PITCH_COPY, PRINT_TRAVEL, PULL,
-    REMAINDER, RUNNING_SPEED, SPEED, SPEED_CLAMP, SPEED_COPY, STROKE, VECTOR_FEED,
+    ACTUAL_SPEED, FEED_PER_TURN, HEADS, HEADS_COPY, KNOB, LEFT, LINE_SPEED, PITCH, PITCH_COPY, PRINT_TRAVEL,
+    PULL_LENGTH, REMAINDER, RUNNING_SPEED, SPEED, SPEED_CLAMP, SPEED_COPY, STROKE, VECTOR_FEED,
 };
 use crate::nc::build::{Builder, v};
 
@@ -30,7 +30,7 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
     b.n(10).assign(LINE_SPEED, per_turn(line) * v(ACTUAL_SPEED)).note("LINE SPEED MM/MIN");
     b.n(20).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
     b.n(30).assign(VECTOR_FEED, vector_feed(v(LINE_SPEED))).note("VECTOR FEED");
-    b.n(31).assign(PULL, pull_words(line, v(PITCH))).note("PULL PER PITCH");
+    b.n(31).assign(PULL_LENGTH, pull_words(line, v(PITCH))).note("PULL PER PITCH");
     if line.feeds_per_revolution() {
         b.n(32).assign(FEED_PER_TURN, vector_feed(per_turn(line))).note("FEED PER TURN");
     }
@@ -62,7 +62,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
             .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(STROKE)) * 1000).round() / 1000)
             .note(&about(line, "OF THIS PITCH"));
         b.n(193).assign(REMAINDER, v(REMAINDER) + v(STROKE) - v(PRINT_TRAVEL)).note(&about(line, "LEFT OVER"));
-        b.n(200).words(move_block(line, v(PULL)));
+        b.n(200).words(move_block(line, v(PULL_LENGTH)));
         b.n(201).assign(LEFT, v(LEFT) - 1);
         b.n(202).end_do(2);
         b.n(203).end_do(1);

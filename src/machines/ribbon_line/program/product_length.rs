@@ -1,5 +1,6 @@
 //! A product that is given by its length: pitches left, a shorter last pitch, alarms.
 
+use super::alarms;
 use super::blocks::{about, move_block, pull_words};
 use super::entries::is_length;
 use super::numbers::COMPUTE;
@@ -11,11 +12,6 @@ use crate::machines::ribbon_line::variables::{
     LAST, LEFT, LENGTH, LENGTH_LEFT, PITCH, PITCH_COPY, PRINT_TRAVEL, REMAINDER, STROKE,
 };
 use crate::nc::build::{Builder, Formula, m, real, v};
-
-/// Number of the alarm of a length below a pitch.
-pub(super) const SHORT_ALARM: u32 = 21;
-/// Number of the alarm of a length that is no whole number of pitches.
-pub(super) const WHOLE_ALARM: u32 = 22;
 
 /// Writes the pitches left of a length by the rule for its remainder, and the length of a shorter last pitch.
 pub(super) fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
@@ -30,7 +26,7 @@ pub(super) fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) 
         Rest::Round | Rest::Alarm => b.assign(LAST, 0).note("NO SHORTER PITCH"),
     };
     if line.params.rest == Rest::Alarm {
-        b.if_goto((length - v(LEFT) * v(PITCH)).abs().gt(real(0.001, 3)), alarm_block(WHOLE_ALARM));
+        b.if_goto((length - v(LEFT) * v(PITCH)).abs().gt(real(0.001, 3)), alarm_block(alarms::PART_OF_A_PITCH));
     }
 }
 
@@ -62,9 +58,9 @@ pub(super) fn length_alarms(b: &mut Builder, line: &RibbonLine) {
         return;
     }
     let length = line.control.variable(LENGTH);
-    writing::alarm(b, line.control, SHORT_ALARM, &format!("LENGTH {length} IS BELOW A PITCH"));
+    writing::alarm(b, line.control, alarms::SHORT_LENGTH, &format!("LENGTH {length} IS BELOW A PITCH"));
     if line.params.rest == Rest::Alarm {
-        writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO WHOLE PITCHES"));
+        writing::alarm(b, line.control, alarms::PART_OF_A_PITCH, &format!("{length} IS NO WHOLE PITCHES"));
     }
     if writing::has_alarms(line.control) {
         b.words([m(30)]);

@@ -1,5 +1,6 @@
 //! The ready-made programs: O9100 with guards and the paper's equations, O9101 with a loop that follows knob and entries.
 
+use super::alarms;
 use super::blocks::{
     about, codes, end, header, modes, move_block, override_off, preset, presets, pull_words, speed_before_reading,
     spindle_word, start_spindle, to_head, wait_for_knob,
@@ -8,16 +9,16 @@ use super::entries::{entries, is_length};
 use super::formulas::{actual_speed, changed, feed_is_zero, feed_moves, per_turn, print_stroke, vector_feed};
 use super::limits::{clamp_guards, limit_alarms, limit_guards};
 use super::numbers::{COMPUTE, RUN};
-use super::product_length::{SHORT_ALARM, compute_again, last_pitch, length_alarms, pitches_left};
+use super::phase;
+use super::product_length::{compute_again, last_pitch, length_alarms, pitches_left};
 use crate::controls::Code;
 use crate::machines::program::writing::{self, alarm_block};
-use crate::machines::ribbon_line::phase;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
     ACTUAL_SPEED, BLOCK_PITCHES, BLOCK_SIZE, BLOCK_STROKE, COUNT, FEED_LIMIT, FEED_PER_TURN, HEADS, HEADS_COPY, KNOB,
     LEFT, LENGTH, LINE_SPEED, PITCH, PITCH_COPY, PRESS_ROLLER, PRESS_ROLLER_COPY, PRINT_ROLLER, PRINT_ROLLER_COPY,
-    PRINT_TRAVEL, PULL, REDUCTION, REDUCTION_COPY, REMAINDER, RIBBON_PER_TURN, RUNNING_SPEED, SPEED, SPEED_CLAMP,
-    SPEED_COPY, STROKE, VECTOR_FEED,
+    PRINT_TRAVEL, PULL_LENGTH, REDUCTION, REDUCTION_COPY, REMAINDER, RIBBON_PER_TURN, RUNNING_SPEED, SPEED,
+    SPEED_CLAMP, SPEED_COPY, STROKE, VECTOR_FEED,
 };
 use crate::nc::build::{Builder, s, v};
 
@@ -40,7 +41,7 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
         b.n(at).assign(copy, v(watched));
     }
     b.n(30).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(31).assign(PULL, pull_words(line, v(PITCH) * v(BLOCK_PITCHES))).note(if line.pull_words() == 2 {
+    b.n(31).assign(PULL_LENGTH, pull_words(line, v(PITCH) * v(BLOCK_PITCHES))).note(if line.pull_words() == 2 {
         "X PER BLOCK, DIAMETER"
     } else {
         "X PER BLOCK"
@@ -90,7 +91,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
     b.end_do(1);
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
-        b.if_goto(v(LEFT).lt(1), alarm_block(SHORT_ALARM));
+        b.if_goto(v(LEFT).lt(1), alarm_block(alarms::SHORT_LENGTH));
     }
     let next = if presets(line) { 6 } else { 7 };
     to_head(b, line, next);
@@ -132,7 +133,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
         .assign(PRINT_TRAVEL, ((v(REMAINDER) + v(BLOCK_STROKE)) * 1000).round() / 1000)
         .note(&about(line, "OF THIS BLOCK"));
     b.n(43).assign(REMAINDER, v(REMAINDER) + v(BLOCK_STROKE) - v(PRINT_TRAVEL)).note(&about(line, "LEFT OVER"));
-    b.n(44).words(move_block(line, v(PULL)));
+    b.n(44).words(move_block(line, v(PULL_LENGTH)));
     b.n(45).assign(LEFT, v(LEFT) - v(BLOCK_PITCHES));
     b.n(46).end_do(2);
     b.n(47).end_do(1);

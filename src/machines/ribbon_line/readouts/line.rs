@@ -341,7 +341,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "x-scaling", label: "ribbon.readout.x-scaling", unit: "mm/rev", decimals: 6,
         formula: "π · Dx / ix",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives("")[0].travel(), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives()[0].travel(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-scaling-drift", label: "ribbon.readout.x-scaling-drift", unit: "mm/h", decimals: 4,
@@ -351,7 +351,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "y-scaling", label: "ribbon.readout.y-scaling", unit: "mm/rev", decimals: 6,
         formula: "π · #111 / iy, or 360° / iy",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives("")[1].travel(), other_unit: Some((RibbonLine::degrees, "°/rev")), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives()[1].travel(), other_unit: Some((RibbonLine::degrees, "°/rev")), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-scaling-drift", label: "ribbon.readout.y-scaling-drift", unit: "mm/h", decimals: 4,

@@ -3,7 +3,7 @@
 use crate::controls::dialect::CoordinateFrame;
 use crate::controls::{Code, ParamRole};
 use crate::machines::form::entry::at_most;
-use crate::machines::ribbon_line::params::{Endless, FIELDS, PrintAxis};
+use crate::machines::ribbon_line::params::{Endless, FIELDS, PULL_LETTER, PrintAxis};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math::PI;
@@ -20,7 +20,7 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
     let pitches = p.block_pitches().min(p.count());
     let pull = p.pitch * f64::from(line.pull_words());
     let (axis, pitch) =
-        if d.feeds.y_stroke > pull { (line.letter(), d.feeds.y_stroke) } else { ("X".to_owned(), pull) };
+        if d.feeds.y_stroke > pull { (line.print_letter(), d.feeds.y_stroke) } else { (PULL_LETTER, pull) };
     let max = limits.coordinate_max;
     (pitches * pitch > max).then(|| {
         Diagnostic::error(msg!("ribbon.block-too-long", axis, travel = (pitches * pitch, 3), most = max))
@@ -31,10 +31,10 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
 
 /// The axis whose coordinate leaves the control's range first, and its travel per pitch in units of its words; none if
 /// the coordinates of both axes roll over.
-fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
+fn farthest(line: &RibbonLine) -> Option<(&'static str, f64)> {
     let [pull_rolls, print_rolls] = line.rolls_over();
-    let pull = ("X".to_owned(), line.params.pitch * f64::from(line.pull_words()));
-    let print = (line.letter(), line.derived.feeds.y_stroke);
+    let pull = (PULL_LETTER, line.params.pitch * f64::from(line.pull_words()));
+    let print = (line.print_letter(), line.derived.feeds.y_stroke);
     match (pull_rolls, print_rolls) {
         (true, true) => None,
         (true, false) => Some(print),
@@ -129,7 +129,7 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
 /// if the control has no such numbers.
 pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
     let feeds = [line.derived.feeds.line_speed, line.derived.feeds.y_feed];
-    let drives = line.drives("");
+    let drives = line.drives();
     [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
 }
 
@@ -137,7 +137,7 @@ pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Op
 fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
     let RibbonLine { params: p, derived: d, .. } = line;
     line.control.scaling?;
-    let axis = if at == 0 { "X".to_owned() } else { line.letter() };
+    let axis = if at == 0 { PULL_LETTER } else { line.print_letter() };
     let Some(drift) = scaling_drifts(line)[at] else {
         return fail(None, [msg!("scaling.no-ratio", axis).into()]);
     };

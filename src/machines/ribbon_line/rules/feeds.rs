@@ -200,7 +200,7 @@ pub(in crate::machines::ribbon_line) fn motor_y(line: &RibbonLine) -> Option<Jud
 
 /// Speed (r/min) of the motor of X, or of the print roller, at rapid traverse.
 pub(in crate::machines::ribbon_line) fn rapid_speeds(line: &RibbonLine) -> [f64; 2] {
-    let [x, y] = line.drives("").map(|drive| drive.travel());
+    let [x, y] = line.drives().map(|drive| drive.travel());
     [line.params.rapid_x / x, line.params.rapid_y / y]
 }
 

@@ -17,6 +17,7 @@ pub(super) mod slack;
 use super::cam::has_no_time;
 use super::coasting;
 use super::contacts::CONTACTS;
+use super::params::PULL_LETTER;
 use super::program;
 use super::resolved::RibbonLine;
 use super::tension_switch;
@@ -128,9 +129,9 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     let RibbonLine { params: p, derived: d, .. } = line;
     let limits = &line.control.limits;
     let mut found = Vec::new();
-    let print = line.letter();
+    let print = line.print_letter();
     for (axis, feed, clamp, field) in
-        [("X", d.feeds.line_speed, p.clamp_x, "clamp-x"), (print.as_str(), d.feeds.y_feed, p.clamp_y, "clamp-y")]
+        [(PULL_LETTER, d.feeds.line_speed, p.clamp_x, "clamp-x"), (print, d.feeds.y_feed, p.clamp_y, "clamp-y")]
     {
         let feed = feeds::followed(line, feed);
         if feed > clamp {
@@ -181,7 +182,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         let message = msg!("ribbon.cam-no-time", length = (p.contact_length, 3), pitch = (p.pitch, 3));
         found.push(Diagnostic::warning(message).about("contact-length"));
     }
-    let speed = line.fast.feeds.line_speed / 60.0;
+    let speed = line.fast.feeds.mm_per_second();
     if speed > 0.0 {
         let (speed, capacity, time) = ((speed, 0), (p.loop_capacity, 0), (p.loop_capacity / speed, 1));
         let acts = program::feed_override_acts(line).then(|| msg!("ribbon.override-acts", speed, capacity, time));

@@ -169,6 +169,6 @@ pub(in crate::machines::ribbon_line) fn length(line: &RibbonLine) -> Option<Judg
 
 pub(in crate::machines::ribbon_line) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
-    let advice = msg!("ribbon.y-carried", axis = line.letter(), drift = (line.derived.accuracy.y_drift, 3), unit);
+    let advice = msg!("ribbon.y-carried", axis = line.print_letter(), drift = (line.derived.accuracy.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
 }

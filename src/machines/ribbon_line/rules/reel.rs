@@ -38,7 +38,7 @@ fn lasts(line: &RibbonLine) -> Option<Judgement> {
 
 /// The pull at the start against the tension limit of the ribbon.
 fn pull(line: &RibbonLine) -> Option<Judgement> {
-    let (p, most) = (&line.params, line.derived.tension.limit);
+    let (p, most) = (&line.params, line.derived.tension.allowed);
     let (brake, extra) = (p.unwinding.brake, ramp_pull(p));
     let limit = AtMost(most);
     if limit.holds(brake + extra) {
@@ -60,7 +60,7 @@ fn pull(line: &RibbonLine) -> Option<Judgement> {
 /// Judges the torque of the brake on the full reel against the torque that the ribbon can bear at the core: with a
 /// greater one the brake must follow the diameter.
 fn follows_diameter(line: &RibbonLine) -> Option<Judgement> {
-    let (reel, most, brake) = (wound(&line.params), line.derived.tension.limit, line.params.unwinding.brake);
+    let (reel, most, brake) = (wound(&line.params), line.derived.tension.allowed, line.params.unwinding.brake);
     let limit = AtMost(reel::torque(reel.core, most));
     if limit.holds(reel::torque(reel.full, brake)) {
         return ok(limit);

@@ -43,7 +43,7 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
         say(msg!(
             "ribbon.unequal-time-constants",
             time_x = (p.time_constant_x, 1),
-            axis = line.letter(),
+            axis = line.print_letter(),
             time = (p.time_constant_y, 1)
         ));
     }
@@ -51,7 +51,7 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
         say(msg!(
             "ribbon.unequal-gains",
             gain_x = (p.position_gain_x, 2),
-            axis = line.letter(),
+            axis = line.print_letter(),
             gain = (p.position_gain_y, 2),
             error = (d.accuracy.register_error, 3)
         ));
@@ -67,7 +67,7 @@ pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<
 /// each second of dwell lays `v` mm more. 0 with a feed per revolution, which follows the unwinder from standstill.
 fn matching_dwell(line: &RibbonLine, p: &Params) -> NumberEntry {
     let [_, fast, _] = line.with(&Params { wait: Wait::Dwell, dwell: 0.0, ..p.clone() });
-    let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack.start / (fast.feeds.line_speed / 60.0) };
+    let short = if line.feeds_per_revolution() { 0.0 } else { -fast.slack.start / fast.feeds.mm_per_second() };
     let dwell = if short > 0.0 { least_dwell(p) + short } else { 0.0 };
     at_least(FIELDS, "dwell", dwell)
 }
@@ -216,9 +216,9 @@ fn missing_at_zero(line: &RibbonLine) -> f64 {
         return 0.0;
     }
     let (p, queued) = (&line.params, queued(line));
-    let ramp = p.inverter_ramp * line.slow.unwinder.actual / p.speed_at_10v;
-    let speed = line.slow.feeds.line_speed / 60.0;
-    let (stop, lag) = (speed * ramp, speed * (p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x));
+    let ramp = p.ramp_to(line.slow.unwinder.actual);
+    let speed = line.slow.feeds.mm_per_second();
+    let (stop, lag) = (speed * ramp, speed * p.x_stop_time());
     lag + if queued < stop { queued * queued / (2.0 * stop) } else { queued - stop / 2.0 }
 }
 
@@ -230,9 +230,9 @@ fn missing_at_highest(line: &RibbonLine) -> f64 {
     if p.speed_tolerance.is_some() || queued >= line.derived.product.length {
         return 0.0;
     }
-    let [v1, v2] = [&line.slow, &line.fast].map(|d| d.feeds.line_speed / 60.0);
-    let ramp = p.inverter_ramp * (line.fast.unwinder.actual - line.slow.unwinder.actual) / p.speed_at_10v;
-    let lag = p.time_constant_x / 2000.0 + 1.0 / p.position_gain_x;
+    let [v1, v2] = [&line.slow, &line.fast].map(|d| d.feeds.mm_per_second());
+    let ramp = p.ramp_to(line.fast.unwinder.actual - line.slow.unwinder.actual);
+    let lag = p.x_stop_time();
     ((v2 - v1) * (ramp / 2.0 - queued / v1 - lag)).max(0.0)
 }
 
@@ -348,12 +348,12 @@ fn longer_dwell(line: &RibbonLine, kept: f64) -> Option<Advice> {
     if p.wait != Wait::Dwell {
         return None;
     }
-    let least = p.dwell.max(least_dwell(p)) + kept / (line.slow.feeds.line_speed / 60.0);
+    let least = p.dwell.max(least_dwell(p)) + kept / line.slow.feeds.mm_per_second();
     let set = at_least(FIELDS, "dwell", least);
     if set.value < least {
         return None;
     }
-    let laid = (set.value - p.dwell) * line.fast.feeds.line_speed / 60.0;
+    let laid = (set.value - p.dwell) * line.fast.feeds.mm_per_second();
     let after = line.with(&Params { dwell: set.value, ..p.clone() });
     let needed = greatest(&after, |d| d.slack.loop_needed);
     let needed = needed.max(loop_for_turn(line) + laid);

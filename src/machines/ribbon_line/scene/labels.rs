@@ -1,11 +1,12 @@
 //! Names and live values of the ribbon line, the ruler of the loop, and the figures of the lens.
 
 use super::captions::{distance, names};
-use super::layout::{Layout, Station, round_step};
+use super::layout::{Layout, Station};
 use super::parts::{group, node};
 use crate::machines::ribbon_line::params::Params;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
+use crate::math;
 use crate::text::catalog::number_text as show;
 use crate::text::number::{figure, filled};
 use crate::text::{columns, units};
@@ -75,7 +76,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let left = layout.view[0];
     let (y, gap) = (layout.floor + 18.0 * unit, 8.0 * unit);
     let wide = |text: &str| LETTER_BOX.width * LETTER * unit * columns(text) as f64;
-    let long = units::metric(round_step(units::value(45.0 * unit, "mm")), "mm");
+    let long = units::metric(math::step_at_most(units::value(45.0 * unit, "mm")), "mm");
     let (x, bar) = (left + 12.0 * unit, y - 4.0 * unit);
     let (top, bottom) = (bar - 4.0 * unit, bar + 4.0 * unit);
     drawing.path(filled("M# #V#M# #H#M# #V#", &[x, top, bottom, x, bar, x + long, x + long, top, bottom]), Look::LEAD);
@@ -111,7 +112,7 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let low = layout.full;
     drawing.place(group::POINTER, SceneGroup { at: (x, 0.0), ..SceneGroup::default() });
     drawing.path(filled("M# #H#", &[left + 4.0 * unit, low, right - 4.0 * unit]), Look::LEAD.dashed(5.0, 4.0));
-    let step = units::metric(round_step(units::value(p.loop_capacity / 8.0, "mm")), "mm");
+    let step = units::metric(math::step_at_most(units::value(p.loop_capacity / 8.0, "mm")), "mm");
     let mut d = filled("M# 0V#", &[x, low]);
     let mut mark = 0.0;
     let mut count = 0;

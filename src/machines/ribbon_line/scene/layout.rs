@@ -111,23 +111,6 @@ pub(crate) struct Layout {
     pub(crate) take_up_text: (f64, f64),
 }
 
-/// The step of 1, 2 or 5 times a power of ten at or below a number.
-pub(crate) fn round_step(number: f64) -> f64 {
-    if number.is_nan() || number <= 0.0 || number.is_infinite() {
-        return 1.0;
-    }
-    let power = math::pow(10.0, math::log10(number).floor());
-    let share = number / power;
-    power
-        * if share >= 5.0 {
-            5.0
-        } else if share >= 2.0 {
-            2.0
-        } else {
-            1.0
-        }
-}
-
 /// Radius of the core and of the full supply reel, mm; a core that is not smaller carries a thin winding.
 fn supply(p: &Params) -> (f64, f64) {
     let core = 0.5 * p.unwinding.core_diameter;
@@ -220,7 +203,7 @@ impl Layout {
         let right = right.into_iter().fold(0.0, f64::max);
         let top = (base - 12.0 * unit).min(lens_y - rho) - 8.0 * unit;
         let view = [left, top, right - left, floor + 62.0 * unit - top];
-        let magnified = round_step(15.0 * rho / LENS / p.contact_length.max(1e-3));
+        let magnified = math::step_at_most(15.0 * rho / LENS / p.contact_length.max(1e-3));
         let thickness = math::clamp(6.0 * p.ribbon_thickness, 1.2 * s, 4.5 * s);
         Layout {
             view,

@@ -46,7 +46,7 @@ pub(super) fn dot(line: &RibbonLine) -> (f64, f64) {
 pub(super) fn scene(line: &RibbonLine) -> Scene {
     let (p, layout) = (&line.params, line.layout());
     let mut drawing = Drawing::new(layout.unit);
-    let print = p.print_axis.address().to_string();
+    let print = p.print_axis.letter();
     ground(&mut drawing, layout);
     let wound = reels::Wound::new(&mut drawing);
     drawing.showing("reel-diameter", |drawing| {

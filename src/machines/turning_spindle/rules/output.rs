@@ -38,7 +38,7 @@ pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
     if d.speeds.bound == Bound::Output {
         let asked = if lathe.rules().low_always { d.speeds.asked.max(p.lower_limit) } else { d.speeds.asked };
         let (full, speed) = ((d.stage.top, 0), (asked, 0));
-        let advice = if lathe.params.stages().nth(1).is_some() {
+        let advice = if lathe.params.has_several_stages() {
             msg!("turning.output-full", stage = f64::from(d.stage.number), full, speed)
         } else {
             msg!("turning.output-full-alone", full, speed)

@@ -131,8 +131,7 @@ fn gate(drawing: &mut Drawing, p: &Params) {
         });
     }
     if count > 2 {
-        let end = if count > 2 { SLOTS.0 } else { 0.0 };
-        drawing.path(filled("M# #H#", &[x - SLOTS.0, y, x + end]), Look::line(Paint::Black, 10.0).round());
+        drawing.path(filled("M# #H#", &[x - SLOTS.0, y, x + SLOTS.0]), Look::line(Paint::Black, 10.0).round());
     }
     drawing.circle((x, y, 9.0), Look::DARK_FACE);
     drawing.path(String::new(), Look::line(Paint::SteelLight, 7.0).round()).id = Some(node::LEVER);

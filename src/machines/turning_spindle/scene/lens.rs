@@ -27,9 +27,7 @@ fn magnification(p: &Params, layout: &Layout, mills: bool) -> f64 {
     } else {
         DEPTH / (p.depth * layout.scale)
     };
-    let decade = math::pow(10.0, math::log10(wanted.max(1.0)).floor());
-    let times = [10.0, 5.0, 2.0, 1.0].into_iter().find(|times| times * decade <= 1.4 * wanted).unwrap_or(1.0);
-    times * decade
+    math::step_at_most((1.4 * wanted).max(1.0))
 }
 
 /// The lens with nodes for its contents.

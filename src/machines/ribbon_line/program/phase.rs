@@ -3,14 +3,12 @@
 //! If the control reads positions, the program turns the print roller on to its next head, with the ribbon at rest: no head meets the
 //! ribbon on the way. If it does not, a variable marks a product that was broken off, and an alarm sends the operator to the roller.
 
-use super::resolved::RibbonLine;
-use super::variables::{PHASE, PRINT_TRAVEL, REMAINDER, STROKE};
+use super::alarms;
 use crate::controls::Code;
 use crate::machines::program::writing;
+use crate::machines::ribbon_line::resolved::RibbonLine;
+use crate::machines::ribbon_line::variables::{PHASE, PRINT_TRAVEL, REMAINDER, STROKE};
 use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
-
-/// Number of the alarm after a product that was broken off.
-pub(super) const ALARM: u32 = 23;
 
 /// Phase error (in heads) up to which the first block corrects it; with a greater one the roller is turned first.
 const SMALL: f64 = 0.002;
@@ -20,15 +18,10 @@ fn position(line: &RibbonLine) -> Option<u32> {
     Some(writing::work_position(line.control)? + line.print() as u32)
 }
 
-/// Whether the program itself brings a head to the ribbon.
-pub(super) fn program_sets_phase(line: &RibbonLine) -> bool {
-    line.reads_positions()
-}
-
 /// Jumps to the alarm if the product before was broken off. The check is block `number`.
 pub(super) fn check(b: &mut Builder, line: &RibbonLine, number: u32) {
-    if !program_sets_phase(line) {
-        b.n(number).if_goto(v(PHASE).gt(0), writing::alarm_block(ALARM));
+    if !line.reads_positions() {
+        b.n(number).if_goto(v(PHASE).gt(0), writing::alarm_block(alarms::BROKEN_OFF));
     }
 }
 
@@ -58,7 +51,7 @@ pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl 
 
 /// Marks the product as complete: after M5, when all blocks are done.
 pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
-    if program_sets_phase(line) {
+    if line.reads_positions() {
         return;
     }
     let waits = writing::codes(line.control, [Code::StopReading]);
@@ -71,9 +64,9 @@ pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
 /// Writes the alarm after the end of the program. Only a reset ends the alarm: after an M0, cycle start would move a
 /// jogged roller back.
 pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
-    if program_sets_phase(line) {
+    if line.reads_positions() {
         return;
     }
     let (axis, variable) = (line.params.print_axis.address(), line.control.variable(PHASE));
-    writing::alarm(b, line.control, ALARM, &format!("RESET, TURN {axis} TO A HEAD BY HAND, {variable}=0"));
+    writing::alarm(b, line.control, alarms::BROKEN_OFF, &format!("RESET, TURN {axis} TO A HEAD BY HAND, {variable}=0"));
 }
