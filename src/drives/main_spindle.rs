@@ -42,7 +42,7 @@ impl MainSpindle {
     }
 
     /// Short-time torque of the motor in braking.
-    fn braking_motor(&self) -> MotorCurve {
+    pub fn braking_motor(&self) -> MotorCurve {
         self.motor.share(self.short_time.braking)
     }
 

@@ -58,7 +58,7 @@ fn fields(changes: &[Repair]) -> BTreeSet<&'static str> {
 
 /// Greedy search: takes the remedy after which the fewest results fail, then the fewest warn; of equals the first in the order of the results.
 /// Entries that the customer orders (essential, not facts of the machine) are changed only if no other remedy lowers the number of failing
-/// results.
+/// results. Where no remedy alone lowers it, two together may.
 pub fn repairs(project: &Project) -> Repairs {
     let (changes, after) = found_after(Trial::of(project.clone()), Vec::new());
     after.repairs(changes)
@@ -73,15 +73,21 @@ fn found_after(mut best: Trial, mut changes: Vec<Repair>) -> (Vec<Repair>, Trial
         };
         let (of_product, of_machine): (Vec<Repair>, Vec<Repair>) =
             best.offered().into_iter().partition(|repair| repair.entries.iter().any(essential));
-        let Some((change, after)) = best.improved(of_machine).or_else(|| best.improved(of_product)) else { break };
-        // A later entry of the same fields replaces the earlier one.
-        changes.retain(|earlier| {
-            !earlier.entries.iter().all(|entry| change.entries.iter().any(|other| other.field == entry.field))
-        });
-        changes.push(change);
+        let one = best.improved(of_machine).or_else(|| best.improved(of_product));
+        let found = one.map(|(change, after)| (vec![change], after)).or_else(|| best.improved_by_two());
+        let Some((found, after)) = found else { break };
+        found.into_iter().for_each(|change| add(&mut changes, change));
         best = after;
     }
     (changes, best)
+}
+
+/// Adds a change; a later entry of the same fields replaces the earlier one.
+fn add(changes: &mut Vec<Repair>, change: Repair) {
+    changes.retain(|earlier| {
+        !earlier.entries.iter().all(|entry| change.entries.iter().any(|other| other.field == entry.field))
+    });
+    changes.push(change);
 }
 
 /// A project with these results.
@@ -133,6 +139,16 @@ impl Trial {
             let after = Trial::of(self.project.with_entries(&repair.entries)?);
             let is_better = after.faults.failing < self.faults.failing && after.faults.errors <= self.faults.errors;
             is_better.then_some((repair, after))
+        });
+        tried.min_by_key(|(_, after)| after.faults)
+    }
+
+    /// Two remedies, the second one offered after the first, after which fewer results fail: those with the fewest faults left.
+    fn improved_by_two(&self) -> Option<(Vec<Repair>, Trial)> {
+        let tried = self.offered().into_iter().filter_map(|first| {
+            let between = Trial::of(self.project.with_entries(&first.entries)?);
+            let (second, after) = Trial { faults: self.faults, ..between.clone() }.improved(between.offered())?;
+            Some((vec![first, second], after))
         });
         tried.min_by_key(|(_, after)| after.faults)
     }

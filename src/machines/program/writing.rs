@@ -178,12 +178,17 @@ fn entry_alarms(entries: &[OperatorVariable]) -> [Vec<(u32, OperatorVariable)>; 
     [above_zero, whole]
 }
 
-/// Checks that every entry, or its copy, is above zero, and whole where required; else jumps to [`alarms`]. Each check has the number of its
-/// alarm, and is preceded by the copy.
+/// Last block number of the [`guards`]: from the next one on programs number blocks of their own.
+const LAST_GUARD: u32 = 15;
+
+/// Checks that every entry, or its copy, is above zero, and whole where required; else jumps to [`alarms`]. Each check up to [`LAST_GUARD`]
+/// has the number of its alarm, and is preceded by the copy.
 pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
     let [above_zero, whole] = entry_alarms(entries);
     for (alarm, entry) in above_zero {
-        b.n(alarm);
+        if alarm <= LAST_GUARD {
+            b.n(alarm);
+        }
         if let Some(copy) = entry.copy {
             b.assign(copy, v(entry.number));
         }
@@ -191,7 +196,10 @@ pub fn guards(b: &mut Builder, entries: &[OperatorVariable]) {
     }
     for (alarm, entry) in whole {
         let value = || v(entry.checked());
-        b.n(alarm).if_goto((value() - value().round()).abs().gt(real(0.0001, 4)), alarm_block(alarm));
+        if alarm <= LAST_GUARD {
+            b.n(alarm);
+        }
+        b.if_goto((value() - value().round()).abs().gt(real(0.0001, 4)), alarm_block(alarm));
     }
 }
 

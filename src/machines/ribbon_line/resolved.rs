@@ -218,6 +218,12 @@ impl RibbonLine {
         ]
     }
 
+    /// Speed (r/min) of the motor of X, and of that of the print roller, at rapid traverse.
+    pub(super) fn rapid_speeds(&self) -> [f64; 2] {
+        let [x, y] = self.drives().map(|drive| drive.travel());
+        [self.params.rapid_x / x, self.params.rapid_y / y]
+    }
+
     /// Time (s) in which the regulator of a dancer takes 63 % of a slack away while the line runs, `T = range / (limit · v)`; none without
     /// regulator, or at standstill. Source: ribbon line facts, 7.
     pub(super) fn regulating_time(&self) -> Option<f64> {

@@ -21,6 +21,14 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         return;
     }
     codes(lathe, found);
+    let most = p.chuck_limit.min(lathe.derived.stage.top);
+    if p.positioning_speed > most {
+        let message = msg!("turning.positioning-too-fast", speed = (p.positioning_speed, 0), limit = (most, 0));
+        found.push(Diagnostic::warning(message).about("positioning-speed").mended_by(most.floor()));
+    }
+    if p.encoder.spindle_turns % p.encoder.turns != 0.0 {
+        found.push(Diagnostic::warning(msg!("turning.several-zero-marks")).about("encoder-turns"));
+    }
     match lathe.lock_codes() {
         None => found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code")),
         Some(CodePair { off: None, .. }) => {

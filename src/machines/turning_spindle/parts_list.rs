@@ -45,7 +45,7 @@ pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
         part("turning.part.speed", 0, (30.0, 150.0), &[]),
         part("turning.part.output", 0, (180.0, 150.0), &[("", "output")]),
         part("turning.part.chuck", 0, (layout.chuck.face() - 20.0, 460.0), &[("", "chuck-limit")]),
-        part("turning.part.work", 0, work, &[("Ø ", "stock-diameter"), ("L ", "length")]),
+        part("turning.part.work", 0, work, &[("Ø ", "stock-diameter"), ("L ", "work-length")]),
         part("turning.part.tool", group::TURRET, (14.0, -30.0), &[("T ", "tool"), ("", "edge-angle"), ("", "rake")]),
         part("turning.part.turret", group::TURRET, (78.0, -110.0), &[]),
         part(

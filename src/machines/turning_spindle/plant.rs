@@ -4,6 +4,7 @@ use super::gears::gear_times;
 use super::ladder::ladder;
 use super::resolved::{TurningSpindle, given_code};
 use crate::controls::SpindleRules;
+use crate::drives::Stage;
 use crate::drives::speed::{KnobRange, STAGES};
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{Plant, SpindlePlant};
@@ -39,7 +40,7 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
         centre: Some(0.0),
         coasting: Some(coasting(lathe)),
         positioning: lathe.positions().then(|| lathe.positioning()),
-        ..spindle.with_stages(lathe.stages())
+        ..spindle.with_stages(p.stages().map(Stage::new))
     }
 }
 
@@ -62,7 +63,7 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
         rules: lathe.rules(),
         at_speed: 1.0 - lathe.rules().tolerance(),
         meshing: gear_times(lathe).meshing,
-        shift_volts: SHIFT_VOLTS,
+        shift_volts: shift_volts(lathe),
         shift_speeds: shift_speeds(lathe),
     };
     LadderPlc::new(ladder(lathe), wiring, lathe.control)
@@ -73,10 +74,17 @@ fn shift_speeds(lathe: &TurningSpindle) -> [f64; STAGES] {
     let output = &lathe.control.analog_output;
     let mut all = [0.0; STAGES];
     for (place, stage_speed) in all.iter_mut().zip(lathe.params.stages()) {
-        *place = 1.1 * lathe.params.analog(stage_speed, output).speed(SHIFT_VOLTS).abs();
+        *place = 1.1 * lathe.params.analog(stage_speed, output).speed(shift_volts(lathe)).abs();
     }
     all
 }
 
-/// Volts while gears mesh: a slow turn (GSK No.067).
-pub(super) const SHIFT_VOLTS: f64 = 0.1;
+/// Share of the speed at full output with which the spindle turns while gears mesh. Engineering choice.
+pub(super) const SHIFT_SHARE: f64 = 0.01;
+
+/// Volts of that speed, above the offset at standstill (parameter No.067 of the GSK 980TDc).
+pub(super) fn shift_volts(lathe: &TurningSpindle) -> f64 {
+    let p = &lathe.params;
+    let analog = p.analog(p.stage_1, &lathe.control.analog_output);
+    analog.command(SHIFT_SHARE * p.stage_1)
+}

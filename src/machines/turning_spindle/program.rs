@@ -38,11 +38,11 @@ fn entries(lathe: &TurningSpindle) -> Vec<OperatorVariable> {
     let end = (lathe.params.path == Path::Taper).then_some(TAPER_END);
     let part = [CUTTING_SPEED, FEED, STOCK].into_iter().chain(end);
     let all = part.chain([way(lathe), DEPTH, SPEED_LIMIT, CLEARANCE, START_X, START_Z]);
-    let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
+    let highest = speed_limits(lathe)[0].map(|(_, number)| number);
     let keyway =
         lathe.keyway().map(|_| [KEYWAY_DEPTH, KEYWAY_LENGTH, KEYWAY_WIDTH, DRIVEN_SPEED, KEYWAY_FEED, KEYWAY_INFEED]);
     let keyway = keyway.into_iter().flatten();
-    let all = all.chain(limits).chain(keyway).chain([ROOM]);
+    let all = all.chain(highest).chain(keyway).chain([ROOM]);
     all.map(|number| OperatorVariable::any(number).copied_to(copy(number))).collect()
 }
 
@@ -51,12 +51,11 @@ fn entry(number: u32) -> Formula {
     v(copy(number))
 }
 
-/// Codes and variables of the spindle limits from the machine's data: always the highest speed, and the lowest if there
-/// is one.
+/// Codes and variables of the spindle limits from the machine's data, where the control has codes for them. They stay in force beyond the
+/// program's end, so that a lowest speed of 0 is written too: it replaces that of the part before.
 fn speed_limits(lathe: &TurningSpindle) -> [Option<(Code, u32)>; 2] {
     let has = lathe.params.has_speed_limits(lathe.control);
-    let has_lowest = has && lathe.params.lower_limit > 0.0;
-    [has.then_some((Code::UpperLimits, CHUCK_LIMIT)), has_lowest.then_some((Code::LowerLimits, LOWEST_SPEED))]
+    [(Code::UpperLimits, CHUCK_LIMIT), (Code::LowerLimits, LOWEST_SPEED)].map(|limit| has.then_some(limit))
 }
 
 /// Variable of the length of the cut; on a face, of the allowance.
@@ -263,7 +262,8 @@ fn guards(b: &mut Builder, lathe: &TurningSpindle) {
     writing::guards(b, &entries(lathe));
     let angle = lathe.positions().then_some(ANGLE);
     let keyway = lathe.keyway().map(|_| KEYWAY_START);
-    for number in [FINISHED, REACH].into_iter().chain(angle).chain(keyway) {
+    let lowest = speed_limits(lathe)[1].map(|(_, number)| number);
+    for number in [FINISHED, REACH].into_iter().chain(angle).chain(keyway).chain(lowest) {
         b.assign(copy(number), v(number));
     }
     for (at, (condition, _)) in (away_alarm(lathe) + 1..).zip(refusals(lathe)) {

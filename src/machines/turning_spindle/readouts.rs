@@ -92,7 +92,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "low-diameter", label: "turning.readout.low-diameter", unit: "mm", decimals: 3,
-        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.derived.limits.low, shown: TurningSpindle::surface, ..ReadoutRow::BASE
+        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.derived.limits.low, shown: |lathe| lathe.surface() && lathe.params.lower_limit > 0.0, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "surface-smallest", label: "turning.readout.surface-smallest", unit: "m/min", decimals: 2,

@@ -7,7 +7,7 @@ use super::params::{self, Gear, Output, Params, Path, SpeedMode, SpindleDirectio
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::cutting::{Chip, CuttingEdge, Kienzle};
-use crate::drives::{Positioning, SpeedRange, Stage};
+use crate::drives::{Analog, Positioning};
 use crate::machines::driven::scaling::AxisDrive;
 use crate::machines::lathe::knobs::{self, KnobPositions};
 use crate::machines::lathe::slides::{ALONG, CROSS};
@@ -241,6 +241,11 @@ impl TurningSpindle {
         best.stage.speed >= self.derived.stage.speed
     }
 
+    /// The analog output in the gear stage of the program.
+    pub(super) fn analog(&self) -> Analog {
+        self.params.analog(self.derived.stage.speed, &self.control.analog_output)
+    }
+
     /// Number of the gear stage that the program engages.
     pub(super) fn stage(&self) -> u8 {
         self.derived.stage.number
@@ -255,15 +260,6 @@ impl TurningSpindle {
     /// Diameter at the tool tip, mm.
     pub(super) fn diameter(&self, now: &Snapshot) -> f64 {
         2.0 * self.tool(now).0
-    }
-
-    /// The gear stages that are fitted.
-    pub(super) fn stages(&self) -> Vec<Stage> {
-        let low = if self.rules().low_always { self.params.lower_limit } else { 0.0 };
-        self.params
-            .stages()
-            .map(|speed| Stage { range: SpeedRange::new(low, f64::INFINITY), ..Stage::new(speed) })
-            .collect()
     }
 }
 

@@ -22,9 +22,11 @@ pub(super) fn programmed_speed_of(d: &Derived) -> f64 {
     d.speeds.largest.max(d.speeds.smallest)
 }
 
-/// Greatest speed (r/min) of the program with the knob at its highest position.
+/// Greatest speed (r/min) of the program with the knob at its highest position, and of the positioning.
 pub(super) fn greatest_speed(lathe: &TurningSpindle) -> f64 {
-    lathe.at_highest_knob().map_or(0.0, |(_, fast)| programmed_speed_of(fast)).max(programmed_speed(lathe))
+    let positioning = if lathe.positions() { lathe.params.positioning_speed } else { 0.0 };
+    let fast = lathe.at_highest_knob().map_or(0.0, |(_, fast)| programmed_speed_of(fast));
+    fast.max(programmed_speed(lathe)).max(positioning)
 }
 
 /// Seconds in which the spindle coasts to rest from its greatest speed.
@@ -43,21 +45,56 @@ pub(super) fn positioning_torque(lathe: &TurningSpindle) -> f64 {
     load.accelerating(0.0, lathe.params.positioning_acceleration * RPM, 1.0) + load.torque
 }
 
-/// Judges the torque of the positioning's acceleration against the short-time torque of the motor.
+/// Greatest acceleration (r/min per second) of the positioning by what limits it.
+struct PositioningLimits {
+    /// The motor's short-time torque in driving, against friction: `(M - M_f) / J`.
+    driving: f64,
+    /// Its short-time torque in braking, with friction: `(M_b + M_f) / J`.
+    braking: f64,
+    /// The ramp of the inverter: `n10 / t`.
+    ramp: f64,
+}
+
+impl PositioningLimits {
+    /// Source: turning spindle facts, 5.
+    fn new(lathe: &TurningSpindle) -> PositioningLimits {
+        let (spindle, speed) = (engaged(lathe), lathe.params.positioning_speed);
+        let per_torque = 1.0 / (spindle.load_at_spindle.inertia * RPM);
+        let friction = spindle.load_at_spindle.torque;
+        PositioningLimits {
+            driving: (spindle.driving_motor().torque(speed) - friction) * per_torque,
+            braking: (spindle.braking_motor().torque(speed) + friction) * per_torque,
+            ramp: if spindle.ramp > 0.0 { spindle.speed_at_10v / spindle.ramp } else { f64::INFINITY },
+        }
+    }
+
+    fn least(&self) -> f64 {
+        self.driving.min(self.braking).min(self.ramp)
+    }
+}
+
+/// Judges the acceleration of the positioning: the motor drives and brakes with its short-time torque, and the inverter follows no steeper than
+/// its ramp.
 pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
-    let spindle = engaged(lathe);
-    let most = spindle.driving_motor().torque(lathe.params.positioning_speed);
+    let (p, limits) = (&lathe.params, PositioningLimits::new(lathe));
+    let most = engaged(lathe).driving_motor().torque(p.positioning_speed);
     let torque = positioning_torque(lathe);
     let sign = keyway::sign_for_angle(lathe);
-    if torque <= most {
+    let asked = p.positioning_acceleration;
+    if asked <= limits.least() {
         return sign.map_or_else(|| ok(AtMost(most)), |advice| fail(None, [advice]));
     }
-    let friction = spindle.load_at_spindle.torque;
-    let slower = lathe.params.positioning_acceleration * (most - friction) / (torque - friction);
-    let advice = Advice::from(msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1)));
-    let set = at_most(FIELDS, "positioning-acceleration", slower);
+    let message = if asked > limits.driving {
+        msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1))
+    } else if asked > limits.braking {
+        msg!("turning.positioning-brakes-too-hard", acceleration = (asked, 0), limit = (limits.braking, 0))
+    } else {
+        msg!("turning.positioning-beyond-ramp", acceleration = (asked, 0), limit = (limits.ramp, 0))
+    };
+    let set = at_most(FIELDS, "positioning-acceleration", limits.least());
+    let advice = Advice::from(message);
     let button = msg!("advice.set-positioning-acceleration", acceleration = set.text.as_str());
-    let advice = if slower >= 1.0 { advice.setting(button, [set]) } else { advice };
+    let advice = if limits.least() >= 1.0 { advice.setting(button, [set]) } else { advice };
     fail(AtMost(most), core::iter::once(advice).chain(sign).collect::<Vec<_>>())
 }
 

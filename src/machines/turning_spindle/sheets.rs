@@ -3,7 +3,7 @@
 use super::gears::{delay_before, gear_times};
 use super::ladder::ladder;
 use super::params::Output;
-use super::plant::SHIFT_VOLTS;
+use super::plant::{SHIFT_SHARE, shift_volts};
 use super::resolved::TurningSpindle;
 use super::stops::reactions;
 use crate::controls::{ParamRole, ParamUnit};
@@ -13,9 +13,6 @@ use crate::machines::stops;
 use crate::math;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
-
-/// Shift speed of a stage as a share of its speed at 10 V.
-const SHARE: f64 = SHIFT_VOLTS / 10.0;
 
 const LADDER: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
 
@@ -46,7 +43,8 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     let (rules, shift) = (lathe.rules(), gear_times(lathe));
     // If the sheet has the ratio of each stage, the voltage represents the speed of the motor.
     let by_motor = lathe.control.param(ParamRole::SpindleRatioMotor).is_some();
-    let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
+    // Where the program sets the lowest speed of the part, the stages keep their whole range.
+    let minimum = if rules.low_always { by_stage(&|_| 0.0) } else { number(p.lower_limit) };
     let (shifts, positioning) = (p.has_several_stages(), lathe.positioning());
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
     let mut values: Vec<(ParamRole, AxisValues)> = vec![
@@ -55,10 +53,17 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::OverrideIsCoded, yes(false)),
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
         (ParamRole::SpindleOffsetZero, volts(ParamRole::SpindleOffsetZero, p.offset_zero)),
-        (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * SHIFT_VOLTS)),
+        (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * shift_volts(lathe))),
         (ParamRole::ShiftBySignal, if shifts { yes(true) } else { Vec::new() }),
-        (ParamRole::SpindleShiftCode, if shifts { number((4095.0 * SHARE).round()) } else { Vec::new() }),
-        (ParamRole::MotorShiftSpeed, if shifts { number(SHARE * p.spindle.top) } else { Vec::new() }),
+        (
+            ParamRole::SpindleShiftCode,
+            if shifts {
+                number((f64::from(p.analog(p.stage_1, &lathe.control.analog_output).steps()) * SHIFT_SHARE).round())
+            } else {
+                Vec::new()
+            },
+        ),
+        (ParamRole::MotorShiftSpeed, if shifts { number(SHIFT_SHARE * p.spindle.top) } else { Vec::new() }),
         (ParamRole::SpindleLimit, number(if by_motor { p.spindle.top } else { p.stage_1 })),
         (ParamRole::SpindleGear(2), stage(p.stage_2)),
         (ParamRole::SpindleGear(3), stage(p.stage_3)),

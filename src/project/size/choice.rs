@@ -243,6 +243,7 @@ fn candidate(part: &Part, axis: &DrivenAxis, runs: &RunsDemand, catalogue: &[&Pa
         JudgedMotor { motor: &motor, limits: &limits, demand: &demand, shares: &shares, worst_point: &worst_point };
     let refusal = judged
         .beyond_limit()
+        .or_else(|| judged.too_weak_for_rapid(axis))
         .or_else(|| judged.too_weak_for_long(axis))
         .or_else(|| (!follows(part, control)).then(|| Refusal::new(Rank::Role, msg!("size.refused-role"))))
         .or_else(|| judged.too_warm(runs.mean_speed))

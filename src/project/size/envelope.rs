@@ -290,7 +290,7 @@ impl Envelope<'_> {
                 let spans = [(whole.contact, whole.end), (whole.end, whole.run.timeline().end())];
                 let mut rows = worst(spans.map(|span| self.read(&self.present, event, &whole.run, span)));
                 rows.push(time(event, whole.end - whole.contact));
-                rows.extend(self.present.axes.iter().map(|(axis, _)| self.heat(event, axis, whole)));
+                rows.extend(self.heat_of(&self.present, event, whole));
                 rows.extend(alarm(event, Some(&whole.ended)));
                 rows.extend(hold(event, &whole.run).filter(|_| whole.works_before_its_end()));
                 rows
@@ -365,7 +365,7 @@ impl Envelope<'_> {
     fn fed_rows(&self, event: OperatingEvent, whole: &WholeRun) -> Vec<EnvelopeRow> {
         let Some((fed, percent)) = self.fed.as_ref().zip(whole.feed) else { return Vec::new() };
         let mut rows = self.read(fed, event, &whole.run, (0.0, whole.run.timeline().end()));
-        rows.extend(fed.axes.iter().map(|(axis, _)| self.heat(event, axis, whole)));
+        rows.extend(self.heat_of(fed, event, whole));
         rows.extend(alarm(event, Some(&whole.ended)));
         rows.extend(hold(event, &whole.run));
         at_feed(rows, percent)
@@ -455,22 +455,28 @@ impl Envelope<'_> {
         segments
     }
 
+    /// Heat of all motors of the form in a whole run.
+    fn heat_of(&self, of: &Cutting, event: OperatingEvent, whole: &WholeRun) -> Vec<EnvelopeRow> {
+        let axes = of.axes.iter().map(|(axis, _)| self.heat(event, axis, whole));
+        axes.chain(self.spindle_heat(of, event, whole)).collect()
+    }
+
+    /// Effective torque of the form's spindle motor over a whole run and the pause after it, against its continuous curve at its site: above base
+    /// speed as the torque below it that heats the motor as much.
+    fn spindle_heat(&self, of: &Cutting, event: OperatingEvent, whole: &WholeRun) -> Option<EnvelopeRow> {
+        let (drive, spindle) = (self.prepared.inverter_drive()?, whole.spindle(of.machine)?);
+        let continuous = spindle.motor.share(drive.site_share).with_shaft_fan(drive.cooled_at.is_some());
+        let motion = spindle.motion.clone().with_pause(self.prepared.pause());
+        let most = continuous.base_torque();
+        let effective = motion.effective_share(spindle.rotor, &continuous) * most;
+        Some(heat_row(event, (drive.id, drive.name), effective, most))
+    }
+
     /// Effective torque of the form's motor over a whole run and the pause after it: it heats the motor.
     fn heat(&self, event: OperatingEvent, axis: &DrivenAxis, whole: &WholeRun) -> EnvelopeRow {
         let rotor = axis.fitted.motor.rotor;
         let effective = whole.motion(axis).with_pause(self.prepared.pause()).motor_load(rotor).effective;
-        let limit = Some(Limit::AtMost(axis.fitted.stall_limit()));
-        EnvelopeRow {
-            id: format!("{}-effective-torque", axis.id),
-            label: HEAT,
-            axis: Some(axis.name),
-            value: effective,
-            unit: "Nm",
-            decimals: 3,
-            limit,
-            verdict: verdict(limit, effective),
-            ..EnvelopeRow::of(event)
-        }
+        heat_row(event, (axis.id, axis.name), effective, axis.fitted.stall_limit())
     }
 
     /// Gauges, and torques of the motors that are supplied with current, in a part of a run.
@@ -507,6 +513,22 @@ impl Envelope<'_> {
             torque_row(event, ("spindle", spindle.name), torque, most)
         });
         gauges.chain(motors).chain(spindle).collect()
+    }
+}
+
+/// A row of the heat of a motor: `id` and `name` of its axis, its effective torque and the greatest one, Nm.
+fn heat_row(event: OperatingEvent, (id, name): (&'static str, &'static str), effective: f64, most: f64) -> EnvelopeRow {
+    let limit = Some(Limit::AtMost(most));
+    EnvelopeRow {
+        id: format!("{id}-effective-torque"),
+        label: HEAT,
+        axis: Some(name),
+        value: effective,
+        unit: "Nm",
+        decimals: 3,
+        limit,
+        verdict: verdict(limit, effective),
+        ..EnvelopeRow::of(event)
     }
 }
 

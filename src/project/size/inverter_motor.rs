@@ -73,7 +73,15 @@ fn demand(drive: &InverterDrive, spindles: &[SpindleRun]) -> MotorDemand {
     let ramps = drive.cycle.iter().flat_map(|cycle| cycle.ramps(None)).map(|ramp| ramp.torque.abs());
     let of_run = spindles.iter().map(|spindle| spindle.worst_point(&spindle.motor, spindle.rotor).torque);
     let steady = drive.torque.abs();
-    MotorDemand { peak: ramps.chain(of_run).fold(steady, f64::max), effective: steady, speed: drive.top_speed }
+    // With the pause behind the run; above base speed as the torque below it that heats the motor as much.
+    let effective = spindles
+        .iter()
+        .map(|spindle| spindle.motion.effective_share(spindle.rotor, &spindle.motor) * spindle.motor.base_torque());
+    MotorDemand {
+        peak: ramps.chain(of_run).fold(steady, f64::max),
+        effective: effective.fold(steady, f64::max),
+        speed: drive.top_speed,
+    }
 }
 
 /// Entries of the form with a motor on the inverter, of a rated torque (Nm) and a rated speed (r/min); none if the form has no fields for

@@ -103,6 +103,8 @@ impl<M: HasSlides> Of<M> {
     const RULES: &'static [Rule<M>] = &[
         Rule::new("x-motor-speed", |machine| speed::<M>(&x(machine), "rapid-x"), MOTOR),
         Rule::new("z-motor-speed", |machine| speed::<M>(&z(machine), "rapid-z"), MOTOR),
+        Rule::new("x-motor-speed", |machine| clamp::<M>(&x(machine), "clamp-x"), MOTOR),
+        Rule::new("z-motor-speed", |machine| clamp::<M>(&z(machine), "clamp-z"), MOTOR),
         Rule::new("x-screw-speed", |machine| whirl::<M>(&x(machine), "rapid-x"), SCREW),
         Rule::new("z-screw-speed", |machine| whirl::<M>(&z(machine), "rapid-z"), SCREW),
         Rule::new("x-inertia-ratio", |machine| inertia(&x(machine)), LIMITS),
@@ -132,6 +134,16 @@ fn speed<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgem
     let set = at_most(M::fields(), field, slide.rapid * most / speed);
     let advice = Advice::from(msg!("slides.motor-too-fast", speed = (speed, 0), limit = (most, 0)));
     fail(AtMost(most), [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
+}
+
+/// A feed clamp above the rapid traverse, for which motor, screw and ramp are judged: fast cuts and the feed override would exceed them.
+fn clamp<M: HasSlides>(slide: &ServoSlide, field: &'static str) -> Option<Judgement> {
+    if slide.clamp <= slide.rapid {
+        return None;
+    }
+    let set = at_most(M::fields(), field, slide.rapid);
+    let advice = Advice::from(msg!("slides.clamp-above-rapid", clamp = (slide.clamp, 0), rapid = (slide.rapid, 0)));
+    warn(None, [advice.setting(msg!("advice.set-clamp", speed = set.text.as_str()), [set])])
 }
 
 /// A screw near its critical speed of bending whirls.

@@ -6,7 +6,7 @@ use crate::drives::inertia::{CM2, Cylinder, STEEL};
 use crate::drives::servo::{Acceptance, FittedMotor, Servo, WEIGHT_SHARE};
 use crate::drives::shaft_motion::Strikes;
 use crate::drives::slide::Slide;
-use crate::machines::driven::{DrivenAxis, MotorFields};
+use crate::machines::driven::{DrivenAxis, MotorFields, RapidTraverse};
 use crate::machines::machine::Machine;
 use crate::math::{self, PI, RPM};
 use crate::motion::Mover;
@@ -38,6 +38,8 @@ pub(in crate::machines) struct ServoSlide {
     pub site_share: f64,
     /// Rapid traverse, mm/min.
     pub rapid: f64,
+    /// Greatest feed, mm/min.
+    pub clamp: f64,
     /// Time constant of its ramps, s.
     pub ramp: f64,
     /// Greatest force of the cut against the feed, N.
@@ -143,6 +145,7 @@ impl LatheSlides {
             form_inertia_limit: form.inertia_limit,
             site_share,
             rapid: form.rapid,
+            clamp: form.clamp,
             ramp: self.ramp(),
             feed_force: duty.cutting_force * self.feed_force / 100.0,
             starts_per_minute: duty.starts_per_minute,
@@ -235,6 +238,7 @@ impl ServoSlide {
             taut_torque: 0.0,
             cut: Some(self.slide.torque(self.feed_force)),
             continuous_cut_torque: Some(self.cut_torque()),
+            rapid: Some(RapidTraverse { speed: self.rapid_speed(), ramp: self.ramp }),
             starts_per_minute: self.starts_per_minute,
             // Wheels or a belt of the lathe itself.
             gear: None,

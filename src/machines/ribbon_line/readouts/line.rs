@@ -108,12 +108,12 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "x-rapid-speed", label: "ribbon.readout.x-rapid-speed", unit: "r/min", decimals: 1,
         formula: "rapid traverse / (π · Dx) · ix",
-        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| feeds::rapid_speeds(line)[0], ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| line.rapid_speeds()[0], ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-rapid-speed", label: "ribbon.readout.y-rapid-speed", unit: "r/min", decimals: 1,
         formula: "rapid traverse / (π · #111) · iy, or / 360° · iy",
-        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| feeds::rapid_speeds(line)[1], ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| line.rapid_speeds()[1], ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "volts-command", label: "ribbon.readout.volts-command", unit: "V", decimals: 5,

@@ -2,7 +2,6 @@
 //!
 //! Judged with the knob at its highest position: acceleration grows with the speed, because a ramp lasts its time constant at every speed.
 
-use super::feeds::rapid_speeds;
 use super::slack;
 use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
@@ -84,7 +83,7 @@ fn peak_y(line: &RibbonLine) -> Option<Judgement> {
 
 /// Torque (Nm) of the ramp to rapid traverse, of the motors of X and of the print roller.
 pub(in crate::machines::ribbon_line) fn rapid_torques(line: &RibbonLine) -> [f64; 2] {
-    let [x, y] = rapid_speeds(line);
+    let [x, y] = line.rapid_speeds();
     [line.mechanics.pull.ramp_torque(x), line.mechanics.print.ramp_torque(y)]
 }
 
@@ -105,11 +104,11 @@ fn rapid(axis: &ServoAxis, speed: f64, field: &'static str, entered: f64) -> Opt
 }
 
 fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
-    rapid(&line.mechanics.pull, rapid_speeds(line)[0], "rapid-x", line.params.rapid_x)
+    rapid(&line.mechanics.pull, line.rapid_speeds()[0], "rapid-x", line.params.rapid_x)
 }
 
 fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
-    rapid(&line.mechanics.print, rapid_speeds(line)[1], "rapid-y", line.params.rapid_y)
+    rapid(&line.mechanics.print, line.rapid_speeds()[1], "rapid-y", line.params.rapid_y)
 }
 
 fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {

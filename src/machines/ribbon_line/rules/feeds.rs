@@ -198,12 +198,6 @@ pub(in crate::machines::ribbon_line) fn motor_y(line: &RibbonLine) -> Option<Jud
     motor(line, line.derived.feeds.y_motor_speed, line.params.motor_rated_y, line.params.motor_max_y)
 }
 
-/// Speed (r/min) of the motor of X, or of the print roller, at rapid traverse.
-pub(in crate::machines::ribbon_line) fn rapid_speeds(line: &RibbonLine) -> [f64; 2] {
-    let [x, y] = line.drives().map(|drive| drive.travel());
-    [line.params.rapid_x / x, line.params.rapid_y / y]
-}
-
 /// Rapid traverse turns the print roller to its next head after a break, and both rollers by hand.
 fn rapid(speed: f64, most: f64, field: &'static str, rapid: f64) -> Option<Judgement> {
     let limit = AtMost(most);
@@ -216,11 +210,11 @@ fn rapid(speed: f64, most: f64, field: &'static str, rapid: f64) -> Option<Judge
 }
 
 pub(in crate::machines::ribbon_line) fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
-    rapid(rapid_speeds(line)[0], line.params.motor_max_x, "rapid-x", line.params.rapid_x)
+    rapid(line.rapid_speeds()[0], line.params.motor_max_x, "rapid-x", line.params.rapid_x)
 }
 
 pub(in crate::machines::ribbon_line) fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
-    rapid(rapid_speeds(line)[1], line.params.motor_max_y, "rapid-y", line.params.rapid_y)
+    rapid(line.rapid_speeds()[1], line.params.motor_max_y, "rapid-y", line.params.rapid_y)
 }
 
 /// Error (%) of the unwinder's speed at 10 V, which the regulator of a dancer has to make up for.

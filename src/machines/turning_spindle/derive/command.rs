@@ -37,7 +37,8 @@ impl CommandedSpeed {
     /// and, at constant surface speed, that of the operator.
     pub(super) fn top(&self, p: &Params, smallest: f64) -> f64 {
         if p.turns_at_fixed_speed() {
-            let speed = surface_rpm(p.cutting_speed, p.stock_diameter) * (p.override_percent / 100.0);
+            let asked = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit);
+            let speed = asked * (p.override_percent / 100.0);
             speed.max(self.lowest).min(p.chuck_limit)
         } else {
             surface_rpm(self.surface, smallest).max(self.lowest).min(self.limit)

@@ -19,7 +19,7 @@ pub(in crate::machines::turning_spindle) struct EngagedStage {
 
 impl EngagedStage {
     pub(super) fn new(p: &Params, cut: &CutGeometry, command: &CommandedSpeed, output: &AnalogOutput) -> EngagedStage {
-        let (number, speed) = p.stage(command.top(p, cut.smallest));
+        let (number, speed) = p.stage(command.top(p, cut.smallest), output);
         EngagedStage { number, speed, top: p.analog(speed, output).top_speed() }
     }
 }
@@ -36,11 +36,12 @@ impl Params {
     }
 
     /// Number (from 1) of the gear stage and its speed at full output, r/min: the chosen stage if it is fitted, else
-    /// the lowest that reaches `top` r/min, else the fastest.
-    fn stage(&self, top: f64) -> (u8, f64) {
+    /// the lowest whose output reaches `top` r/min, else the fastest.
+    fn stage(&self, top: f64, output: &AnalogOutput) -> (u8, f64) {
         let stages = || (1..).zip(self.stages());
         let chosen = stages().find(|(number, _)| self.gear != Gear::Best && *number == self.gear as u8);
-        let reaches = || stages().filter(|(_, speed)| *speed >= top).fold(None, slower);
+        let reaches =
+            || stages().filter(|(_, speed)| self.analog(*speed, output).top_speed() >= top).fold(None, slower);
         let fastest = || stages().fold((1, self.stage_1), |a, b| if b.1 > a.1 { b } else { a });
         chosen.or_else(reaches).unwrap_or_else(fastest)
     }

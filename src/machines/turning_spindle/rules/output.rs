@@ -4,6 +4,7 @@ use super::stages::with_best_stage;
 use crate::drives::Bound;
 use crate::drives::analog::FEW_VOLTS;
 use crate::machines::turning_spindle::full_output;
+use crate::machines::turning_spindle::params::Output;
 use crate::machines::turning_spindle::resolved::TurningSpindle;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
@@ -19,6 +20,10 @@ pub(super) fn few_volts_largest(lathe: &TurningSpindle) -> Option<Judgement> {
 
 fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     let limit = if volts < 0.0 { AtMost(-FEW_VOLTS) } else { AtLeast(FEW_VOLTS) };
+    let turns = lathe.analog().speed(0.0);
+    if volts == 0.0 && lathe.params.output == Output::Unipolar && turns > 0.0 {
+        return fail(limit, [msg!("turning.turns-at-zero-volts", speed = (turns, 0)).into()]);
+    }
     if volts.abs() >= FEW_VOLTS {
         return ok(limit);
     }

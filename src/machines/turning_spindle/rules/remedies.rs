@@ -32,6 +32,43 @@ pub(super) fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -
     advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
 }
 
+/// Advice with a button for the change with which a condition holds and the cut is the shorter one: a lower limit of constant surface speed,
+/// or less feed. No button where neither helps.
+pub(super) fn with_slower_cut(
+    lathe: &TurningSpindle,
+    holds: impl Fn(&TurningSpindle) -> bool,
+    message: Message,
+) -> Advice {
+    let seconds = |form: Params| lathe.with(form).derived.times.cutting;
+    let feed = slower_feed(lathe, &holds).map(|share| {
+        let set = at_most(FIELDS, "feed", lathe.params.feed * share);
+        let after = seconds(Params { feed: set.value, ..lathe.form.clone() });
+        (after, msg!("advice.set-feed", feed = set.text.as_str()), set)
+    });
+    let limit = slower_limit(lathe, &holds).map(|limit| {
+        let set = at_most(FIELDS, "upper-limit", limit);
+        let after = seconds(Params { upper_limit: set.value, ..lathe.form.clone() });
+        (after, msg!("advice.limit-speed", speed = set.text.as_str()), set)
+    });
+    let advice = Advice::from(message);
+    let shorter = [limit, feed].into_iter().flatten().reduce(|best, next| if next.0 < best.0 { next } else { best });
+    match shorter {
+        Some((_, button, set)) => advice.setting(button, [set]),
+        None => advice,
+    }
+}
+
+/// Least share of the present speed limit that an advice offers.
+const LEAST_LIMIT: f64 = 0.05;
+
+/// Greatest whole limit (r/min) of constant surface speed at which a condition holds; none where a lower limit does not help.
+fn slower_limit(lathe: &TurningSpindle, holds: impl Fn(&TurningSpindle) -> bool) -> Option<f64> {
+    let present = lathe.form.upper_limit;
+    let with = |upper_limit: f64| lathe.with(Params { upper_limit, ..lathe.form.clone() });
+    let share = math::greatest_share(LEAST_LIMIT, |share| holds(&with((present * share).floor())));
+    share.filter(|_| lathe.surface()).map(|share| (present * share).floor())
+}
+
 /// Least share of the present feed that an advice offers.
 const LEAST_FEED: f64 = 0.1;
 

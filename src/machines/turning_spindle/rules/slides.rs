@@ -17,16 +17,17 @@ pub(super) fn scaling_z(lathe: &TurningSpindle) -> Option<Judgement> {
     scaling::judge(lathe.control, &lathe.drives()[1])
 }
 
-/// The highest feed of the cut against the clamp of the slide that moves.
+/// The highest feed of the cut against the clamp of the slide that moves, at most its rapid traverse.
 pub(super) fn clamped_feed(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { params: p, derived: d, .. } = lathe;
+    let [x, z] = [&p.slides.x, &p.slides.z].map(|slide| slide.clamp.min(slide.rapid));
     let clamp = match p.path {
-        Path::Facing => p.slides.x.clamp,
-        Path::Turning => p.slides.z.clamp,
+        Path::Facing => x,
+        Path::Turning => z,
         Path::Taper => {
             // Feed of X: its share of the path.
             let across = 0.5 * (p.large_diameter - p.finished_diameter).abs();
-            p.slides.z.clamp.min(p.slides.x.clamp * math::hypot(p.length, across) / across)
+            z.min(x * math::hypot(p.length, across) / across)
         }
     };
     if d.speeds.feed_top <= clamp {

@@ -1,7 +1,7 @@
 //! The rules of the spindle's speed: the chuck's limit, the diameter at which the limit binds, and the acceleration needed in the cut.
 
 use super::knob_positions::at_knobs;
-use super::remedies::with_feed;
+use super::remedies::with_slower_cut;
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::machines::form::entry::at_most;
 use crate::machines::turning_spindle::params::{FIELDS, Params};
@@ -14,20 +14,16 @@ use crate::text::catalog::number_text as show;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
-/// The operator's limit against the highest speed of the chuck.
+/// The operator's limit against the highest speed of the chuck. The control holds the spindle at that, so a higher limit only misleads.
 pub(super) fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
-    let TurningSpindle { params: p, derived: d, .. } = lathe;
+    let p = &lathe.params;
     let limit = AtMost(p.chuck_limit);
     if p.upper_limit > p.chuck_limit {
         let set = at_most(FIELDS, "upper-limit", p.chuck_limit);
         let advice =
             Advice::from(msg!("turning.limit-above-chuck", speed = (p.upper_limit, 0), limit = (p.chuck_limit, 0)))
                 .setting(msg!("advice.set-speed", speed = set.text.as_str()), [set]);
-        return if d.speeds.smallest.max(d.speeds.largest) >= p.chuck_limit {
-            fail(limit, [advice])
-        } else {
-            warn(limit, [advice])
-        };
+        return warn(limit, [advice]);
     }
     ok(limit)
 }
@@ -57,10 +53,8 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     if d.acceleration.needed > d.acceleration.ramp {
         let advice =
             msg!("turning.spindle-lags", needed = (d.acceleration.needed, 0), acceleration = (d.acceleration.ramp, 0));
-        return warn(
-            AtMost(d.acceleration.ramp),
-            [with_feed(lathe, d.acceleration.ramp / d.acceleration.needed, advice)],
-        );
+        let follows = |slower: &TurningSpindle| slower.derived.acceleration.needed <= slower.derived.acceleration.ramp;
+        return warn(AtMost(d.acceleration.ramp), [with_slower_cut(lathe, follows, advice)]);
     }
     if d.acceleration.ramp.is_infinite() {
         return ok(None);

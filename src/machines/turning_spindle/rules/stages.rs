@@ -1,6 +1,6 @@
 //! The rules of the gear stages: meshing time, missing stages, and the stage that an advice offers.
 
-use crate::machines::form::entry::at_most;
+use crate::machines::form::entry::at_least;
 use crate::machines::turning_spindle::derive::Derived;
 use crate::machines::turning_spindle::gears::gear_times;
 use crate::machines::turning_spindle::params::{FIELDS, Gear, Params};
@@ -15,7 +15,7 @@ pub(super) fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { params: p, .. } = lathe;
     let shift = gear_times(lathe);
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
-    let set = at_most(FIELDS, "gear-time", 2.0 * patience);
+    let set = at_least(FIELDS, "gear-patience", shift.meshing);
     let advice = Advice::from(msg!(
         "turning.gear-too-late",
         time = (shift.meshing, 2),
@@ -23,7 +23,7 @@ pub(super) fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
         shorter = (2.0 * patience, 2),
         present = (p.gear_time, 2)
     ));
-    fail(None, [advice.setting(msg!("advice.set-gear-time", time = set.text.as_str()), [set])])
+    fail(None, [advice.setting(msg!("advice.set-gear-patience", time = set.text.as_str()), [set])])
 }
 
 /// An advice to let the program choose the gear stage instead of the form.

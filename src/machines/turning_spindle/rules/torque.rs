@@ -2,14 +2,16 @@
 
 use super::knob_positions::{at_knobs, with_slower_feed};
 use super::overload::{overload_without_pause, overloaded};
-use super::remedies::{slower_feed, with_depth, with_feed};
+use super::remedies::{with_depth, with_slower_cut};
 use super::stages::stronger_stage;
+use crate::machines::form::entry::{at_least, field_max};
 use crate::machines::lathe::knobs::{self, TorqueRemedy};
 use crate::machines::turning_spindle::cooling;
-use crate::machines::turning_spindle::params::Gear;
+use crate::machines::turning_spindle::params::{FIELDS, Gear};
 use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
 use crate::machines::turning_spindle::worst_cut::{CutPoint, worst_cut_point};
 use crate::machines::verdict::{Judgement, fail, ok, warn};
+use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
@@ -76,6 +78,9 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     }
     let CutPoint { diameter, speed, torque, most } = worst_cut_point(&lathe.params, &lathe.derived);
     if torque <= most {
+        if let Some(turned) = turn_of_the_knob(lathe, most) {
+            return Some(turned);
+        }
         return at_knobs(lathe, most, peak_demand, |cut, (torque, limit)| {
             let (feed, spindle) = ((cut.at.feed, 0), (cut.at.spindle, 0));
             let diameter = (worst_cut_point(cut.params, cut.derived).diameter, 1);
@@ -95,9 +100,34 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     };
     let everywhere =
         |slower: &TurningSpindle| holds(slower) && knobs::worst(slower.cuts_at_knobs(), peak_demand).is_none();
-    let advice = match slower_feed(lathe, everywhere).or_else(|| slower_feed(lathe, holds)) {
-        Some(share) => with_feed(lathe, share, message),
-        None => message.into(),
-    };
+    let advice = with_slower_cut(lathe, everywhere, message.clone());
+    let advice = if advice.button.is_some() { advice } else { with_slower_cut(lathe, holds, message) };
     fail(AtMost(most), [advice])
+}
+
+/// Warns of a ramp that is too steep beside the cut: the inverter accelerates over it when the operator turns the knob in the cut, and at the
+/// begin of a cut that waits only for a part of the speed. `J · 2π / 60 · n10 / t + M_cut + M_f` against the short-time torque. Source: turning
+/// spindle facts, 5.
+fn turn_of_the_knob(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
+    let (cut, (torque, most)) = knobs::worst(lathe.cuts_at_knobs(), ramp_demand)?;
+    let spindle = cut.params.main_spindle(cut.derived.stage.speed);
+    let shortest = spindle.load_at_spindle.inertia * spindle.speed_at_10v * RPM
+        / (most - cut.params.steady_torque(cut.derived.cut.largest_whole)).max(0.0);
+    let (feed, percent) = ((cut.at.feed, 0), (cut.at.spindle, 0));
+    let message = msg!("turning.ramp-in-cut", feed, spindle = percent, torque = (torque, 1), limit = (most, 1));
+    let advice = Advice::from(message);
+    if shortest > field_max(FIELDS, "spindle-ramp") {
+        return warn(AtMost(limit), [advice]);
+    }
+    let set = at_least(FIELDS, "spindle-ramp", shortest);
+    warn(AtMost(limit), [advice.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])])
+}
+
+/// Torque (Nm) of cut, friction and the whole acceleration of the ramp at the largest diameter with the whole depth, and the short-time torque
+/// there.
+fn ramp_demand(cut: &CutAtKnobs) -> (f64, f64) {
+    let spindle = cut.params.main_spindle(cut.derived.stage.speed);
+    let steady = cut.params.steady_torque(cut.derived.cut.largest_whole);
+    let ramp = if spindle.ramp > 0.0 { spindle.ramp_torque() - spindle.load_at_spindle.torque } else { 0.0 };
+    (steady + ramp, spindle.driving_motor().torque(cut.derived.speeds.largest_whole))
 }
