@@ -74,6 +74,9 @@ impl SizedAxis {
     pub fn shortage(&self) -> Option<Message> {
         let is_current = |of: &&Candidate| of.part.status == Some(Status::Current);
         let MotorDemand { peak, effective, speed } = self.demand;
+        if is_at_rest(&self.demand) {
+            return Some(msg!("size.axis-at-rest"));
+        }
         let (peak, effective, speed) = ((peak, 2), (effective, 2), (speed, 0));
         if self.least().is_none() {
             Some(msg!("size.no-motor", peak, effective, speed))
@@ -95,6 +98,11 @@ impl SizedAxis {
     pub fn ordered(&self) -> Option<&Candidate> {
         self.passing().find(|candidate| candidate.amplifier.is_some()).or_else(|| self.passing().next())
     }
+}
+
+/// Whether the run asks nothing of a motor: its axis neither moves nor holds.
+fn is_at_rest(demand: &MotorDemand) -> bool {
+    demand.peak == 0.0 && demand.speed == 0.0
 }
 
 /// A motor for an axis.
@@ -241,8 +249,10 @@ fn candidate(part: &Part, axis: &DrivenAxis, runs: &RunsDemand, catalogue: &[&Pa
     let has_resistor = resistor.as_ref().is_some_and(|resistor| resistor.part.is_some());
     let judged =
         JudgedMotor { motor: &motor, limits: &limits, demand: &demand, shares: &shares, worst_point: &worst_point };
-    let refusal = judged
-        .beyond_limit()
+    let at_rest = || Refusal::new(Rank::Unknown, msg!("size.axis-at-rest"));
+    let refusal = is_at_rest(&demand)
+        .then(at_rest)
+        .or_else(|| judged.beyond_limit())
         .or_else(|| judged.too_weak_for_rapid(axis))
         .or_else(|| judged.too_weak_for_long(axis))
         .or_else(|| (!follows(part, control)).then(|| Refusal::new(Rank::Role, msg!("size.refused-role"))))

@@ -31,7 +31,9 @@ pub(crate) fn Verdicts() -> impl IntoView {
         (0..count).map(|_| view! { <div class="card plain"></div> }).collect_view()
     };
     view! {
-        <section class="cards" aria-label=t("page.headline") class:old=move || page.is_stale()>
+        <section
+            class="cards" aria-label=t("page.headline") class:old=move || page.is_stale() || page.program.edited.get()
+            title=move || page.program.edited.get().then(|| t("page.results-of-form"))>
             <div class="row">
                 <Later meanwhile=rooms><VerdictLines readouts=headline /></Later>
             </div>

@@ -89,6 +89,12 @@ impl Params {
         }
     }
 
+    /// Ribbon unwound (mm) after turns n of the unwinder's motor, in the scale of the pull roller: `n · π · D / i · (1 + t / D - t / Dx)`, the
+    /// thickness t counting where the diameters are entered without it.
+    pub(in crate::machines::ribbon_line) fn laid_by_turns(&self, turns: f64) -> f64 {
+        k(PI, self.press_roller_diameter, self.reduction_ratio) * turns * (1.0 + self.laid_by_thickness())
+    }
+
     /// Driven speed of the axes over the programmed one. `error`: relative error of the unwinder's speed, which a feed
     /// per revolution follows.
     pub(in crate::machines::ribbon_line) fn followed(&self, error: f64) -> f64 {

@@ -3,7 +3,6 @@
 use crate::controls::AnalogOutput;
 use crate::drives::induction::Induction;
 use crate::machines::ribbon_line::params::{KnobUse, Params};
-use crate::math::PI;
 
 /// Speed of the unwinder's motor and its command. Speeds in r/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,12 +98,6 @@ impl Params {
             rated: self.rated_load_speed,
             load: self.unwinder_load / 100.0,
         }
-    }
-
-    /// Ribbon unwound (mm) after turns of the unwinder's motor, in the scale of the pull roller: `n · π · D / i · (1 + t / D - t / Dx)`, the
-    /// thickness t counting where the diameters are entered without it.
-    pub(in crate::machines::ribbon_line) fn laid_by_turns(&self, turns: f64) -> f64 {
-        turns / self.reduction_ratio * PI * self.press_roller_diameter * (1.0 + self.laid_by_thickness())
     }
 
     /// Relative errors of the unwinder's speed at its running load and at rated load; 0 with the regulator of a dancer, which trims

@@ -27,6 +27,7 @@ pub(crate) fn ProjectsDialog() -> impl IntoView {
     let field = NodeRef::<html::Input>::new();
     Effect::new(move |_| {
         if open.get() {
+            search.set(String::new());
             actions.show();
         }
     });
