@@ -25,7 +25,7 @@ impl RunState {
         match self.modal.spindle.other {
             (rpm, true) if rpm > 0.0 => Ok(rpm),
             _ => Err(Trap::alarm(
-                Alarm::Budget,
+                Alarm::NotSimulated,
                 msg!("interp.other-spindle-at-rest", spindle = u32::from(self.modal.spindle.master)),
             )),
         }

@@ -130,6 +130,6 @@ impl RunState {
     /// The alarm for a command that is not simulated with the second spindle as master spindle.
     #[cold]
     pub(super) fn other_spindle_asked(&self) -> Trap {
-        Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", spindle = u32::from(self.modal.spindle.master)))
+        Trap::alarm(Alarm::NotSimulated, msg!("interp.other-spindle", spindle = u32::from(self.modal.spindle.master)))
     }
 }

@@ -95,7 +95,7 @@ impl RunState {
         let place = Place { file: self.file, span: bad.finding };
         let mut here = cx.shared.parsed.diagnostics().iter().filter(|finding| finding.place == Some(place));
         // Where only the simulation stops, the reader's finding is a warning.
-        if matches!(bad.alarm, Alarm::Budget)
+        if matches!(bad.alarm, Alarm::NotSimulated)
             && let Some(finding) = here.clone().find(|finding| finding.severity == Severity::Warning)
         {
             return Trap::alarm(bad.alarm, finding.message.clone()).within(bad.finding);

@@ -312,7 +312,7 @@ fn no_such_variable(cx: &BlockContext, number: u32) -> Trap {
 #[cold]
 fn not_simulated(cx: &BlockContext, number: u32, row: &VarRange) -> Trap {
     Trap::alarm(
-        Alarm::Budget,
+        Alarm::NotSimulated,
         msg!("interp.variable-not-simulated", variable = cx.control.variable(number), meaning = row.text),
     )
 }

@@ -86,6 +86,11 @@ pub(super) const ALARMS: &[AlarmDef] = &[
         Citation::new("what the control does is not known", Grade::Open),
     )
     .in_our_words(),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
-        .in_our_words(),
+    alarm(
+        NotSimulated,
+        "NOT SIMULATED",
+        "The simulation does not know this",
+        Citation::new("no alarm of the control", Grade::Inferred),
+    )
+    .in_our_words(),
 ];

@@ -57,6 +57,11 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(User, "3000", "Macro alarm", MEMORY),
     alarm(NoProgramEnd, "5010", "End of record", MEMORY),
     alarm(EmergencyStop, "ESP", "Emergency stop", MEMORY).in_our_words(),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
-        .in_our_words(),
+    alarm(
+        NotSimulated,
+        "NOT SIMULATED",
+        "The simulation does not know this",
+        Citation::new("no alarm of the control", Grade::Inferred),
+    )
+    .in_our_words(),
 ];

@@ -50,8 +50,13 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(WhileSentence, "P291", "WHILE sentence error", MEMORY),
     alarm(DoNesting, "P293", "DO-END nesting over", Citation::new("cnc.wiki; number from memory", Grade::Open)),
     alarm(DoPair, "P294", "DO and END not paired", MEMORY),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
-        .in_our_words(),
+    alarm(
+        NotSimulated,
+        "NOT SIMULATED",
+        "The simulation does not know this",
+        Citation::new("no alarm of the control", Grade::Inferred),
+    )
+    .in_our_words(),
     alarm(SoftLimit, "M01 0007", "S/W stroke end", MEMORY),
     alarm(EmergencyStop, "EMG", "Emergency", MEMORY).in_our_words(),
 ];

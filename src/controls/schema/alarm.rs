@@ -83,8 +83,8 @@ pub enum Alarm {
     MissingEnd,
     /// An END without its DO.
     MissingDo,
-    /// A program that never ends: the budget of the simulation, no alarm of a control.
-    Budget,
+    /// A command that the control executes and the simulation does not; no alarm of a control.
+    NotSimulated,
     /// An axis beyond its soft limit.
     SoftLimit,
     /// A programmed end point beyond the working area.

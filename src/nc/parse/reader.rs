@@ -332,7 +332,7 @@ impl<'a> Reader<'a> {
     /// The failure of something that the control reads and the simulation does not: a warning, and a run stops at the block.
     #[cold]
     pub(super) fn stops_here(&self, from: usize, to: usize, message: Message) -> Box<ParseFailure> {
-        let mut failure = self.failure(Alarm::Budget, from, to, message);
+        let mut failure = self.failure(Alarm::NotSimulated, from, to, message);
         (failure.finding.severity, failure.finding.alarm, failure.finding.wording) = (Severity::Warning, None, None);
         failure
     }

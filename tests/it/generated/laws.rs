@@ -41,7 +41,7 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
         let Stmt::Bad(bad) = block.stmt else { continue };
         // What the control reads and the simulation does not is a warning.
         let warned = || parsed.diagnostics().iter().any(|found| found.place.is_some_and(|at| at.span == bad.finding));
-        assert!(parsed.has_errors() || bad.alarm == Alarm::Budget && warned(), "{:?}", parsed.files());
+        assert!(parsed.has_errors() || bad.alarm == Alarm::NotSimulated && warned(), "{:?}", parsed.files());
     }
     written(&parsed);
 }

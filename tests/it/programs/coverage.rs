@@ -26,7 +26,7 @@ fn nothing(missing: &[String], what: &str) {
 
 /// Alarms that no program text can raise.
 const NOT_FROM_TEXT: [Alarm; 7] = [
-    Alarm::Budget,
+    Alarm::NotSimulated,
     Alarm::SoftLimit,
     Alarm::EmergencyStop,
     Alarm::NoPositioning,

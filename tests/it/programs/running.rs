@@ -88,7 +88,7 @@ fn alarm_of_a_run_has_a_hint() {
     check(
         "O1\n#100=#5081\nM30",
         expect![[r#"
-            = BUDGET 2:6 #5081 (tool position offset, axis by axis) is not simulated, so the run stops here. The control itself would go on.
+            = NOT SIMULATED 2:6 #5081 (tool position offset, axis by axis) is not simulated, so the run stops here. The control itself would go on.
         "#]],
     );
 }

@@ -184,20 +184,20 @@ fn unsupported_driven_tool_command_ends_the_run() {
     check(
         "G95 F0.1\nG1 X1",
         expect![[r#"
-        = BUDGET 4:1 F counts turns of spindle 2, the master here, which does not turn: the control would wait. Command its S with M3 or M4 before this block, or write G94.
+        = NOT SIMULATED 4:1 F counts turns of spindle 2, the master here, which does not turn: the control would wait. Command its S with M3 or M4 before this block, or write G94.
     "#]],
     );
     check(
         "G96 S100 F0.1",
         expect![[r#"
-        = BUDGET 3:1 Spindle 2 is the master here, and this block asks more of it than the simulation knows: a driven tool has S, M3, M4, M5 and feed per revolution. The run stops here; the control itself would go on.
+        = NOT SIMULATED 3:1 Spindle 2 is the master here, and this block asks more of it than the simulation knows: a driven tool has S, M3, M4, M5 and feed per revolution. The run stops here; the control itself would go on.
     "#]],
     );
     check(
         "S500 M3\nG33 Z10 K2",
         expect![[r#"
         other-spindle 2 cw
-        = BUDGET 4:1 Spindle 2 is the master here, and this block asks more of it than the simulation knows: a driven tool has S, M3, M4, M5 and feed per revolution. The run stops here; the control itself would go on.
+        = NOT SIMULATED 4:1 Spindle 2 is the master here, and this block asks more of it than the simulation knows: a driven tool has S, M3, M4, M5 and feed per revolution. The run stops here; the control itself would go on.
     "#]],
     );
 }

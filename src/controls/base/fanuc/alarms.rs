@@ -54,8 +54,13 @@ pub const ALARMS: &[AlarmDef] = &[
     alarm(User, "MC3000", "Macro alarm", MEMORY),
     alarm(SoftLimit, "OT0500", "Overtravel: soft limit 1", MEMORY),
     alarm(EmergencyStop, "EMG", "Emergency stop", MEMORY).in_our_words(),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
-        .in_our_words(),
+    alarm(
+        NotSimulated,
+        "NOT SIMULATED",
+        "The simulation does not know this",
+        Citation::new("no alarm of the control", Grade::Inferred),
+    )
+    .in_our_words(),
 ];
 
 /// Alarms of a lathe: its cycles name their contour.

@@ -82,6 +82,11 @@ pub const ALARMS: &[AlarmDef] = &[
     alarm(NegativeWay, "16820", "ACN is for modulo axes", LIST),
     alarm(SpindleAngle, "16830", "Incorrect position programmed for axis or spindle", LIST),
     alarm(MessageBlocks, "16930", "Blocks must be separated by an executable block", LIST),
-    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred))
-        .in_our_words(),
+    alarm(
+        NotSimulated,
+        "NOT SIMULATED",
+        "The simulation does not know this",
+        Citation::new("no alarm of the control", Grade::Inferred),
+    )
+    .in_our_words(),
 ];
