@@ -1,5 +1,7 @@
 //! Index of a deck's programs by number and by name.
 
+use std::ops::{Div, Rem};
+
 use super::ast::Deck;
 
 /// The first program of each number and of each name.
@@ -14,6 +16,12 @@ pub(in crate::nc) struct ProgramNames<'a> {
 fn first<K: Ord + Copy>(list: &[(K, u32)], key: K) -> Option<u32> {
     let at = list.partition_point(|row| row.0 < key);
     list.get(at).filter(|row| row.0 == key).map(|row| row.1)
+}
+
+/// The number in P of a call, split into the digits in front of the last four, which count repeats, and the program number in the last four.
+pub(in crate::nc) fn split_repeats<N: Copy + Div<Output = N> + Rem<Output = N> + From<u16>>(p: N) -> (N, N) {
+    let programs = N::from(10_000);
+    (p / programs, p % programs)
 }
 
 impl<'a> ProgramNames<'a> {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::ast::{Assignment, Block, Deck, Expr, ExprId, Jump, JumpDirection, Program, Stmt, TextId, Word, WordValue};
 use super::lex::tokens::{TokenKind, tokens};
 use super::parsed::Parsed;
-use super::program_names::ProgramNames;
+use super::program_names::{ProgramNames, split_repeats};
 use crate::controls::macros::{ARGUMENT, CallKind};
 use crate::controls::syntax::Operation;
 use crate::controls::{Address, Code, Control, VarKind};
@@ -424,7 +424,7 @@ impl<'a> Reader<'a> {
         let number = number.to_f64();
         let whole = (number.fract() == 0.0 && (1.0..4e9).contains(&number)).then_some(number as u32)?;
         let repeats = kind == CallKind::Sub && self.control.macros.repeats_in_p;
-        self.names.number(whole).or_else(|| self.names.number(whole % 10_000).filter(|_| repeats))
+        self.names.number(whole).or_else(|| self.names.number(split_repeats(whole).1).filter(|_| repeats))
     }
 
     /// Records a call of a program by a word.

@@ -249,6 +249,11 @@ impl Control {
         self.axes.iter().flat_map(|axis| [Some(axis.letter), axis.incremental]).flatten()
     }
 
+    /// Whether words with this letter are axis words, absolute or incremental.
+    pub fn is_axis(&self, letter: Address) -> bool {
+        self.axis_letters().any(|axis| axis == letter)
+    }
+
     /// Whether any code of the control has this meaning.
     pub fn can(&self, code: Code) -> bool {
         self.codes.iter().any(|row| row.code == code)

@@ -6,7 +6,7 @@ use super::jump_targets::JumpTargets;
 use crate::controls::{Alarm, Control};
 use crate::nc::ast::{Block, Deck, ExprId, Program};
 use crate::nc::codes::Codes;
-use crate::nc::parsed::PartPlaces;
+use crate::nc::parsed::{FINDINGS, PartPlaces};
 use crate::nc::program_names::ProgramNames;
 use crate::text::{Diagnostic, Message, Place, Span};
 
@@ -32,6 +32,11 @@ impl Check<'_> {
     pub(super) fn expr_span(&self, block: &Block, expr: ExprId) -> Span {
         let span = self.places.exprs.get(expr.0 as usize).and_then(|span| span.trimmed(self.text));
         span.unwrap_or(block.span)
+    }
+
+    /// Whether so many findings are known that no more are looked for.
+    pub(super) fn is_full(&self) -> bool {
+        self.found.len() > 2 * FINDINGS
     }
 
     /// Reports an alarm of the control.

@@ -4,7 +4,6 @@ use super::context::Check;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ast::{Block, Stmt};
-use crate::nc::parsed::FINDINGS;
 use crate::nc::unread::{ANY_LOOP, loop_statement};
 use crate::text::{DiagnosticKind, Fix, Message, Place, Span};
 
@@ -102,7 +101,7 @@ impl Check<'_> {
                 }
             }
             Some(at) => self.crossing_end(open, at, end, rest),
-            None if self.found.len() > 2 * FINDINGS => return false,
+            None if self.is_full() => return false,
             None if end.unread => {}
             None => self.end_without_do(open, end, rest),
         }

@@ -10,8 +10,8 @@ use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use crate::nc::codes::{Codes, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::files::Files;
-use crate::nc::parsed::{FINDINGS, PartPlaces};
-use crate::nc::program_names::ProgramNames;
+use crate::nc::parsed::PartPlaces;
+use crate::nc::program_names::{ProgramNames, split_repeats};
 use crate::nc::unread;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Place, Span};
@@ -33,9 +33,6 @@ pub(in crate::nc) fn check_programs(
     };
     let without_do = found.iter().zip(0..).filter_map(without_do).collect();
     for (program, repeated) in deck.programs.iter().zip(repeated(deck)) {
-        if found.len() > 2 * FINDINGS {
-            return;
-        }
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
         let blocks = deck.blocks_of(program);
         let targets = JumpTargets::new(deck, control, blocks, text);
@@ -52,6 +49,9 @@ pub(in crate::nc) fn check_programs(
             without_do: &without_do,
             found,
         };
+        if check.is_full() {
+            return;
+        }
         check.loops();
         match control.syntax.names() {
             Some(_) => check.symbolic(),
@@ -98,7 +98,7 @@ impl Check<'_> {
     }
 
     fn no_target(&mut self, missing: Alarm, number: Dec, span: Span) {
-        if self.found.len() <= 2 * FINDINGS {
+        if !self.is_full() {
             // Numbers outside the range of sequence numbers.
             let such = self.control.syntax.sequence_numbers().contains(&number.to_f64());
             let alarm = if such { missing } else { Alarm::JumpNumber };
@@ -109,9 +109,8 @@ impl Check<'_> {
     /// The last word with this letter and a constant number, and its span.
     fn number_word(&self, block: &Block, letter: Address) -> Option<(Dec, Span)> {
         let word = self.deck.words_of(block).iter().rfind(|word| word.letter == letter)?;
-        let start = block.span.start + u32::from(word.offset);
         match word.value {
-            WordValue::Number(number) => Some((number, Span::new(start, start + u32::from(word.len)))),
+            WordValue::Number(number) => Some((number, word.span(block))),
             WordValue::Expr(_) => None,
         }
     }
@@ -123,7 +122,7 @@ impl Check<'_> {
             return;
         };
         let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.known.number(number).is_some());
-        let (repeats, called) = (number.mantissa / 10_000, number.mantissa % 10_000);
+        let (repeats, called) = split_repeats(number.mantissa);
         let call = self.number_word(block, Address::M).is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
         let has_count = self.number_word(block, Address::L).is_some();
         if !call || has_count || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {

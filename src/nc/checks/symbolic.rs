@@ -56,7 +56,7 @@ impl Check<'_> {
         let name = self.deck.text(Some(label));
         let (exists, reached) = self.targets.label_on_way(name, at, jump.way);
         // The error of a block that does not parse is already reported, and the label may be in it.
-        if reached || self.found.len() > 2 * FINDINGS || !exists && self.targets.is_in_unread_block(name) {
+        if reached || self.is_full() || !exists && self.targets.is_in_unread_block(name) {
             return;
         }
         let span = self.expr_span(block, jump.target);
@@ -93,7 +93,7 @@ impl Check<'_> {
 
     /// Checks a jump to a block number, on controls with such jumps.
     fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: JumpDirection) {
-        if self.found.len() <= 2 * FINDINGS && !self.targets.number_on_way(number, at, way) {
+        if !self.is_full() && !self.targets.number_on_way(number, at, way) {
             self.report(Alarm::NoSequence, block.span, msg!("nc.no-such-sequence", block = format!("N{number}")));
         }
     }

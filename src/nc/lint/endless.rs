@@ -90,7 +90,7 @@ fn stays(flow: &Flow, (start, end): (u32, u32), numbers: &BTreeSet<u32>) -> bool
         if ends || !inside && !own {
             return false;
         }
-        moves |= words.iter().any(|word| flow.control.axis_letters().any(|letter| letter == word.letter));
+        moves |= words.iter().any(|word| flow.control.is_axis(word.letter));
     }
     for &number in numbers {
         kept |= flow.control.var(number).is_some_and(|row| row.kind != VarKind::Local);

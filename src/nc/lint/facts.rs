@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::ast::Word;
 use super::super::dec::Dec;
+use super::super::program_names::split_repeats;
 use super::context::{Lint, whole};
 use super::roles::{CALL, EACH_BLOCK, END, RETURN, Roles, SUB};
 use crate::controls::{Address, Alarm, Code};
@@ -107,11 +108,11 @@ impl Facts {
                     to
                 }
                 (None, Some(Some(number))) => {
-                    let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
+                    let called = if sub && macros.repeats_in_p { split_repeats(number).1 } else { number };
                     let to = lint.programs.number(called);
                     // The reader reports repeats in P.
                     let is_missing =
-                        to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none());
+                        to.is_none() && (called <= 9999 || lint.programs.number(split_repeats(called).1).is_none());
                     if let Some(word) = words.iter().find(|word| is_missing && word.letter == Address::P) {
                         self.missing(lint, (block, word), called);
                     }

@@ -91,7 +91,7 @@ impl FeedUnit {
         if let Some(word) = feed.filter(|_| self.motion != FeedUse::Thread) {
             self.feed = self.per_revolution.map(|unit| (at, word.span(block), unit));
         }
-        let axis = words.iter().find(|word| lint.control.axis_letters().any(|letter| letter == word.letter));
+        let axis = words.iter().find(|word| lint.control.is_axis(word.letter));
         if let (Some((given, span, before)), Some(now), Some(axis)) = (self.feed, self.per_revolution, axis)
             && self.motion == FeedUse::Cut
             && before != now

@@ -59,7 +59,7 @@ impl Feeds {
     ) {
         self.any |= letters.contains(Address::F);
         if self.first_cut.is_none() && bits & LINEAR != 0 && bits & CALL == 0 {
-            let moves = |word: &Word| lint.control.axis_letters().any(|letter| letter == word.letter);
+            let moves = |word: &Word| lint.control.is_axis(word.letter);
             let is_code = |word: &&Word| matches!(word.letter, Address::G | Address::Name);
             let code = words.iter().filter(is_code).find(|word| roles.word(word) & LINEAR != 0);
             self.first_cut = code.filter(|_| words.iter().any(moves)).map(|word| (at, word.span(block)));

@@ -122,7 +122,7 @@ impl<'a> Pass<'a> {
         self.surface |= bits & SURFACE != 0;
         self.dwells |= bits & DWELL != 0;
         for word in flow.deck.words_of(block) {
-            self.moves |= flow.control.axis_letters().any(|letter| letter == word.letter);
+            self.moves |= flow.control.is_axis(word.letter);
             let role = if word.letter == Address::M { flow.roles.word(word) } else { 0 };
             let function = if word.letter == Address::S || role & SPINDLE != 0 {
                 &mut self.spindle

@@ -334,7 +334,7 @@ impl<'a> Vars<'a> {
                         expr => expr,
                     };
                     if let Expr::Var(number) = bare
-                        && self.control.axis_letters().any(|letter| letter == word.letter)
+                        && self.control.is_axis(word.letter)
                         && !words.iter().any(|word| self.takes_words(word))
                         && let Some(var) = self.make(group, number)
                     {

@@ -259,7 +259,7 @@ impl<'a> Reader<'a> {
             }
             _ => true,
         };
-        let axis = |word: &Word| self.control.axis_letters().any(|letter| letter == word.letter);
+        let axis = |word: &Word| self.control.is_axis(word.letter);
         let motion = words.iter().all(plain) && words.iter().any(axis);
         let corners = self.control.syntax.corners;
         let found =

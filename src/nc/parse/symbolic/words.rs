@@ -9,6 +9,7 @@ use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::reader::{Reader, starts_value};
+use crate::nc::program_names::split_repeats;
 use crate::text::{Diagnostic, DiagnosticKind};
 
 /// Dimensioning of a value by its own notation.
@@ -705,7 +706,8 @@ impl Reader<'_> {
         let called = match (value(Address::L), program) {
             (Some((_, repeats)), _) => format!("L{program} P{repeats}"),
             (None, Dec { mantissa: 10_000.., scale: 0, .. }) => {
-                format!("L{} P{}", program.mantissa % 10_000, program.mantissa / 10_000)
+                let (repeats, called) = split_repeats(program.mantissa);
+                format!("L{called} P{repeats}")
             }
             _ => format!("L{program}"),
         };
