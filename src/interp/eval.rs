@@ -2,7 +2,7 @@
 
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
-use super::operators::{calculate, function, is_zero_divisor, or_zero, truth};
+use super::operators::{calculate, function, is_zero_divisor, zero_if_vacant, truth};
 use super::state::RunState;
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};
@@ -38,13 +38,13 @@ impl RunState {
                 Ok(-self.part(cx, x)?)
             }
             Expr::Call(Function::AddPoint, x) => {
-                let value = or_zero(self.part(cx, x)?);
+                let value = zero_if_vacant(self.part(cx, x)?);
                 let Expr::Var(number) = cx.deck.expr(x) else { return Ok(value) };
                 Ok(if self.was_written_without_point(number, value) { value * cx.shared.units.per_unit } else { value })
             }
             Expr::Call(name, x) => {
                 let x = self.part(cx, x)?;
-                function(cx, name, or_zero(x))
+                function(cx, name, zero_if_vacant(x))
             }
         }
     }
@@ -70,13 +70,13 @@ impl RunState {
         let alone = matches!(cx.deck.expr(id), Expr::Var(_) | Expr::Indirect(_));
         let value = self.value(cx, id)?;
         // Adding 0 turns -0 into 0 and changes no other value.
-        Ok(if alone { value + 0.0 } else { or_zero(value) + 0.0 })
+        Ok(if alone { value + 0.0 } else { zero_if_vacant(value) + 0.0 })
     }
 
     /// The value of an expression as a number.
     #[inline]
     pub(super) fn number(&self, cx: &mut BlockContext, id: ExprId) -> BlockResult<f64> {
-        Ok(or_zero(self.value(cx, id)?))
+        Ok(zero_if_vacant(self.value(cx, id)?))
     }
 
     /// Checks that the right operand is non-vacant and valid for every left operand.
@@ -89,7 +89,7 @@ impl RunState {
         let left = self.part(cx, left)?;
         let divisor = right;
         let right = self.part(cx, right)?;
-        let (a, b) = (or_zero(left), or_zero(right));
+        let (a, b) = (zero_if_vacant(left), zero_if_vacant(right));
         let tells = || left.is_nan() != right.is_nan() && !cx.shared.rules.vacant_equals_zero;
         match op {
             Op::Divide | Op::Modulo if is_zero_divisor(cx, op, b) => Err(self.division_by_zero(cx, divisor)),
@@ -139,7 +139,7 @@ impl RunState {
 
 /// Variable number from a calculated value; vacant gives `#0`.
 pub(super) fn variable_number(cx: &BlockContext, x: f64) -> BlockResult<u32> {
-    let whole = or_zero(x).round();
+    let whole = zero_if_vacant(x).round();
     if (0.0..=4e9).contains(&whole) {
         Ok(whole as u32)
     } else {

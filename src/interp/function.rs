@@ -2,7 +2,7 @@
 
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
-use super::operators::{function, operate, or_zero};
+use super::operators::{function, operate, zero_if_vacant};
 use super::state::RunState;
 use super::system_variables::user_alarm;
 use crate::controls::Address;
@@ -49,8 +49,8 @@ impl RunState {
         let needed = operation.operands();
         let (q, r) =
             (operand(Address::Q, needed.contains(&Address::Q))?, operand(Address::R, needed.contains(&Address::R))?);
-        let vacant_or = |x: f64| if operation == Operation::Assign { x } else { or_zero(x) };
-        let (q, r) = (vacant_or(q), or_zero(r));
+        let vacant_or = |x: f64| if operation == Operation::Assign { x } else { zero_if_vacant(x) };
+        let (q, r) = (vacant_or(q), zero_if_vacant(r));
         let jump = match operation {
             Operation::Goto => Some(true),
             Operation::IfEqual => Some(q == r),
@@ -71,7 +71,7 @@ impl RunState {
             let value = self.calculate(cx, operation, (q, r), target).map_err(|trap| trap.at_word(operand))? + 0.0;
             return self.write(cx, block, target, value).map_err(|trap| trap.part(*id));
         }
-        let p = or_zero(operand(Address::P, true)?);
+        let p = zero_if_vacant(operand(Address::P, true)?);
         match jump {
             Some(true) => self.go_to_number(cx, at, p, Alarm::NoSequence).map_err(|trap| trap.at_word(&[Address::P])),
             Some(false) => Ok(()),
@@ -105,7 +105,7 @@ impl RunState {
                 operate(cx, Op::Subtract, q, whole * r)
             }
             MultiplyDivide => {
-                let present = or_zero(self.read(cx, target)?);
+                let present = zero_if_vacant(self.read(cx, target)?);
                 let product = operate(cx, Op::Multiply, present, q)?;
                 operate(cx, Op::Divide, product, r)
             }

@@ -11,7 +11,7 @@ use crate::nc::Op;
 
 /// Value as an operand: vacant counts as 0.
 #[inline]
-pub(super) fn or_zero(x: f64) -> f64 {
+pub(super) fn zero_if_vacant(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x }
 }
 

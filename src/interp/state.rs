@@ -105,9 +105,7 @@ impl RunState {
             self.modal.word(Address::O, if row.number == 0 { VACANT } else { f64::from(row.number) });
         }
     }
-}
 
-impl RunState {
     /// Back to the first block of the start program.
     fn rewind(&mut self, shared: &Shared) {
         match shared.start {

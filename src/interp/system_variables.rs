@@ -5,6 +5,7 @@ use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
 use super::eval::variable_number;
 use super::index::VariableSlot;
+use super::operators::zero_if_vacant;
 use super::state::RunState;
 use super::vars::VACANT;
 use super::world::MachineClock;
@@ -46,16 +47,8 @@ impl RunState {
                 let slot = cx.shared.index.stored_at(row, at as usize, number);
                 slot.map_or(0.0, |slot| zero_if_vacant(self.vars.common(slot)))
             }
-            VarKind::PowerOnTime(clock) => {
-                (finite_or_zero(cx.world.clock_ms(MachineClock::PowerOn))
-                    - self.clock_zero[MachineClock::PowerOn as usize])
-                    / clock.milliseconds()
-            }
-            VarKind::RunTime(clock) => {
-                (finite_or_zero(cx.world.clock_ms(MachineClock::AutomaticRun))
-                    - self.clock_zero[MachineClock::AutomaticRun as usize])
-                    / clock.milliseconds()
-            }
+            VarKind::PowerOnTime(unit) => self.clock_ms(cx, MachineClock::PowerOn) / unit.milliseconds(),
+            VarKind::RunTime(unit) => self.clock_ms(cx, MachineClock::AutomaticRun) / unit.milliseconds(),
             VarKind::PartTime => finite_or_zero(cx.world.clock_ms(MachineClock::AutomaticRun)) / 1000.0,
             VarKind::ModalCode(group) => self.modal.codes[group as usize].to_f64(),
             VarKind::ExecutingCode(group) => self.executing(cx).codes[group as usize].to_f64(),
@@ -185,14 +178,8 @@ impl RunState {
                 self.queue.push(Canon::Message { text: cx.deck.text(block.comment).to_owned() });
                 self.pause = true;
             }
-            VarKind::PowerOnTime(clock) => {
-                self.clock_zero[MachineClock::PowerOn as usize] =
-                    finite_or_zero(cx.world.clock_ms(MachineClock::PowerOn)) - value * clock.milliseconds();
-            }
-            VarKind::RunTime(clock) => {
-                self.clock_zero[MachineClock::AutomaticRun as usize] =
-                    finite_or_zero(cx.world.clock_ms(MachineClock::AutomaticRun)) - value * clock.milliseconds();
-            }
+            VarKind::PowerOnTime(unit) => self.set_clock_ms(cx, MachineClock::PowerOn, value * unit.milliseconds()),
+            VarKind::RunTime(unit) => self.set_clock_ms(cx, MachineClock::AutomaticRun, value * unit.milliseconds()),
             VarKind::WorkOffset(system) => self.write_offset(cx, row, system, number, value)?,
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
             // Local and common variables have their own slots; read-only kinds have returned above.
@@ -200,9 +187,17 @@ impl RunState {
         }
         Ok(())
     }
-}
 
-impl RunState {
+    /// Milliseconds of a clock since the program set it to 0.
+    fn clock_ms(&self, cx: &mut BlockContext, clock: MachineClock) -> f64 {
+        finite_or_zero(cx.world.clock_ms(clock)) - self.clock_zero[clock as usize]
+    }
+
+    /// Sets a clock to a value in milliseconds.
+    fn set_clock_ms(&mut self, cx: &mut BlockContext, clock: MachineClock, value: f64) {
+        self.clock_zero[clock as usize] = finite_or_zero(cx.world.clock_ms(clock)) - value;
+    }
+
     /// `#3003` and `#3004`: bits that suppress single block, FIN, feed hold, override and exact stop.
     fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> BlockResult<()> {
         let whole = value.round();
@@ -265,10 +260,6 @@ impl RunState {
             self.vars.set_common(slot, value);
         }
     }
-}
-
-fn zero_if_vacant(x: f64) -> f64 {
-    if x.is_nan() { 0.0 } else { x }
 }
 
 /// Replaces NaN and infinite values from the machine by 0.

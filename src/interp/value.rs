@@ -12,6 +12,10 @@ use crate::nc::{Block, Dec, Word, WordValue};
 
 /// Millimetres per inch.
 const INCH: f64 = 25.4;
+/// Tenths of a millimetre per inch.
+const INCH_TENTHS: i64 = 254;
+/// Additional decimals of the increment in inches: 0.0001 inch if the metric increment is 0.001 mm.
+const INCH_DECIMALS: usize = 1;
 
 /// `mantissa / 10^scale`, rounded half away from zero; exact.
 #[inline]
@@ -40,8 +44,7 @@ impl RunState {
         cx.parts = match word.letter {
             letter if units.integer_letters.contains(letter) => 1.0,
             Address::F => units.per_feed,
-            // The increment in inches is 0.0001 inch if the metric increment is 0.001 mm.
-            _ if self.modal.inch => units.per_unit * 10.0,
+            _ if self.modal.inch => units.per_unit * POW10[INCH_DECIMALS] as f64,
             _ => units.per_unit,
         };
         let value = self.as_written(cx, block, word);
@@ -148,11 +151,11 @@ impl RunState {
                 }
             }
             WordValue::Number(dec) => {
-                // The increment in inches is 0.0001 inch if the metric increment is 0.001 mm.
-                let increments =
-                    i32::from(self.counts_increments(cx, word.letter, dec)) * (i32::from(units.decimals) + 1);
-                let scale = i32::from(dec.scale) + increments + 1 - i32::from(units.decimals);
-                dec.mantissa.checked_mul(254).and_then(|mantissa| shift(mantissa, scale))
+                let decimals = i32::from(units.decimals);
+                let counts = self.counts_increments(cx, word.letter, dec);
+                let written = i32::from(dec.scale) + if counts { decimals + INCH_DECIMALS as i32 } else { 0 };
+                let tenths = dec.mantissa.checked_mul(INCH_TENTHS);
+                tenths.and_then(|tenths| shift(tenths, written + 1 - decimals))
             }
             WordValue::Expr(_) => {
                 let Some(value) = self.raw(cx, block, word)? else { return Ok(None) };

@@ -44,9 +44,7 @@ impl<'a> Lint<'a> {
             lines: None,
         }
     }
-}
 
-impl<'a> Lint<'a> {
     /// Whether the list of warnings is full.
     pub(super) fn is_full(&self) -> bool {
         self.found.len() >= self.most
