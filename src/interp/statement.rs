@@ -22,11 +22,8 @@ impl RunState {
         if let Some(number) = block.number {
             self.modal.word(Address::N, f64::from(number));
         }
-        if let Stmt::Words { .. } = block.stmt {
-            return self.words(cx, at, block, cx.deck.words_of(block));
-        }
         match block.stmt {
-            Stmt::Words { .. } => {}
+            Stmt::Words { .. } => return self.words(cx, at, block, cx.deck.words_of(block)),
             Stmt::Empty => self.counts.empty += 1,
             Stmt::Assign { to, value } => self.assign(cx, block, to, value)?,
             Stmt::If { cond, target, .. } => {

@@ -11,11 +11,7 @@ use crate::nc::{Block, Dec, Word, WordValue};
 use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 /// Alarms of executing a block of words that do not depend on the run.
-const ACTS: [Alarm; 15] = [
-    // Sequence number in H; P of a return is a block number of the calling program.
-    Alarm::NoSequence,
-    // Only with a constant P.
-    Alarm::JumpNumber,
+const ALWAYS: &[Alarm] = &[
     Alarm::RepeatRange,
     Alarm::NoCallProgram,
     Alarm::OwnCall,
@@ -31,6 +27,10 @@ const ACTS: [Alarm; 15] = [
     Alarm::ReadOnly,
     Alarm::VacantWritten,
 ];
+/// Further such alarms of a block with a constant P.
+const WITH_CONSTANT_P: &[Alarm] = &[Alarm::JumpNumber];
+/// Further such alarms of a block with a sequence number in H. P of a return is a block number of the calling program.
+const WITH_SEQUENCE_IN_H: &[Alarm] = &[Alarm::NoSequence];
 
 impl Precheck<'_> {
     /// Checks the words of a block.
@@ -85,9 +85,11 @@ impl Precheck<'_> {
 
     /// Alarms of executing a block of constant words; `all` where P is constant too.
     fn executed(&mut self, at: u32, block: &Block, words: &[Word], all: bool) {
-        let first = if !all { 2 } else { usize::from(words.iter().all(|word| word.letter != Address::H)) };
-        let acts = ACTS.get(first..).unwrap_or_default();
-        let finding = self.always(block, acts, &mut |state, cx| state.words(cx, at, block, words));
+        let sequence = all && words.iter().any(|word| word.letter == Address::H);
+        let with_p = if all { WITH_CONSTANT_P } else { &[] };
+        let with_h = if sequence { WITH_SEQUENCE_IN_H } else { &[] };
+        let alarms = [ALWAYS, with_p, with_h].concat();
+        let finding = self.always(block, &alarms, &mut |state, cx| state.words(cx, at, block, words));
         self.note(finding);
     }
 
