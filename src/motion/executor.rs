@@ -2,9 +2,10 @@
 
 use super::exec::Exec;
 use super::moves::{ActiveMove, Pace};
+use super::once::Once;
 use super::path::Segment;
 use super::program::RunningProgram;
-use super::sim::{Once, Sim};
+use super::sim::Sim;
 use super::state::{Over, Queued};
 use crate::drives::Rotation;
 use crate::interp::Canon;

@@ -2,9 +2,10 @@
 
 use super::exec::{Exec, MEASURE};
 use super::moves::{ActiveMove, Pace};
+use super::once::Once;
 use super::plc::percent;
 use super::program::RunningProgram;
-use super::sim::{Once, Sim};
+use super::sim::Sim;
 use crate::controls::Address;
 use crate::drives::Rotation;
 use crate::interp::Feed;

@@ -53,6 +53,7 @@ pub mod timeline;
 mod checked_plant;
 mod exec;
 mod moves;
+mod once;
 mod sim;
 mod spindle_control;
 mod state;

@@ -1,9 +1,10 @@
 //! The PLC scan: exchanges [`PlcSignals`] and [`PlcOrders`], applies forced inputs, handles FIN.
 
 use super::exec::Exec;
+use super::once::Once;
 use super::plc::{PlcAlarm, ProgramState};
 use super::program::RunningProgram;
-use super::sim::{Once, Sim};
+use super::sim::Sim;
 use super::timeline::VariableChange;
 use crate::msg;
 use crate::text::Diagnostic;

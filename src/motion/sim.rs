@@ -1,53 +1,11 @@
 //! Simulation of one event: state, plant, panel and records.
 
 use super::checked_plant::CheckedPlant;
+use super::once::Once;
 use super::panel::Panel;
 use super::records::Records;
 use super::state::SimState;
-use crate::interp::canon::AXES;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
-
-/// Diagnostics reported once per run; those of an axis once for each, by its number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Once {
-    Starved,
-    SpindleClamp,
-    SpindleAtRest,
-    OffCentre,
-    NoStage,
-    NoEncoder,
-    NotLocked,
-    NoDrivenTool,
-    FeedWithoutRotation,
-    Notice,
-    SmallOffset,
-    Clamp(usize),
-    Missing(usize),
-}
-
-impl Once {
-    /// Its bit in [`SimState::reported`]; those of the axes follow the others.
-    fn bit(self) -> u32 {
-        const CLAMP: usize = 11;
-        const MISSING: usize = CLAMP + AXES;
-        let number = match self {
-            Once::Starved => 0,
-            Once::SpindleClamp => 1,
-            Once::SpindleAtRest => 2,
-            Once::OffCentre => 3,
-            Once::NoStage => 4,
-            Once::NoEncoder => 5,
-            Once::NotLocked => 6,
-            Once::NoDrivenTool => 7,
-            Once::FeedWithoutRotation => 8,
-            Once::Notice => 9,
-            Once::SmallOffset => 10,
-            Once::Clamp(axis) => CLAMP + axis,
-            Once::Missing(axis) => MISSING + axis,
-        };
-        1 << number
-    }
-}
 
 /// The state, and everything that its events read and write.
 pub(super) struct Sim<'a, P> {
@@ -74,8 +32,8 @@ impl<P> Sim<'_, P> {
     }
 
     fn once(&mut self, once: Once, finding: impl FnOnce() -> Diagnostic) {
-        if self.state.reported & once.bit() == 0 {
-            self.state.reported |= once.bit();
+        if !self.state.reported.contains(&once) {
+            self.state.reported.push(once);
             self.out.diagnostics.push(Diagnostic { place: self.state.place, ..finding() });
         }
     }

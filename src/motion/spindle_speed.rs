@@ -1,8 +1,9 @@
 //! Commanded spindle speed: S and override within their limits, gear stages, ramps.
 
+use super::once::Once;
 use super::plc::percent;
 use super::program::RunningProgram;
-use super::sim::{Once, Sim};
+use super::sim::Sim;
 use super::spindle::{InverterRamp, SpeedCommand, SpindleMode};
 use crate::drives::{Bound, Rotation, SpeedLimits, SpeedRange};
 use crate::msg;

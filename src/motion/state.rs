@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use super::exec::Exec;
+use super::once::Once;
 use super::plc::{Plc, PlcOrders, PlcSignals, WordPart};
 use super::snapshot::Mode;
 use super::spindle_control::SpindleControl;
@@ -180,8 +181,8 @@ pub(super) struct SimState<P> {
     pub(super) clock: RunClock,
     /// Number of blocks read too late to follow without a stop.
     pub(super) starved: u64,
-    /// Bits of [`Once`](super::sim::Once).
-    pub(super) reported: u32,
+    /// Diagnostics already reported.
+    pub(super) reported: Vec<Once>,
     pub(super) mode: Mode,
 }
 
@@ -220,7 +221,7 @@ impl<P> SimState<P> {
             spindle: SpindleControl::new(diameter_axis),
             clock: RunClock::default(),
             starved: 0,
-            reported: 0,
+            reported: Vec::new(),
             mode: Mode::Running,
         }
     }

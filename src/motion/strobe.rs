@@ -1,8 +1,9 @@
 //! Codes for the PLC: M, S, T and gear stages are put out and end with FIN.
 
 use super::exec::Exec;
+use super::once::Once;
 use super::program::RunningProgram;
-use super::sim::{Once, Sim};
+use super::sim::Sim;
 use crate::drives::Rotation;
 use crate::drives::speed::stage_for;
 use crate::interp::Canon;

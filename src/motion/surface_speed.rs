@@ -2,8 +2,9 @@
 
 use super::exec::{Exec, MEASURE};
 use super::moves::Pace;
+use super::once::Once;
 use super::program::RunningProgram;
-use super::sim::{Once, Sim};
+use super::sim::Sim;
 use super::spindle_control::Surface;
 use super::spindle_speed::FASTEST;
 use crate::controls::schema::spindle::RapidSpeed;
