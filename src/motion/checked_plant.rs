@@ -4,7 +4,7 @@ use super::plant::{AxisPlant, Plant, SpindlePlant, WebRegulator};
 use super::plc::{PlcSignals, WordPart};
 use super::setup::Budget;
 use crate::controls::vars::HALF_RANGE;
-use crate::controls::{Alarm, Control, VarRange};
+use crate::controls::{Address, Alarm, Control, VarRange};
 use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
@@ -143,6 +143,12 @@ impl CheckedPlant {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
         let whole = row.filter(|_| part == WordPart::Whole).and_then(|row| row.input_range(number));
         whole.unwrap_or(HALF_RANGE)
+    }
+
+    /// Positions (mm or °) of the axis with a letter at the start and the end of a move; 0 without this axis.
+    pub(super) fn travel_of(&self, letter: Address, start: &[f64; AXES], end: &[f64; AXES]) -> (f64, f64) {
+        let axis = self.axes.iter().position(|axis| axis.letter == Some(letter));
+        axis.map_or((0.0, 0.0), |k| (start[k], end[k]))
     }
 
     /// Whether a variable is written by the PLC.

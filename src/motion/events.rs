@@ -35,7 +35,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         // Cycle start at the exact time of a stop answers that stop.
         let start = operator.is_some_and(|event| event.action == Action::Start);
         let first = if start { f64::INFINITY } else { operator_at };
-        for (t, who) in [
+        for (t, source) in [
             (first, EventSource::Operator),
             (self.state.plc.next_scan, EventSource::Plc),
             (self.state.plc.next_reading, EventSource::Contacts),
@@ -45,16 +45,16 @@ impl<P: RunningProgram> Sim<'_, P> {
             (operator_at, EventSource::Operator),
         ] {
             if t < next.0 {
-                next = (t, who);
+                next = (t, source);
             }
         }
         next
     }
 
     /// Carries out one event.
-    pub(super) fn happen(&mut self, t: f64, who: EventSource) {
+    pub(super) fn carry_out(&mut self, t: f64, source: EventSource) {
         self.state.now = t;
-        match who {
+        match source {
             EventSource::PowerOn => self.power_on(),
             EventSource::Operator => self.operate(t),
             EventSource::Plc => self.scan(t),

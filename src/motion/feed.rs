@@ -48,11 +48,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             && !(per_minute && self.state.plc.signals.spindle_command == 0.0)
             || turning.orienting.is_some()
             || self.state.plc.orders.pmc_speed.iter().any(|rpm| *rpm != 0.0);
-        let along = |letter: Address| {
-            let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
-            axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
-        };
-        let (x, z) = (along(Address::X), along(Address::Z));
+        let travel = |letter| self.plant.travel_of(letter, &motion.start, &motion.end);
+        let (x, z) = (travel(Address::X), travel(Address::Z));
         !turns && x.1.abs() < self.plant.stock && z.1 < 0.0 && (x.1.abs() < x.0.abs() || z.1 < z.0)
     }
 

@@ -107,13 +107,12 @@ impl<P: RunningProgram> Planner<P> {
             if self.ended.is_some() {
                 break;
             }
-            let mut sim =
-                Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
-            let (t, who) = sim.next();
+            let mut sim = self.sim();
+            let (t, source) = sim.next();
             match sim.end(t) {
                 None => sim.state.ended_at = None,
                 Some(end) => {
-                    let still = sim.standstill().min(self.plant.limits.seconds);
+                    let still = sim.standstill().min(sim.plant.limits.seconds);
                     if t > still && still <= until {
                         self.finish(end, still);
                         break;
@@ -130,7 +129,7 @@ impl<P: RunningProgram> Planner<P> {
                 }
                 break;
             }
-            if let (EventSource::Reader, Some(gate)) = (who, &mut gate) {
+            if let (EventSource::Reader, Some(gate)) = (source, &mut gate) {
                 match self
                     .state
                     .look(t, &self.plant.axes, &self.records.timeline, |program, world| gate(t, program, world))
@@ -150,14 +149,17 @@ impl<P: RunningProgram> Planner<P> {
             if t >= self.due {
                 self.checkpoint(t);
             }
-            let mut sim =
-                Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
-            sim.happen(t, who);
+            self.sim().carry_out(t, source);
             // Other events may follow at the same time; the time counts as planned only after them.
             self.records.timeline.end = t.max(self.records.timeline.end);
         }
         let progress = PlanProgress { planned_to: self.records.timeline.end, ended: self.ended.clone() };
         GatedProgress { progress, is_shut }
+    }
+
+    /// The run with everything that its next event reads and writes.
+    fn sim(&mut self) -> Sim<'_, P> {
+        Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel }
     }
 
     /// Records a checkpoint before the first event at or after a whole second. All earlier events come before `due`.
@@ -226,7 +228,7 @@ impl<P: RunningProgram> Planner<P> {
 
     /// Whether only the operator can continue the run, and no operator event is left.
     fn is_over(&mut self) -> bool {
-        let sim = Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+        let sim = self.sim();
         let (next, _) = sim.next();
         sim.end(next).is_some()
     }
@@ -239,9 +241,9 @@ impl<P: RunningProgram> Planner<P> {
 
     /// Ends the plan at `still`, the time when axes and spindle have settled after the end of the run.
     fn finish(&mut self, end: RunEnd, still: f64) {
-        let sim = Sim { state: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
-        if let Some(why) = sim.stuck() {
-            self.last_word(why);
+        let sim = self.sim();
+        if let Some(reason) = sim.stuck() {
+            self.last_word(reason);
         }
         self.records.timeline.end = still.max(self.records.timeline.end);
         self.ended = Some(end);

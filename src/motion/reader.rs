@@ -42,7 +42,7 @@ impl<P> SimState<P> {
         path: &Timeline,
         look: impl FnOnce(&P, &mut dyn World) -> R,
     ) -> R {
-        let mut eyes = ReaderWorld {
+        let mut world = ReaderWorld {
             inputs: &self.plc.orders.macro_inputs,
             position: Axes::Path(path),
             axes,
@@ -53,7 +53,7 @@ impl<P> SimState<P> {
             changes: Vec::new(),
             remarks: Vec::new(),
         };
-        look(&self.program, &mut eyes)
+        look(&self.program, &mut world)
     }
 }
 
@@ -114,7 +114,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let (running, waiting) = (self.state.run_time_at(t), self.state.waiting());
         let s = &mut *self.state;
-        let mut eyes = ReaderWorld {
+        let mut world = ReaderWorld {
             inputs: &s.plc.orders.macro_inputs,
             position: Axes::Rest(&s.path.position),
             axes: &self.plant.axes,
@@ -125,11 +125,11 @@ impl<P: RunningProgram> Sim<'_, P> {
             changes: Vec::new(),
             remarks: Vec::new(),
         };
-        let step = s.program.step(&mut eyes);
-        for (number, value) in eyes.changes {
+        let step = s.program.step(&mut world);
+        for (number, value) in world.changes {
             self.out.timeline.changes.push(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
         }
-        for remark in eyes.remarks {
+        for remark in world.remarks {
             self.out.report_in_block(remark);
         }
         let after = s.program.blocks();

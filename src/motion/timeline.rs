@@ -110,6 +110,12 @@ struct Counted {
     times: u32,
 }
 
+/// Whether the blocks chosen by `chosen` begin with this mark. A block may have several marks, for instance a wait and its motion.
+fn is_first_mark(marks: &[Activity], at: usize, chosen: impl Fn(&Activity) -> bool) -> bool {
+    let there = |mark: &Activity| mark.begun && chosen(mark);
+    there(&marks[at]) && (at == 0 || !there(&marks[at - 1]))
+}
+
 impl Timeline {
     /// Bytes of memory per block with motion.
     pub const BLOCK_BYTES: usize = size_of::<Segment>() + size_of::<Activity>();
@@ -209,16 +215,14 @@ impl Timeline {
     /// Number of starts of the block at `place` until time `t`.
     pub fn times(&self, place: Place, t: f64) -> u32 {
         let marks = self.marks.until(t);
-        let there = |mark: &Activity| mark.begun && mark.place == place;
-        // A block may have several marks, for instance a wait and its motion.
-        let begins = |at: usize| there(&marks[at]) && (at == 0 || !there(&marks[at - 1]));
+        let is_first = |at: usize| is_first_mark(marks, at, |mark| mark.place == place);
         let [kept, other] = &self.counted;
         let known = |cell: &Cell<Counted>| cell.get().place == place && cell.get().marks <= marks.len();
         if !known(kept) {
             kept.swap(other);
         }
         let from = if known(kept) { kept.get() } else { Counted { place, ..Counted::default() } };
-        let count = |from: usize, to: usize| (from..to).filter(|&at| begins(at)).count() as u32;
+        let count = |from: usize, to: usize| (from..to).filter(|&at| is_first(at)).count() as u32;
         // The newest mark may still be replaced.
         let sure = marks.len().saturating_sub(1).max(from.marks);
         let times = from.times + count(from.marks, sure);
@@ -230,11 +234,8 @@ impl Timeline {
     pub fn begins(&self, place: Place) -> impl Iterator<Item = f64> {
         let marks = self.marks.until(f64::INFINITY);
         let span = place.span.start..place.span.end;
-        let there =
-            move |mark: &Activity| mark.begun && mark.place.file == place.file && span.contains(&mark.place.span.start);
-        // A block may have several marks, for instance a wait and its motion.
-        let begins = move |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
-        (0..marks.len()).filter(begins).map(move |at| marks[at].t)
+        let within = move |mark: &Activity| mark.place.file == place.file && span.contains(&mark.place.span.start);
+        (0..marks.len()).filter(move |&at| is_first_mark(marks, at, &within)).map(move |at| marks[at].t)
     }
 
     /// Times (s) at which executions of a block within a place begin, in the planned part; also those that follow one another directly.

@@ -54,11 +54,8 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Whether a straight move (mm) passes through the round work, which lies at negative Z. Moves out of the work, away from the centre
     /// and towards the face, are allowed.
     fn enters_work(&self, from: [f64; AXES], to: [f64; AXES]) -> bool {
-        let along = |letter: Address| {
-            let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
-            axis.map_or((0.0, 0.0), |k| (from[k], to[k]))
-        };
-        let (x, z) = (along(Address::X), along(Address::Z));
+        let travel = |letter| self.plant.travel_of(letter, &from, &to);
+        let (x, z) = (travel(Address::X), travel(Address::Z));
         let (across, behind) = (within(x, (-self.plant.stock, self.plant.stock)), within(z, (f64::NEG_INFINITY, 0.0)));
         let way_out = x.0 * (x.1 - x.0) >= 0.0 && z.1 >= z.0;
         !way_out && across.0.max(behind.0) < across.1.min(behind.1) - 1e-9
