@@ -121,7 +121,7 @@ impl RunState {
             Some(repeats) if (f64::from(min)..=f64::from(max)).contains(&repeats) => Ok(repeats as u32),
             Some(repeats) => Err(Trap::alarm(
                 Alarm::RepeatRange,
-                msg!("interp.value-range", value = repeats, least = min, most = max),
+                msg!("interp.repeat-range", count = repeats, least = min, most = max),
             )
             .at_word(at)),
         }
@@ -187,7 +187,7 @@ impl RunState {
             Some(id) => {
                 let repeats = self.number(cx, id)?.round();
                 if !(1.0..=f64::from(max)).contains(&repeats) {
-                    let message = msg!("interp.value-range", value = repeats, least = 1_u32, most = max);
+                    let message = msg!("interp.repeat-range", count = repeats, least = 1_u32, most = max);
                     return Err(Trap::alarm(Alarm::RepeatRange, message).part(id));
                 }
                 repeats as u32

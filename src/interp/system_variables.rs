@@ -172,7 +172,7 @@ impl RunState {
                     self.vars.set_common(slot, value);
                 }
             }
-            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => self.suppress(cx, row.kind, slot, value)?,
+            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => self.suppress(cx, row.kind, (number, slot), value)?,
             VarKind::AlarmMessage => return Err(user_alarm(cx, block, value.round())),
             VarKind::StopMessage => {
                 self.queue.push(Canon::Message { text: cx.deck.text(block.comment).to_owned() });
@@ -198,14 +198,17 @@ impl RunState {
         self.clock_zero[clock as usize] = finite_or_zero(cx.world.clock_ms(clock)) - value;
     }
 
-    /// `#3003` and `#3004`: bits that suppress single block, FIN, feed hold, override and exact stop.
-    fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> BlockResult<()> {
+    /// `#3003` and `#3004`: bits that suppress single block, FIN, feed hold, override and exact stop. The variable is its number and its slot.
+    fn suppress(
+        &mut self,
+        cx: &BlockContext,
+        kind: VarKind,
+        (number, slot): (u32, Option<u16>),
+        value: f64,
+    ) -> BlockResult<()> {
         let whole = value.round();
         if !(0.0..=255.0).contains(&whole) {
-            return Err(Trap::alarm(
-                Alarm::OutOfRange,
-                msg!("interp.value-range", value, least = 0_u32, most = 255_u32),
-            ));
+            return Err(outside_variable(cx, number, value, (0.0, 255.0)));
         }
         if let Some(slot) = slot {
             self.vars.set_common(slot, whole);
@@ -234,7 +237,7 @@ impl RunState {
         let axis = (number - row.first) as usize;
         if increments.abs() > units.coordinate_max as f64 {
             let max = cx.control.limits.coordinate_max;
-            return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, least = -max, most = max)));
+            return Err(outside_variable(cx, number, value, (-max, max)));
         }
         if axis >= cx.control.axes.len().min(AXES) {
             return Err(no_such_variable(cx, number));
@@ -278,13 +281,20 @@ fn fit(width: Option<Width>, x: f64) -> f64 {
 pub(super) fn user_alarm(cx: &BlockContext, block: &Block, number: f64) -> Trap {
     let (min, max) = cx.control.macros.user_alarms;
     if !(f64::from(min)..=f64::from(max)).contains(&number) {
-        return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", value = number, least = min, most = max));
+        return Trap::alarm(Alarm::UserAlarmRange, msg!("nc.user-alarm-number", least = min, most = max));
     }
     let shown = cx.shared.rules.running.user_alarm_base.map(|base| base + number as u32);
     let text = cx.deck.text(block.comment).trim_start_matches('/');
     let message =
         if text.is_empty() { msg!("interp.user-alarm", number) } else { msg!("interp.user-alarm-text", number, text) };
     Trap::alarm(Alarm::User, message).numbered(shown)
+}
+
+/// The alarm of a value that a system variable does not take.
+#[cold]
+fn outside_variable(cx: &BlockContext, number: u32, value: f64, (least, most): (f64, f64)) -> Trap {
+    let variable = cx.control.variable(number);
+    Trap::alarm(Alarm::OutOfRange, msg!("interp.variable-range", variable, value, least, most))
 }
 
 #[cold]
