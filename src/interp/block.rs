@@ -176,7 +176,9 @@ impl RunState {
                 self.call_sub(cx, values.call.p, values.call.h, values.call.l, CalledBy::Word)
             }
             (Some(Code::Return), None) if self.frames.is_empty() => {
-                Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return")))
+                let code = cx.control.names_of(&[Code::Return]);
+                let end = cx.control.names_of(&[Code::End, Code::EndRewind]);
+                Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return", code, end)))
             }
             (Some(_), None) => self.end_sub(cx, at, values.call.p),
             (None, None) => match self.modal_call.as_ref().filter(|_| moved).map(Rc::clone) {

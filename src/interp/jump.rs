@@ -7,7 +7,7 @@ use super::operators::WHOLE;
 use super::state::RunState;
 use crate::controls::{Address, Alarm};
 use crate::msg;
-use crate::nc::{Block, ExprId};
+use crate::nc::{Block, Expr, ExprId};
 use crate::text::{Diagnostic, DiagnosticKind, Place, Severity, Span};
 
 impl RunState {
@@ -41,15 +41,35 @@ impl RunState {
 
     pub(super) fn go_to(&mut self, cx: &mut BlockContext, from: u32, target: ExprId) -> BlockResult<()> {
         if cx.control.syntax.names().is_some() {
-            self.at = cx
-                .shared
-                .index
-                .target(target)
-                .ok_or_else(|| Trap::alarm(Alarm::NoSequence, msg!("interp.no-label")).part(target))?;
+            self.at = cx.shared.index.target(target).ok_or_else(|| self.no_target(cx, from, target))?;
             return Ok(());
         }
         let number = self.number(cx, target)?;
         self.go_to_number(cx, from, number, Alarm::GotoTarget).map_err(|trap| trap.part(target))
+    }
+
+    /// The alarm of a jump whose label or block number is not in its direction, or not in the program.
+    #[cold]
+    fn no_target(&self, cx: &BlockContext, from: u32, target: ExprId) -> Trap {
+        let blocks = cx.deck.blocks.get(self.first as usize..self.end as usize).unwrap_or_default();
+        let message = match cx.deck.expr(target) {
+            Expr::Label(label) => {
+                let label = cx.deck.text(Some(label));
+                let jump = cx.deck.blocks.get(from as usize).map(|block| cx.deck.jumps_of(block.stmt));
+                let jump = jump.into_iter().flatten().find(|jump| jump.target == target);
+                let exists = blocks.iter().any(|block| block.label.is_some() && cx.deck.text(block.label) == label);
+                match jump.filter(|_| exists) {
+                    Some(jump) => {
+                        let (keyword, other) = jump.way.keywords();
+                        msg!("nc.label-other-way", label, keyword, other)
+                    }
+                    None => msg!("nc.no-such-label", label),
+                }
+            }
+            Expr::Number(number) => msg!("nc.no-such-sequence", block = format!("N{number}")),
+            _ => msg!("interp.bad-block"),
+        };
+        Trap::alarm(Alarm::NoSequence, message).part(target)
     }
 
     /// Jumps to a sequence number of the running program. `from` is the jumping block, `missing` the alarm if no block has the number.
@@ -63,10 +83,11 @@ impl RunState {
         // A calculated number may differ from a whole one by rounding; sequence numbers have no decimals.
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };
-        if !cx.control.syntax.sequence_numbers().contains(&number) {
-            return Err(
-                Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", number = (number, 9))).at_word(&[Address::P])
-            );
+        let numbers = cx.control.syntax.sequence_numbers();
+        if !numbers.contains(&number) {
+            let (least, most) = (numbers.start, numbers.end - 1.0);
+            let message = msg!("nc.jump-range", number = (number, 9), least, most);
+            return Err(Trap::alarm(Alarm::JumpNumber, message).at_word(&[Address::P]));
         }
         let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));
         let Some(to) = whole.then(found).flatten() else {

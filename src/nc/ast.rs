@@ -244,6 +244,11 @@ impl JumpDirection {
         }
     }
 
+    /// Keyword of a jump in this direction only, and the keyword of the other direction.
+    pub(crate) fn keywords(self) -> (&'static str, &'static str) {
+        if self == JumpDirection::Forward { ("GOTOF", "GOTOB") } else { ("GOTOB", "GOTOF") }
+    }
+
     /// Target of a jump in block `from`, among the blocks `places` of one name in rising order: the nearest one in its direction.
     pub(crate) fn nearest(self, from: usize, places: &[usize]) -> Option<usize> {
         let after = places.partition_point(|to| *to <= from);

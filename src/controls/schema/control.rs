@@ -230,13 +230,18 @@ impl Control {
 
     /// The codes that end a program, joined by “or” for a sentence.
     pub fn program_ends(&self) -> String {
-        let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
+        self.names_of(&[Code::End, Code::EndRewind, Code::SubEnd, Code::Return])
+    }
+
+    /// The codes with these meanings, joined by “or” for a sentence.
+    pub fn names_of(&self, meanings: &[Code]) -> String {
         let digits = if self.syntax.names().is_some() { 1 } else { 2 };
         let name = |row: &CodeDef| match row.id {
             CodeId::M(number) => format!("M{number:0digits$}"),
             id => self.code_name(id),
         };
-        either(&self.codes.iter().filter(ends).map(name).collect::<Vec<_>>())
+        let rows = self.codes.iter().filter(|row| meanings.contains(&row.code));
+        either(&rows.map(name).collect::<Vec<_>>())
     }
 
     /// Index of an axis letter in `axes`.

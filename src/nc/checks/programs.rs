@@ -99,10 +99,13 @@ impl Check<'_> {
 
     fn no_target(&mut self, missing: Alarm, number: Dec, span: Span) {
         if !self.is_full() {
-            // Numbers outside the range of sequence numbers.
-            let such = self.control.syntax.sequence_numbers().contains(&number.to_f64());
-            let alarm = if such { missing } else { Alarm::JumpNumber };
-            self.report(alarm, span, msg!("nc.no-such-sequence", block = format!("N{number}")));
+            let numbers = self.control.syntax.sequence_numbers();
+            if numbers.contains(&number.to_f64()) {
+                self.report(missing, span, msg!("nc.no-such-sequence", block = format!("N{number}")));
+            } else {
+                let (least, most) = (numbers.start, numbers.end - 1.0);
+                self.report(Alarm::JumpNumber, span, msg!("nc.jump-range", number = (number.to_f64(), 9), least, most));
+            }
         }
     }
 

@@ -63,7 +63,7 @@ impl Check<'_> {
         if !exists {
             return self.report(Alarm::NoSequence, span, msg!("nc.no-such-label", label = name));
         }
-        let (word, other) = if jump.way == JumpDirection::Forward { ("GOTOF", "GOTOB") } else { ("GOTOB", "GOTOF") };
+        let (word, other) = jump.way.keywords();
         let place = |span: Span| Place { file: self.program.file, span };
         let number = self.control.alarm_shown(Alarm::NoSequence);
         let message = msg!("nc.label-other-way", label = name, keyword = word, other);
