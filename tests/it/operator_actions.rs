@@ -114,7 +114,7 @@ fn actions_are_there_where_machine_and_control_have_them() {
 }
 
 #[test]
-fn run_does_every_available_action() {
+fn no_available_action_is_refused() {
     for machine in macroline::machines::ALL {
         for control in machine.controls() {
             let mut project = on(machine.id(), control);

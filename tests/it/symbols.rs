@@ -167,20 +167,30 @@ fn outline_of_named_programs_has_their_labels() {
 #[test]
 fn every_fixture_has_symbols_within_its_text() {
     for control in controls::ALL {
+        let mut variables = 0;
         for (path, text) in
             super::programs::fixtures(control, "ok").into_iter().chain(super::programs::fixtures(control, "bad"))
         {
             let name = path.display();
             let read = Read::new(control.id, &text);
-            let mut last = 0;
+            let deck = read.parsed.deck();
+            for block in deck.blocks.iter().filter(|block| block.number.is_some()) {
+                let number = block.number_at.span(block);
+                let found = read.symbols.at(FileId(0), number.start).map(|found| (found.place.span, found.role));
+                assert_eq!(found, Some((number, Role::Definition)), "{name}: {}", block.span.of(&text));
+            }
+            for (at, program) in (0..).zip(&deck.programs).filter(|(_, program)| program.number > 0) {
+                assert!(read.symbols.definition(Symbol::Program(at)).is_some(), "{name}: O{}", program.number);
+            }
+            variables += read.symbols.variables().len();
             for byte in 0..text.len() as u32 {
                 let Some(found) = read.symbols.at(FileId(0), byte) else { continue };
-                last = last.max(found.place.span.start);
                 let written = read.parsed.text(found.place);
                 assert!(!written.is_empty() || found.place.span.end == 0, "{name}: {found:?}");
                 assert!(read.symbols.of(found.symbol).any(|row| *row == found), "{name}: {found:?}");
             }
             read.symbols.outline(&read.parsed, FileId(0));
         }
+        assert!(variables > 0, "{}", control.id);
     }
 }

@@ -195,17 +195,25 @@ fn labels_never_overlap_and_poses_fit_any_form() {
 }
 
 #[test]
-fn every_label_of_the_examples_leads_to_its_part() {
+fn every_leader_of_the_examples_ends_within_the_view() {
     for machine in machines::ALL {
         for example in machine.examples() {
             let scene = Project::named(machine.id(), None, Some(example.id)).unwrap().prepared().scene();
-            let leaders = scene.nodes.iter().filter(|node| node.group == 0 && node.label > 0 && node.id.is_none());
-            for leader in leaders {
+            let [left, top, width, height] = scene.view;
+            let still = scene.nodes.iter().filter(|node| node.group == 0 && node.label > 0 && node.id.is_none());
+            let mut leaders = 0;
+            for leader in still {
                 let Shape::Path { d } = &leader.shape else { continue };
                 let mut own = scene.nodes.iter().filter(|node| node.label == leader.label);
                 let name = own.find(|node| matches!(node.shape, Shape::Text { .. }));
-                assert!(!d.is_empty(), "{} {}: no leader from {name:?}", machine.id(), example.id);
+                let about = || format!("{} {}: {d:?} from {name:?}", machine.id(), example.id);
+                let points: Vec<f64> = d.split(['M', 'L', ' ']).filter_map(|number| number.parse().ok()).collect();
+                let [x0, y0, x1, y1] = points[..] else { panic!("{}", about()) };
+                let inside = (left..=left + width).contains(&x1) && (top..=top + height).contains(&y1);
+                assert!(inside && (x0, y0) != (x1, y1), "{}", about());
+                leaders += 1;
             }
+            assert!(leaders > 0, "{} {}", machine.id(), example.id);
         }
     }
 }
