@@ -12,7 +12,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn read_contacts(&mut self, t: f64) {
         let state = self.program_state();
         let plc = &mut self.state.plc;
-        let (changed, wait) = plc.program.follow(t, state, &self.out.timeline);
+        let (changed, wait) = plc.logic.follow(t, state, &self.out.timeline);
         // A NaN counts as the least time.
         plc.next_reading = t + if wait > BETWEEN.0 { wait.min(BETWEEN.1) } else { BETWEEN.0 };
         if changed {

@@ -115,7 +115,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if begins || last.is_none_or(|last| last.mode != mode) {
             // A mark of the same time is replaced; the start of the same block stays.
             let is_start = begins || last.is_some_and(|last| last.t == t && last.is_start);
-            self.out.timeline.marks.put(Activity { t, mode, place, begun, is_start });
+            self.out.timeline.marks.set_from(Activity { t, mode, place, begun, is_start });
         }
     }
 }

@@ -55,7 +55,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 if motion.end_time() <= t {
                     self.arrive(t, end, exact, pace);
                 } else {
-                    self.pace(t);
+                    self.update_path_speed(t);
                 }
             }
             Exec::Spinning(_) => {
@@ -141,10 +141,10 @@ impl<P: RunningProgram> Sim<'_, P> {
             Canon::ConstantSpeed => self.end_surface(t),
             Canon::SpeedLimit { limit, rpm } => {
                 self.state.spindle.limit(limit, rpm);
-                self.follow(t);
+                self.update_spindle_and_plc(t);
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
-            Canon::OtherSpindle { rotation, .. } => self.state.spindle.driven = rotation != Rotation::Stopped,
+            Canon::OtherSpindle { rotation, .. } => self.state.spindle.driven_tool_turns = rotation != Rotation::Stopped,
             // No motion: a position or message is recorded, or the command has acted when it was read.
             Canon::Preset { .. } => self.state.path.reference = Some(self.state.path.position),
             Canon::PathMode { .. } => {}
@@ -198,7 +198,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.state.exec = Exec::Finished;
                 if self.plant.spindle.rules.end_stops {
                     (self.state.spindle.speed, self.state.spindle.rotation) = (0.0, Rotation::Stopped);
-                    self.follow(t);
+                    self.update_spindle_and_plc(t);
                 }
             }
             _ => self.put_out(t, canon),
@@ -215,7 +215,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.state.exec = Exec::Idle;
         self.state.path.flow_end = (!exact).then_some(t);
         if let Pace::Thread(_) = pace {
-            self.follow(t);
+            self.update_spindle_and_plc(t);
         }
         if !exact || (self.state.suppressed.exact && pace != Pace::Rapid) {
             return;
@@ -253,7 +253,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.state.path.rest_since = t;
             let segment = Segment { t, from: self.state.path.position, velocity: [0.0; AXES], circle: 0 };
             self.out.timeline.put_segment(segment, None);
-            self.watch(t);
+            self.note_surface_cut_end(t);
         }
     }
 }

@@ -17,7 +17,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn cut(&mut self, t: f64, motion: &ActiveMove) {
         let turning = &self.state.spindle;
         if turning.orienting.is_some() && motion.length > 0.0 {
-            let (locked, driven) = (turning.locked, turning.driven || self.plant.spindle.driven_tool);
+            let (locked, driven) = (turning.locked, turning.driven_tool_turns || self.plant.spindle.driven_tool);
             if !locked {
                 self.warn(Once::NotLocked, || msg!("motion.not-locked"));
             }
@@ -73,7 +73,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.state.path.moving = true;
         self.put_segment(t);
         self.aim_at_motion(t);
-        self.follow(t);
+        self.update_spindle_and_plc(t);
         // The override ends with a thread's block: the spindle goes back to the commanded speed.
         if matches!(motion.pace, Pace::Thread(_)) {
             self.report_motion_on_ramp(t, motion.pace);
@@ -114,7 +114,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Updates the path speed of the movement.
-    pub(super) fn pace(&mut self, t: f64) {
+    pub(super) fn update_path_speed(&mut self, t: f64) {
         let asked = self.asked_speed(t);
         let Exec::Moving(motion) = &mut self.state.exec else { return };
         if asked.0.min(motion.limit) == motion.speed {
@@ -134,7 +134,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (segment, circle) = motion.segment();
         let (pace, limit, limiting) = (motion.pace, motion.limit, motion.limiting);
         self.out.timeline.put_segment(segment, circle);
-        self.watch(t);
+        self.note_surface_cut_end(t);
         if matches!(pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
             self.warn_axis_clamp(limit, limiting, asked * 60.0);
             self.warn_spindle_at_rest();

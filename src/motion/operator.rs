@@ -26,21 +26,21 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.state.operator.knobs.feed = *value;
                 self.state.plc.signals.knobs.feed = percent(*value);
                 self.scan(t);
-                self.pace(t);
+                self.update_path_speed(t);
             }
             Action::RapidOverride(value) => {
                 self.state.operator.knobs.rapid = *value;
-                self.pace(t);
+                self.update_path_speed(t);
             }
             Action::Start => self.start(t),
             Action::Hold => {
-                if self.state.plc.program.reads_hold_key() {
+                if self.state.plc.logic.reads_hold_key() {
                     self.state.plc.signals.hold_key = true;
                     self.scan(t);
                 } else {
                     self.hold(t);
                 }
-                self.pace(t);
+                self.update_path_speed(t);
             }
             Action::Reset => self.reset(t, Exec::Ready),
             Action::EmergencyStop => {
@@ -49,7 +49,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.reset(t, Exec::Emergency(Box::new(diagnostic)));
             }
             Action::InverterFault(on) => {
-                if self.state.plc.program.watches_inverter() {
+                if self.state.plc.logic.watches_inverter() {
                     self.state.plc.signals.inverter_fault = *on;
                     if *on {
                         // Without current from the inverter the spindle is not held at an angle.
@@ -84,7 +84,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             },
             Action::Variable(number, value) => {
                 if self.state.program.set_variable(*number, *value) {
-                    self.out.timeline.changes.push(VariableChange {
+                    self.out.timeline.changes.append(VariableChange {
                         t,
                         number: *number,
                         value: value.unwrap_or(f64::NAN),
@@ -96,7 +96,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Feed hold, by the operator or the PLC; the path speed follows in [`pace`](Sim::pace).
+    /// Feed hold, by the operator or the PLC; the path speed follows in [`update_path_speed`](Sim::update_path_speed).
     pub(super) fn hold(&mut self, t: f64) {
         if let Some(ended) = self.state.exec.returning() {
             self.break_off(t);
@@ -173,7 +173,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.state.path.flow_end = None;
             // A PLC that holds the spindle releases it before the path speed is computed.
             self.show_state(t);
-            self.pace(t);
+            self.update_path_speed(t);
         }
     }
 

@@ -60,13 +60,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             };
             self.state.spindle.orienting =
                 Some(Orienting { goal, rotation: present, travel: Travel::default(), part: back });
-            return self.part(t, rpm, 0.0, faster, rpm.abs() / faster);
+            return self.put_travel_part(t, rpm, 0.0, faster, rpm.abs() / faster);
         }
         let first = if rpm.abs() > positioning.speed { faster } else { slower };
         let travel = Travel::new(degrees.abs() / 360.0, rpm.abs(), positioning.speed, first, slower);
         let goal = goal + travel.more * rotation.sign();
         self.state.spindle.orienting = Some(Orienting { goal, rotation, travel, part: TravelPart::ToPeak });
-        self.part(t, rpm, travel.peak * rotation.sign(), first, travel.to_peak);
+        self.put_travel_part(t, rpm, travel.peak * rotation.sign(), first, travel.to_peak);
     }
 
     /// Ends a part of the travel to an angle and starts the next.
@@ -84,11 +84,11 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             TravelPart::ToPeak => {
                 orienting.part = TravelPart::Steady;
-                self.part(t, peak, peak, 0.0, travel.steady);
+                self.put_travel_part(t, peak, peak, 0.0, travel.steady);
             }
             TravelPart::Steady => {
                 orienting.part = TravelPart::ToRest;
-                self.part(t, peak, 0.0, slower, travel.to_rest);
+                self.put_travel_part(t, peak, 0.0, slower, travel.to_rest);
             }
             TravelPart::ToRest => {
                 orienting.part = TravelPart::Held;
@@ -105,7 +105,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Records a part of the travel with signed speeds (r/min) and its duration (s); a part without duration ends at once.
-    fn part(&mut self, t: f64, start: f64, target: f64, rate: f64, seconds: f64) {
+    fn put_travel_part(&mut self, t: f64, start: f64, target: f64, rate: f64, seconds: f64) {
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
         let turns = last.turns(&self.plant.spindle, t);
         let rotation = Rotation::of(start + target);

@@ -66,7 +66,7 @@ impl Default for OverrideKnobs {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlcSignals {
     /// State of the program.
-    pub program: ProgramState,
+    pub program_state: ProgramState,
     /// Reset or emergency stop was pressed; set for one scan.
     pub reset: bool,
     /// Emergency stop was pressed; set for one scan.

@@ -34,7 +34,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let velocity: [f64; AXES] = core::array::from_fn(asked);
         if velocity != self.out.timeline.pmc.segments.last().map_or([0.0; AXES], |last| last.velocity) {
             let from = self.out.timeline.pmc_commanded(t);
-            self.out.timeline.pmc.segments.put(Segment { t, from, velocity, circle: 0 });
+            self.out.timeline.pmc.segments.set_from(Segment { t, from, velocity, circle: 0 });
         }
     }
 }

@@ -127,7 +127,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         };
         let step = s.program.step(&mut world);
         for (number, value) in world.changes {
-            self.out.timeline.changes.push(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
+            self.out.timeline.changes.append(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
         }
         for remark in world.remarks {
             self.out.report_in_block(remark);
@@ -160,7 +160,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
                 if self.state.plc.signals.macro_outputs.get(&variable) != Some(&value) {
-                    self.out.timeline.changes.push(VariableChange { t, number: variable, value });
+                    self.out.timeline.changes.append(VariableChange { t, number: variable, value });
                 }
                 self.state.plc.signals.macro_outputs.insert(variable, value);
                 self.scan(t);
@@ -169,7 +169,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.state.suppressed.hold = hold;
                 self.state.suppressed.feed_override = feed_override;
                 self.state.suppressed.exact = exact;
-                self.pace(t);
+                self.update_path_speed(t);
             }
             Canon::SuppressWaits { single_block, fin } => {
                 self.state.suppressed.single_block = single_block;

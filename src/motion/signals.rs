@@ -16,7 +16,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Scans the PLC until it and the spindle agree.
     pub(super) fn scan(&mut self, t: f64) {
         // The speed at a cut's diameter and its feed per revolution depend on each other; they settle before the PLC is scanned.
-        (0..ROUNDS).all(|_| self.turn(t));
+        (0..ROUNDS).all(|_| self.update_command(t));
         self.show_pmc(t);
         let waited = (self.state.plc.orders.axes_held, self.state.operator.held);
         // A PLC and a control that never agree are left to the next scan.
@@ -25,10 +25,10 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
             let key = self.state.plc.signals.hold_key;
             let (state, orders) = (self.program_state(), self.state.plc.orders.spindle);
-            self.state.plc.signals.program = state;
+            self.state.plc.signals.program_state = state;
             self.state.plc.signals.positions = self.state.spindle.orienting.is_some();
             let plc = &mut self.state.plc;
-            let wish = plc.program.scan(t, &plc.signals, &mut plc.orders);
+            let wish = plc.logic.scan(t, &plc.signals, &mut plc.orders);
             (self.state.plc.signals.reset, self.state.plc.signals.emergency) = (false, false);
             (self.state.plc.signals.spindle_key, self.state.plc.signals.hold_key) = (None, false);
             // A PLC that requests an immediate scan gets it in its next cycle (1 ms).
@@ -63,14 +63,14 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
             let ordered = answered || self.state.plc.orders.spindle != orders;
-            let changed = ordered && self.turn(t) || self.program_state() != state;
+            let changed = ordered && self.update_command(t) || self.program_state() != state;
             // The key is released before anything else happens.
             if !changed && !answered && !key {
                 break;
             }
         }
         if (self.state.plc.orders.axes_held, self.state.operator.held) != waited {
-            self.pace(t);
+            self.update_path_speed(t);
         }
         self.turn_pmc(t);
         self.show_inputs(t);
@@ -88,7 +88,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Shows the PLC that the program has stopped or continued.
     pub(super) fn show_state(&mut self, t: f64) {
-        if self.program_state() != self.state.plc.signals.program {
+        if self.program_state() != self.state.plc.signals.program_state {
             self.scan(t);
         }
     }
@@ -111,7 +111,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         };
         self.state.plc.signals.clear_strobes();
         self.stop_with(Diagnostic::error(message).alarm(shown));
-        self.turn(t);
+        self.update_command(t);
     }
 
     /// Stops with an alarm at the executing block.
@@ -130,7 +130,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         for (&number, &value) in inputs.iter() {
             if self.state.plc.shown.get(&number) != Some(&value) {
-                self.out.timeline.changes.push(VariableChange { t, number, value });
+                self.out.timeline.changes.append(VariableChange { t, number, value });
             }
         }
         self.state.plc.shown.clone_from(inputs);

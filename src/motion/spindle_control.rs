@@ -18,7 +18,7 @@ pub(super) struct Surface {
     /// Time (s) of the next speed command.
     pub(super) again: f64,
     /// Time (s) of the last computation, and the diameter (mm) then. A command at a time moves the axis only after it.
-    pub(super) seen: (f64, f64),
+    pub(super) last_computed: (f64, f64),
 }
 
 /// Travel of the spindle to an angle.
@@ -59,13 +59,13 @@ pub(super) struct SpindleControl {
     pub(super) rotation: Rotation,
     pub(super) surface: Option<Surface>,
     /// Setting data: lowest and highest speed in r/min.
-    pub(super) set: SpeedRange,
+    pub(super) setting_limits: SpeedRange,
     /// Highest speed under constant surface speed in r/min.
     pub(super) surface_high: f64,
     /// Position of the turning centre on the axis perpendicular to the spindle, mm.
     pub(super) centre: Option<f64>,
     /// Gear stages are selected by S.
-    pub(super) automatic: bool,
+    pub(super) gear_by_s: bool,
     /// The axis perpendicular to the spindle, and its position in mm at diameter 0.
     pub(super) diameter_axis: Option<(u8, f64)>,
     /// End (s) of the ramp, or of a part of a travel to an angle.
@@ -80,7 +80,7 @@ pub(super) struct SpindleControl {
     /// The machine builder's lock holds the spindle at its angle.
     pub(super) locked: bool,
     /// A driven tool turns.
-    pub(super) driven: bool,
+    pub(super) driven_tool_turns: bool,
     /// The program has commanded a speed or a direction since the last motion that began with the speed reached.
     pub(super) commanded: bool,
 }
@@ -92,10 +92,10 @@ impl SpindleControl {
             speed: 0.0,
             rotation: Rotation::Stopped,
             surface: None,
-            set: SpeedRange::ANY,
+            setting_limits: SpeedRange::ANY,
             surface_high: f64::INFINITY,
             centre: None,
-            automatic: false,
+            gear_by_s: false,
             diameter_axis: diameter_axis.map(|axis| (axis, 0.0)),
             reached_at: f64::INFINITY,
             trim: 0.0,
@@ -103,7 +103,7 @@ impl SpindleControl {
             orienting: None,
             synced: false,
             locked: false,
-            driven: false,
+            driven_tool_turns: false,
             commanded: false,
         }
     }
@@ -112,8 +112,8 @@ impl SpindleControl {
     pub(super) fn limit(&mut self, limit: SpeedLimit, rpm: f64) {
         let rpm = if rpm > 0.0 { rpm } else { 0.0 };
         match limit {
-            SpeedLimit::Lower => self.set.low = rpm,
-            SpeedLimit::Upper => self.set.high = rpm,
+            SpeedLimit::Lower => self.setting_limits.low = rpm,
+            SpeedLimit::Upper => self.setting_limits.high = rpm,
             SpeedLimit::Surface => self.surface_high = rpm,
         }
     }

@@ -31,18 +31,18 @@ impl<P: RunningProgram> Sim<'_, P> {
             surface.again = f64::INFINITY;
         }
         self.scan(t);
-        self.pace(t);
+        self.update_path_speed(t);
     }
 
     /// Updates the spindle's command and scans the PLC on a change.
-    pub(super) fn follow(&mut self, t: f64) {
-        if self.turn(t) {
+    pub(super) fn update_spindle_and_plc(&mut self, t: f64) {
+        if self.update_command(t) {
             self.scan(t);
         }
     }
 
     /// Updates the spindle's command; returns whether it changed.
-    pub(super) fn turn(&mut self, t: f64) -> bool {
+    pub(super) fn update_command(&mut self, t: f64) -> bool {
         if self.state.spindle.orienting.is_some() {
             return false;
         }
@@ -56,8 +56,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             None => (self.state.spindle.speed, self.state.spindle.speed, 0.0),
         };
-        let (to, bound) = self.held(later);
-        let from = if now == later { to } else { self.held(now).0 };
+        let (to, bound) = self.limited_speed(later);
+        let from = if now == later { to } else { self.limited_speed(now).0 };
         let span = if from == to { 0.0 } else { span };
         let without_current = self.plant.is_without_current(t, &self.state.plc.signals);
         let stands = without_current || self.state.plc.orders.spindle.held;
@@ -91,7 +91,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             });
         }
         self.put_ramp(t, command);
-        self.pace(t);
+        self.update_path_speed(t);
         true
     }
 
@@ -108,13 +108,13 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Speed (r/min) after override and limits, and the active limit.
-    pub(super) fn held(&self, rpm: f64) -> (f64, Bound) {
+    pub(super) fn limited_speed(&self, rpm: f64) -> (f64, Bound) {
         let (plant, turning) = (&self.plant.spindle, &self.state.spindle);
         let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
         if let Some(volts) = self.state.plc.orders.spindle.shift_volts {
             return (analog.speed(volts).min(FASTEST), Bound::Shift);
         }
-        let mut set = turning.set;
+        let mut set = turning.setting_limits;
         if plant.rules.lower_wins {
             set.high = set.high.max(set.low);
         }
@@ -168,6 +168,6 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn put(&mut self, ramp: InverterRamp) {
         let reached = ramp.reached();
         self.state.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };
-        self.out.timeline.ramps.put(ramp);
+        self.out.timeline.ramps.set_from(ramp);
     }
 }

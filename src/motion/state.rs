@@ -110,7 +110,7 @@ pub(super) struct OperatorState {
 /// The PLC program and its interface.
 #[derive(Debug)]
 pub(super) struct PlcState {
-    pub(super) program: Box<dyn Plc>,
+    pub(super) logic: Box<dyn Plc>,
     /// Time (s) of the next scan requested by the PLC.
     pub(super) next_scan: f64,
     /// Whether contacts follow the movers, and the time (s) at which they are read next.
@@ -130,7 +130,7 @@ pub(super) struct PlcState {
 impl Clone for PlcState {
     fn clone(&self) -> PlcState {
         PlcState {
-            program: self.program.boxed(),
+            logic: self.logic.boxed(),
             next_scan: self.next_scan,
             follows: self.follows,
             next_reading: self.next_reading,
@@ -209,7 +209,7 @@ impl<P> SimState<P> {
             suppressed: Suppressed::default(),
             plc: PlcState {
                 follows: plc.follows_movers(),
-                program: plc,
+                logic: plc,
                 next_scan: f64::INFINITY,
                 next_reading: f64::INFINITY,
                 signals: PlcSignals::default(),

@@ -19,7 +19,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             .reader
             .queue
             .front()
-            .is_some_and(|next| !next.first && next.ready <= t && self.free(&next.canon))
+            .is_some_and(|next| !next.first && next.ready <= t && self.can_join_strobe(&next.canon))
         {
             if let Some(next) = self.pop() {
                 self.strobe(next.canon);
@@ -33,7 +33,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Whether a code can be put out beside the waiting ones.
-    fn free(&self, canon: &Canon) -> bool {
+    fn can_join_strobe(&self, canon: &Canon) -> bool {
         match canon {
             Canon::SpindleSpeed { .. } => self.state.plc.signals.s_strobe.is_none(),
             Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } | Canon::Gear { .. } => {
@@ -52,7 +52,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 turning.speed = rpm.max(0.0);
                 turning.commanded = true;
                 self.state.plc.signals.s_strobe = Some(rpm);
-                if turning.automatic
+                if turning.gear_by_s
                     && let Some(stage) = stage_for(self.plant.spindle.stages(), self.state.plc.orders.spindle.gear, rpm)
                     && stage != self.state.plc.orders.spindle.gear
                 {
@@ -60,7 +60,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
             Canon::Gear { stage } => {
-                self.state.spindle.automatic = stage == 0;
+                self.state.spindle.gear_by_s = stage == 0;
                 self.state.plc.signals.m_strobe = Some(40 + u32::from(stage));
                 let count = self.plant.spindle.stage_count;
                 if stage > count {
@@ -87,7 +87,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let turning = &mut self.state.spindle;
                 // The M codes of tool change and coolant (M6 to M9) lock nothing.
                 turning.locked |= rules.lock.map_or(!matches!(code, 6..=9), |lock| lock == code);
-                turning.driven |= rules.driven_tool == Some(code);
+                turning.driven_tool_turns |= rules.driven_tool == Some(code);
                 self.state.plc.signals.m_strobe = Some(code);
             }
             Canon::Tool { code } => self.state.plc.signals.t_strobe = Some(code),

@@ -35,24 +35,24 @@ impl<P: RunningProgram> Sim<'_, P> {
         };
         let diameter = |t: f64| 2.0 * (self.out.timeline.path.commanded(surface.axis, plant, t) - surface.zero).abs();
         let rpm = |diameter: f64| surface_rpm(surface.speed, diameter).min(FASTEST);
-        if surface.seen.0 != t {
-            surface.seen = (t, diameter(t));
+        if surface.last_computed.0 != t {
+            surface.last_computed = (t, diameter(t));
             self.state.spindle.surface = Some(surface);
         }
-        let here = surface.seen.1;
+        let here = surface.last_computed.1;
         let whole = MEASURE.min(end - t);
         if whole < LEAST * 1e-3 {
             return Some((rpm(here), rpm(here), 0.0));
         }
         let (mut span, mut there) = (whole, diameter(t + whole));
         let rate = (there - here).abs() / span;
-        let (bound, bound_later) = (self.held(rpm(here)).1, self.held(rpm(there)).1);
+        let (bound, bound_later) = (self.limited_speed(rpm(here)).1, self.limited_speed(rpm(there)).1);
         if rate > 0.0 && (bound == Bound::None || bound != bound_later) {
             span = span.min((PART * here / rate).max(LEAST));
             // A step ends at the diameter where a limit begins or ends.
             if bound != bound_later {
                 let share = self.override_share();
-                let edge = self.held(rpm(if bound == Bound::None { there } else { here })).0 / share;
+                let edge = self.limited_speed(rpm(if bound == Bound::None { there } else { here })).0 / share;
                 let to_edge = (limit_diameter(surface.speed, edge) - here).abs() / rate;
                 span = span.min(to_edge.max(LEAST));
             }
@@ -70,7 +70,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let before = self.state.spindle.surface.filter(|before| before.axis == at);
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
         self.state.spindle.surface =
-            Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, seen: (f64::NEG_INFINITY, 0.0) });
+            Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, last_computed: (f64::NEG_INFINITY, 0.0) });
         self.state.spindle.diameter_axis = Some((axis, zero));
         // If the turning centre is unknown, it is assumed to be at the first work zero.
         let centre = *self.state.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
@@ -87,16 +87,16 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.state.spindle.commanded |= before.is_none();
             self.aim(self.state.path.position[at]);
         }
-        self.follow(t);
+        self.update_spindle_and_plc(t);
     }
 
     /// Ends constant surface speed; the spindle keeps its speed.
     pub(super) fn end_surface(&mut self, t: f64) {
-        let (held, share) = (self.held(self.state.spindle.speed).0, self.override_share());
+        let (held, share) = (self.limited_speed(self.state.spindle.speed).0, self.override_share());
         if self.state.spindle.surface.take().is_some() && share > 0.0 {
             self.state.spindle.speed = held / share;
         }
-        self.follow(t);
+        self.update_spindle_and_plc(t);
     }
 
     /// Sets the spindle speed for a position of the axis.
@@ -110,7 +110,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             && t >= surface.until
         {
             self.aim(self.state.path.position[surface.axis]);
-            self.follow(t);
+            self.update_spindle_and_plc(t);
         }
     }
 
@@ -123,7 +123,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             && rapid()
         {
             self.aim_at_motion(t);
-            self.follow(t);
+            self.update_spindle_and_plc(t);
         }
     }
 
@@ -134,13 +134,13 @@ impl<P: RunningProgram> Sim<'_, P> {
             // A cut directly after a cut continues from the present position of the axis.
             let still = t >= surface.until;
             let place = self.state.path.position[surface.axis];
-            self.watch(t);
+            self.note_surface_cut_end(t);
             if still {
                 self.aim(place);
             }
         } else {
             let end = motion.end[surface.axis];
-            self.watch(t);
+            self.note_surface_cut_end(t);
             if self.plant.spindle.rules.rapid == RapidSpeed::OfEnd || self.cut_follows() {
                 self.aim(end);
             }
@@ -159,7 +159,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// At a new segment of the path: stores the end of the cut's movement of the axis.
-    pub(super) fn watch(&mut self, t: f64) {
+    pub(super) fn note_surface_cut_end(&mut self, t: f64) {
         let Some(surface) = &mut self.state.spindle.surface else { return };
         let settles = t + self.plant.axes.get(surface.axis).map_or(0.0, |axis| axis.time_constant);
         surface.until = match &self.state.exec {

@@ -30,7 +30,7 @@ impl<T: Timed> TimeSeries<T> {
 
     /// Appends an entry. It replaces an entry of the same time, which was never valid.
     #[inline(always)]
-    pub(super) fn put(&mut self, item: T) {
+    pub(super) fn set_from(&mut self, item: T) {
         match self.items.last_mut() {
             Some(last) if last.t() == item.t() => *last = item,
             _ => self.items.push(item),
@@ -38,7 +38,7 @@ impl<T: Timed> TimeSeries<T> {
     }
 
     /// Appends an entry; others of the same time stay.
-    pub(super) fn push(&mut self, item: T) {
+    pub(super) fn append(&mut self, item: T) {
         self.items.push(item);
     }
 

@@ -196,7 +196,7 @@ impl Timeline {
     /// Repeating the shown message adds no entry.
     fn change_message(&mut self, t: f64, text: &str, until_start: bool) {
         if self.messages.last().map_or("", |last| &*last.text) != text {
-            self.messages.put(MessageChange { t, text: text.into(), until_start });
+            self.messages.set_from(MessageChange { t, text: text.into(), until_start });
         }
     }
 
@@ -326,10 +326,10 @@ impl Timeline {
     #[inline(always)]
     pub(super) fn put_segment(&mut self, mut segment: Segment, circle: Option<Circle>) {
         if let Some(circle) = circle {
-            self.path.circles.push(circle);
+            self.path.circles.append(circle);
             segment.circle = self.path.circles.len() as u32;
         }
-        self.path.segments.put(segment);
+        self.path.segments.set_from(segment);
     }
 
     pub(super) fn lengths(&self) -> TimelineLengths {

@@ -16,7 +16,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let trim = regulator.trim(web - self.state.plc.orders.web_at_set_point, self.state.spindle.trim);
         if trim != self.state.spindle.trim {
             self.state.spindle.trim = trim;
-            self.turn(t);
+            self.update_command(t);
         }
     }
 

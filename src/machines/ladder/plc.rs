@@ -190,18 +190,18 @@ impl LadderPlc {
             image.put(PlcNumber::Signal(SignalRole::MacroOutput(variable)), value);
         }
         self.contacts(t);
-        (self.program, self.code, self.tool) = (signals.program, signals.m_strobe, signals.t_strobe);
+        (self.program, self.code, self.tool) = (signals.program_state, signals.m_strobe, signals.t_strobe);
     }
 
     /// State of a signal that control, keys or contacts of the machine switch.
     fn state(&self, bit: Bit, signals: &PlcSignals, orders: &PlcOrders) -> Option<bool> {
         Some(match bit {
-            Bit::Signal(SignalRole::Running) => signals.program == ProgramState::Running,
-            Bit::Signal(SignalRole::Idle) => signals.program == ProgramState::Idle,
+            Bit::Signal(SignalRole::Running) => signals.program_state == ProgramState::Running,
+            Bit::Signal(SignalRole::Idle) => signals.program_state == ProgramState::Idle,
             Bit::Signal(SignalRole::ProgramEnd) => {
-                signals.program == ProgramState::Idle && self.program == ProgramState::Running && !signals.reset
+                signals.program_state == ProgramState::Idle && self.program == ProgramState::Running && !signals.reset
             }
-            Bit::Signal(SignalRole::Alarm) => signals.program == ProgramState::Alarm,
+            Bit::Signal(SignalRole::Alarm) => signals.program_state == ProgramState::Alarm,
             Bit::Signal(SignalRole::Reset) => signals.reset,
             // The control resets itself at an emergency stop, without the reset key.
             Bit::Input(MachineContact::ResetKey) => signals.reset && !signals.emergency,
@@ -347,7 +347,7 @@ impl LadderPlc {
             }
         }
         // The alarm lasts as long as the fault: reset and cycle start raise it again.
-        if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && signals.program != ProgramState::Alarm {
+        if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && signals.program_state != ProgramState::Alarm {
             orders.alarm = Some(PlcAlarm::InverterFault);
         }
         let since = self.strobes.since(t, signals, orders);

@@ -78,7 +78,7 @@ impl Plc for RibbonPlc {
         orders.web_at_set_point = self.contacts.web_at_set_point();
         if let Some(contact) = self.opened.take() {
             orders.notice = Some(self.contacts.message(contact));
-        } else if signals.program == ProgramState::Running && signals.spindle_command != 0.0 {
+        } else if signals.program_state == ProgramState::Running && signals.spindle_command != 0.0 {
             self.remark(signals, orders);
         }
         next

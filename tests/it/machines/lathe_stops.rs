@@ -64,7 +64,7 @@ fn keyway_has_rows_of_its_own_in_the_table_of_stops() {
 fn rotation_after(project: &Project, interruption: PlcSignals) -> Option<Rotation> {
     let mut plc = project.prepared().plc();
     let mut orders = PlcOrders::default();
-    let running = PlcSignals { program: ProgramState::Running, ..PlcSignals::default() };
+    let running = PlcSignals { program_state: ProgramState::Running, ..PlcSignals::default() };
     let coded = |code| PlcSignals { m_strobe: Some(code), ..running.clone() };
     let scans = [coded(81), interruption, running.clone(), coded(3)];
     for (second, signals) in scans.iter().enumerate() {
@@ -82,7 +82,7 @@ fn clamp_of_the_keyway_follows_the_table_of_stops() {
             let rows = stop_table(&project);
             for (name, emergency) in [("Reset", false), ("Emergency stop", true)] {
                 let row = rows.iter().find(|cells| cells[0] == format!("{name} in the keyway")).unwrap();
-                let stops = PlcSignals { program: ProgramState::Idle, reset: true, emergency, ..PlcSignals::default() };
+                let stops = PlcSignals { program_state: ProgramState::Idle, reset: true, emergency, ..PlcSignals::default() };
                 let locked = row[1].starts_with("Stays locked");
                 let rotation = if locked { Rotation::Stopped } else { Rotation::Clockwise };
                 assert_eq!(rotation_after(&project, stops), Some(rotation), "{control}, M{release}: {name}");
