@@ -79,23 +79,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     fn begin_next(&mut self, t: f64) {
-        let Some(next) = self.state.reader.queue.front() else {
-            self.state.exec = match self.state.reader.over.clone() {
-                Some(Over::Alarm(diagnostic)) => {
-                    self.out.report((*diagnostic).clone());
-                    Exec::Alarm(diagnostic)
-                }
-                Some(Over::Blocks) => {
-                    self.out.report(Diagnostic::warning(msg!(
-                        "motion.out-of-blocks",
-                        count = self.plant.limits.blocks as f64
-                    )));
-                    Exec::OutOfBlocks
-                }
-                Some(Over::Program) | None => Exec::Finished,
-            };
-            return;
-        };
+        let Some(next) = self.state.reader.queue.front() else { return self.end_of_queue() };
         if next.first
             && self.state.operator.stepped
             && self.state.operator.knobs.single_block
@@ -112,28 +96,22 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.state.begins |= first;
         match canon {
             Canon::Rapid { to } => {
-                let end = self.goal(&to);
-                let motion = ActiveMove::line(self.state.path.position, end, Pace::Rapid, true, &self.plant.axes);
+                let motion = self.line_to(&to, Pace::Rapid, true);
                 self.begin(t, &motion);
             }
             Canon::Linear { to, feed, exact } => {
-                let end = self.goal(&to);
-                let motion = ActiveMove::line(self.state.path.position, end, Pace::Feed(feed), exact, &self.plant.axes);
+                let motion = self.line_to(&to, Pace::Feed(feed), exact);
                 self.cut(t, &motion);
             }
             Canon::Thread { to, lead } => {
-                let end = self.goal(&to);
-                let motion =
-                    ActiveMove::line(self.state.path.position, end, Pace::Thread(lead), false, &self.plant.axes);
+                let motion = self.line_to(&to, Pace::Thread(lead), false);
                 self.cut(t, &motion);
             }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
-                let end = self.goal(&to);
                 let scale = |axis: u8| self.plant.scale.get(axis as usize).copied().unwrap_or(0.0);
                 let center = (center.0 * scale(plane.0), center.1 * scale(plane.1));
-                let axes = &self.plant.axes;
-                let motion = ActiveMove::line(self.state.path.position, end, Pace::Feed(feed), exact, axes);
-                self.cut(t, &motion.around(plane, center, clockwise, axes));
+                let chord = self.line_to(&to, Pace::Feed(feed), exact);
+                self.cut(t, &chord.around(plane, center, clockwise, &self.plant.axes));
             }
             Canon::SurfaceSpeed { speed, axis, zero } => {
                 self.begin_surface(t, speed, axis, zero);
@@ -161,6 +139,28 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
         }
+    }
+
+    /// Ends the run after the last command: at an alarm, at the budget of blocks, or at the program's end.
+    fn end_of_queue(&mut self) {
+        self.state.exec = match self.state.reader.over.clone() {
+            Some(Over::Alarm(diagnostic)) => {
+                self.out.report((*diagnostic).clone());
+                Exec::Alarm(diagnostic)
+            }
+            Some(Over::Blocks) => {
+                let count = self.plant.limits.blocks as f64;
+                self.out.report(Diagnostic::warning(msg!("motion.out-of-blocks", count)));
+                Exec::OutOfBlocks
+            }
+            Some(Over::Program) | None => Exec::Finished,
+        };
+    }
+
+    /// A straight movement from the present position to a programmed end point.
+    fn line_to(&mut self, to: &Target, pace: Pace, exact: bool) -> ActiveMove {
+        let end = self.goal(to);
+        ActiveMove::line(self.state.path.position, end, pace, exact, &self.plant.axes)
     }
 
     pub(super) fn pop(&mut self) -> Option<Queued> {

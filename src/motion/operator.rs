@@ -33,33 +33,10 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.update_path_speed(t);
             }
             Action::Start => self.start(t),
-            Action::Hold => {
-                if self.state.plc.logic.reads_hold_key() {
-                    self.state.plc.signals.hold_key = true;
-                    self.scan(t);
-                } else {
-                    self.hold(t);
-                }
-                self.update_path_speed(t);
-            }
+            Action::Hold => self.hold_key(t),
             Action::Reset => self.reset(t, Exec::Ready),
-            Action::EmergencyStop => {
-                let diagnostic = Diagnostic::error(msg!("motion.emergency-stop")).alarm(self.plant.emergency);
-                self.out.report(diagnostic.clone());
-                self.reset(t, Exec::Emergency(Box::new(diagnostic)));
-            }
-            Action::InverterFault(on) => {
-                if self.state.plc.logic.watches_inverter() {
-                    self.state.plc.signals.inverter_fault = *on;
-                    if *on {
-                        // Without current from the inverter the spindle is not held at an angle.
-                        self.state.spindle.orienting = None;
-                    }
-                    self.scan(t);
-                } else {
-                    self.out.report(Diagnostic::warning(msg!("motion.no-inverter")));
-                }
-            }
+            Action::EmergencyStop => self.emergency_stop(t),
+            Action::InverterFault(on) => self.inverter_fault(t, *on),
             Action::ProgramZeroReturn => self.return_to_zero(t),
             Action::SingleBlock(on) => self.state.operator.knobs.single_block = *on,
             Action::OptionalStop(on) => self.state.operator.knobs.optional_stop = *on,
@@ -69,30 +46,62 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.state.spindle.limit(*limit, *rpm);
                 self.scan(t);
             }
-            Action::Input(name, value) => match forced(name).filter(|(number, _)| self.plant.is_input(*number)) {
-                Some(key) => {
-                    let (least, most) = self.plant.input_range(key.0, key.1);
-                    let taken = math::clamp(*value, least, most);
-                    if taken != *value {
-                        let message = msg!("interp.output-range", variable = name.as_str(), value = (*value, 9), taken);
-                        self.out.report(Diagnostic::warning(message));
-                    }
-                    self.state.plc.forced.insert(key, taken);
-                    self.scan(t);
-                }
-                None => self.nothing_to_set(name),
-            },
-            Action::Variable(number, value) => {
-                if self.state.program.set_variable(*number, *value) {
-                    self.out.timeline.changes.append(VariableChange {
-                        t,
-                        number: *number,
-                        value: value.unwrap_or(f64::NAN),
-                    });
-                } else {
-                    self.nothing_to_set(&format!("#{number}"));
-                }
-            }
+            Action::Input(name, value) => self.force_input(t, name, *value),
+            Action::Variable(number, value) => self.set_variable(t, *number, *value),
+        }
+    }
+
+    /// The key "feed hold": read by the PLC where it reads it, else a hold of the control.
+    fn hold_key(&mut self, t: f64) {
+        if self.state.plc.logic.reads_hold_key() {
+            self.state.plc.signals.hold_key = true;
+            self.scan(t);
+        } else {
+            self.hold(t);
+        }
+        self.update_path_speed(t);
+    }
+
+    fn emergency_stop(&mut self, t: f64) {
+        let diagnostic = Diagnostic::error(msg!("motion.emergency-stop")).alarm(self.plant.emergency);
+        self.out.report(diagnostic.clone());
+        self.reset(t, Exec::Emergency(Box::new(diagnostic)));
+    }
+
+    /// Begin or end of a fault of the spindle inverter, on machines whose PLC watches one.
+    fn inverter_fault(&mut self, t: f64, on: bool) {
+        if !self.state.plc.logic.watches_inverter() {
+            return self.out.report(Diagnostic::warning(msg!("motion.no-inverter")));
+        }
+        self.state.plc.signals.inverter_fault = on;
+        if on {
+            // Without current from the inverter the spindle is not held at an angle.
+            self.state.spindle.orienting = None;
+        }
+        self.scan(t);
+    }
+
+    /// Forces an input of the PLC, within its range.
+    fn force_input(&mut self, t: f64, name: &str, value: f64) {
+        let Some(key) = forced(name).filter(|(number, _)| self.plant.is_input(*number)) else {
+            return self.nothing_to_set(name);
+        };
+        let (least, most) = self.plant.input_range(key.0, key.1);
+        let taken = math::clamp(value, least, most);
+        if taken != value {
+            let message = msg!("interp.output-range", variable = name, value = (value, 9), taken);
+            self.out.report(Diagnostic::warning(message));
+        }
+        self.state.plc.forced.insert(key, taken);
+        self.scan(t);
+    }
+
+    /// Sets a common variable of the program; `None` is vacant.
+    fn set_variable(&mut self, t: f64, number: u32, value: Option<f64>) {
+        if self.state.program.set_variable(number, value) {
+            self.out.timeline.changes.append(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
+        } else {
+            self.nothing_to_set(&format!("#{number}"));
         }
     }
 
