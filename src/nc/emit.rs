@@ -54,18 +54,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
     for (index, program) in low.programs.iter().enumerate() {
         let file = FileId(index.min(u16::MAX as usize) as u16);
         let mut w = Writer { deck: &low, control, text: String::new(), start: 0, too_deep: false };
-        if control.syntax.percent == Percent::Both {
-            w.text.push('%');
-            w.text.push_str(eol);
-        }
-        if let Some(names) = &control.syntax.names() {
-            w.head(names, program, eol);
-        } else if program.number != 0 {
-            let letter = control.syntax.program_letters.first().copied().unwrap_or(b'O');
-            w.text.push_str(&format!("{}{}", letter as char, program.number));
-            w.comment(program.title, false);
-            w.text.push_str(eol);
-        }
+        write_head(&mut w, program, eol);
         let body = w.text.len();
         for index in program.first as usize..program.end as usize {
             let Some(block) = low.blocks.get(index) else { continue };
@@ -78,22 +67,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
             }
             let place = Place { file, span: Span::new(w.start as u32, w.text.len() as u32) };
             let written = characters.length(w.text.get(w.start..).unwrap_or_default());
-            let block_diagnostic = if matches!(block.stmt, Stmt::Bad(_)) {
-                Some(Diagnostic::error(msg!("nc.unreadable-block")))
-            } else if w.too_deep {
-                Some(Diagnostic::error(msg!("nc.formula-too-long", most = DEPTH)))
-            } else if written >= control.syntax.block_chars {
-                Some(Diagnostic::warning(msg!(
-                    "nc.long-block",
-                    count = written as u32,
-                    most = control.syntax.block_chars as u32 - 1
-                )))
-            } else if shortened(deck, &low, block) {
-                Some(Diagnostic::warning(msg!("nc.clipped-text", text = w.deck.text(block.comment))))
-            } else {
-                None
-            };
-            out.diagnostics.extend(block_diagnostic.map(|d| d.at(place)));
+            out.diagnostics.extend(finding_of_block(deck, &w, block, written).map(|finding| finding.at(place)));
             let origin = origins.get(index).map_or(index, |&origin| origin as usize);
             if let Some(slot) = out.places.get_mut(origin) {
                 // A block rewritten as several extends from the first to the last of them.
@@ -112,6 +86,39 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline, characters: C
         out.files.0.push(File { name, text: w.text });
     }
     out
+}
+
+/// Writes the lines before the blocks of a program: the start of the file, and the program's number or name.
+fn write_head(w: &mut Writer, program: &Program, eol: &str) {
+    let syntax = &w.control.syntax;
+    if syntax.percent == Percent::Both {
+        w.text.push('%');
+        w.text.push_str(eol);
+    }
+    if let Some(names) = &syntax.names() {
+        w.head(names, program, eol);
+    } else if program.number != 0 {
+        let letter = syntax.program_letters.first().copied().unwrap_or(b'O');
+        w.text.push_str(&format!("{}{}", letter as char, program.number));
+        w.comment(program.title, false);
+        w.text.push_str(eol);
+    }
+}
+
+/// The finding about a block that could not be written as intended. `before` is the deck before lowering, `written` the number of characters.
+fn finding_of_block(before: &Deck, w: &Writer, block: &Block, written: usize) -> Option<Diagnostic> {
+    let most = w.control.syntax.block_chars;
+    if matches!(block.stmt, Stmt::Bad(_)) {
+        Some(Diagnostic::error(msg!("nc.unreadable-block")))
+    } else if w.too_deep {
+        Some(Diagnostic::error(msg!("nc.formula-too-long", most = DEPTH)))
+    } else if written >= most {
+        Some(Diagnostic::warning(msg!("nc.long-block", count = written as u32, most = most as u32 - 1)))
+    } else if shortened(before, w.deck, block) {
+        Some(Diagnostic::warning(msg!("nc.clipped-text", text = w.deck.text(block.comment))))
+    } else {
+        None
+    }
 }
 
 /// Whether lowering shortened the comment of a block. Lowering keeps the indices of comments.
