@@ -12,7 +12,7 @@ pub(super) struct Chord {
 }
 
 impl Chord {
-    /// Signed radius of an arc with a swept angle in degrees, `c / (2 sin(a/2))`; negative for the longer arc, as in [`by_radius`].
+    /// Signed radius of an arc with a swept angle in degrees, `c / (2 sin(a/2))`; negative for the longer arc, as in [`center_by_radius`].
     pub(super) fn radius(&self, turn: f64) -> f64 {
         let radius = math::hypot(self.end.0, self.end.1) / (2.0 * math::sin_cos((turn / 2.0).to_radians()).0);
         if turn > 180.0 { -radius } else { radius }
@@ -31,7 +31,7 @@ pub(super) enum Impossible {
 }
 
 /// Checks a centre given by I, J, K (relative to the start). The distances of start and end from it may differ by `tolerance`.
-pub(super) fn by_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
+pub(super) fn checked_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
     let start = math::hypot(center.0, center.1);
     let end = math::hypot(chord.end.0 - center.0, chord.end.1 - center.1);
     if start == 0.0 {
@@ -45,20 +45,20 @@ pub(super) fn by_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Res
 
 /// Centre of an arc on controls that take the radius from the start alone and move the centre: of the two centres at that radius from start
 /// and end, the one nearer to the programmed centre.
-pub(super) fn by_moved_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
+pub(super) fn moved_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
     let radius = math::hypot(center.0, center.1);
     if radius == 0.0 || chord.end == (0.0, 0.0) {
-        return by_center(chord, center, tolerance);
+        return checked_center(chord, center, tolerance);
     }
     let far = |other: (f64, f64)| math::hypot(other.0 - center.0, other.1 - center.1);
-    let (short, long) = (by_radius(chord, radius, tolerance)?, by_radius(chord, -radius, tolerance)?);
+    let (short, long) = (center_by_radius(chord, radius, tolerance)?, center_by_radius(chord, -radius, tolerance)?);
     Ok(if far(short) <= far(long) { short } else { long })
 }
 
 /// Centre from a radius, relative to the start: the shorter arc for a positive radius, the longer for a negative one.
 ///
 /// With the chord `c` from start to end, the centre lies `sqrt(r² - (c/2)²)` beside the middle of the chord.
-pub(super) fn by_radius(chord: Chord, radius: f64, tolerance: f64) -> Result<(f64, f64), Impossible> {
+pub(super) fn center_by_radius(chord: Chord, radius: f64, tolerance: f64) -> Result<(f64, f64), Impossible> {
     let (x, y) = chord.end;
     let length = math::hypot(x, y);
     if length == 0.0 || radius == 0.0 {
@@ -107,7 +107,7 @@ fn cross(a: (f64, f64), b: (f64, f64)) -> f64 {
 }
 
 /// Arc through an intermediate point. All points relative to the start; the centre `c` solves `2 c·p = p²` for the point and for the end.
-pub(super) fn by_point(end: (f64, f64), point: (f64, f64)) -> Placed {
+pub(super) fn center_by_point(end: (f64, f64), point: (f64, f64)) -> Placed {
     let (turn, ends, points) = (cross(end, point), dot(end, end), dot(point, point));
     if turn.abs() <= STRAIGHT * ends.sqrt() {
         let between = (0.0..ends).contains(&dot(end, point));
@@ -118,7 +118,7 @@ pub(super) fn by_point(end: (f64, f64), point: (f64, f64)) -> Placed {
 }
 
 /// Arc with a given start direction: the centre is on the normal through the start, equally far from start and end.
-pub(super) fn by_tangent(end: (f64, f64), along: (f64, f64)) -> Placed {
+pub(super) fn center_by_tangent(end: (f64, f64), along: (f64, f64)) -> Placed {
     let length = math::hypot(along.0, along.1).max(f64::MIN_POSITIVE);
     let beside = cross(along, end) / length;
     if beside.abs() <= STRAIGHT {

@@ -1,6 +1,6 @@
 //! The command for an arc: its centre by I J K, by its radius, by an intermediate point or by the tangent of the last motion.
 
-use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent, sweep};
+use super::arc::{Chord, Impossible, checked_center, moved_center, center_by_point, center_by_radius, center_by_tangent, sweep};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
@@ -31,20 +31,20 @@ impl RunState {
         let units = &cx.shared.units;
         let tolerance = cx.control.limits.arc_tolerance * units.per_unit;
         let center = match (values.radius, values.turn) {
-            (Some(radius), _) => by_radius(chord, radius as f64, tolerance),
-            (None, Some(turn)) if values.center == [None; 3] => by_radius(chord, chord.radius(turn), tolerance),
+            (Some(radius), _) => center_by_radius(chord, radius as f64, tolerance),
+            (None, Some(turn)) if values.center == [None; 3] => center_by_radius(chord, chord.radius(turn), tolerance),
             (None, _) => {
                 let offsets = self.center_of(cx, values, (first, second));
                 if cx.control.limits.arc_centre_moves {
-                    by_moved_center(chord, offsets, tolerance)
+                    moved_center(chord, offsets, tolerance)
                 } else {
-                    by_center(chord, offsets, tolerance)
+                    checked_center(chord, offsets, tolerance)
                 }
             }
         };
         let placed = match motion {
-            Code::ArcThrough => by_point(chord.end, (self.passed(cx, values, first), self.passed(cx, values, second))),
-            Code::ArcTangent => by_tangent(chord.end, self.heading(cx)),
+            Code::ArcThrough => center_by_point(chord.end, (self.passed(cx, values, first), self.passed(cx, values, second))),
+            Code::ArcTangent => center_by_tangent(chord.end, self.heading(cx)),
             _ => center.map(|center| Some((center, clockwise))),
         };
         let millimetres = |increments: f64| (increments / units.per_unit, 4);

@@ -22,15 +22,15 @@ use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 impl RunState {
     /// Executes a block of words.
-    pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> BlockResult<()> {
+    pub(super) fn execute_words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> BlockResult<()> {
         if self.modal.unmoved.data && self.is_data(words) {
             self.counts.nc += 1;
             return Ok(());
         }
         let surface = self.modal.spindle.surface.then(|| self.surface_zero(cx));
-        let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
+        let mut codes = BlockCodes { words_read: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
-        let words = words.get(..codes.count).unwrap_or(words);
+        let words = words.get(..codes.words_read).unwrap_or(words);
         if self.macro_call(cx, at, block, words, &codes)? {
             return Ok(());
         }
@@ -118,7 +118,7 @@ impl RunState {
         if let Some(rpm) = values.speed_limit {
             self.limit_speed(SpeedLimit::Surface, rpm);
         }
-        self.speed(cx, codes, values, surface)?;
+        self.queue_speed(cx, codes, values, surface)?;
         let stops_last = codes.rotation == Some(Rotation::Stopped) && cx.shared.rules.spindle.stop_last;
         if let Some(rotation) = codes.rotation.filter(|_| !stops_last) {
             self.queue.push(Canon::SpindleDirection { rotation });
@@ -127,16 +127,16 @@ impl RunState {
             self.queue.push(Canon::Auxiliary { code });
         }
         if let Some(code) = values.tool {
-            self.modal.word(Address::T, f64::from(code));
+            self.modal.set_shown(Address::T, f64::from(code));
             self.queue.push(Canon::Tool { code });
         }
-        if codes.path {
+        if codes.changes_path_mode {
             self.queue.push(Canon::PathMode { exact: self.modal.exact });
         }
         if let Some((angle, approach)) = values.orient.or(codes.orient) {
             self.orient(cx, angle, approach)?;
         }
-        let moved = self.motion(cx, codes, values)?;
+        let moved = self.queue_motion(cx, codes, values)?;
         if stops_last {
             self.queue.push(Canon::SpindleDirection { rotation: Rotation::Stopped });
         }
@@ -202,7 +202,7 @@ impl RunState {
         if self.modal.unmoved.data && self.is_data(words) {
             return Ok(Some(false));
         }
-        let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
+        let mut codes = BlockCodes { words_read: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         if codes.call.is_some() {
             return Ok(None);

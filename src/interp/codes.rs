@@ -37,7 +37,7 @@ pub(super) struct BlockCodes {
     /// Exact stop in this block.
     pub(super) exact: bool,
     /// Exact stop mode or cutting mode is commanded.
-    pub(super) path: bool,
+    pub(super) changes_path_mode: bool,
     /// M03, M04, M05.
     pub(super) rotation: Option<Rotation>,
     pub(super) gear: Option<u8>,
@@ -56,12 +56,12 @@ pub(super) struct BlockCodes {
     /// Index of the word that calls a macro.
     pub(super) caller: usize,
     /// Number of words read: all, or those in front of an optional block skip.
-    pub(super) count: usize,
+    pub(super) words_read: usize,
 }
 
 impl BlockCodes {
     /// Whether S is a speed limit in this block.
-    pub(super) fn limits(&self) -> bool {
+    pub(super) fn s_is_limit(&self) -> bool {
         matches!(self.special, Some(Code::LowerLimits | Code::UpperLimits | Code::SetCoordinates))
     }
 }
@@ -98,7 +98,7 @@ impl RunState {
                 Address::M => self.m_word(cx, block, word, at, codes)?,
                 Address::Name => self.named_code(cx, word, at, codes)?,
                 Address::Skip if self.skips(cx, word) => {
-                    codes.count = at;
+                    codes.words_read = at;
                     break;
                 }
                 _ => {}
@@ -119,7 +119,7 @@ impl RunState {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
         let code = cx.codes().row(CodeId::M(number as u32)).map(|row| row.code);
         if let Some(rotation) = code.and_then(Code::rotation) {
-            self.modal.spindle.other.1 = rotation != Rotation::Stopped;
+            self.modal.spindle.second.turns = rotation != Rotation::Stopped;
             self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), rotation });
             return Ok(true);
         }
@@ -198,7 +198,7 @@ impl RunState {
             }
             Tapping if row.group == Group::OneShot => codes.special = Some(row.code),
             ExactStopOnce => codes.exact = true,
-            ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
+            ExactStop | Cutting => codes.changes_path_mode = self.modal.exact != (row.code == ExactStop),
             MoreCoordinates => codes.any_word = true,
             DataInput(_) => (codes.any_word, codes.unmoved, codes.data) = (true, true, true),
             NotSimulated | Cancel => {
@@ -225,7 +225,7 @@ impl RunState {
             return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
         }
         let number = number as u32;
-        self.modal.word(Address::M, f64::from(number));
+        self.modal.set_shown(Address::M, f64::from(number));
         let id = CodeId::M(number);
         if self.calls(cx, id, at, codes) {
             return Ok(());

@@ -11,7 +11,7 @@ use crate::msg;
 impl RunState {
     /// Refuses an end point beyond the range of the coordinates. Each word alone may be in range: incremental words add up.
     #[inline]
-    pub(super) fn in_range(&self, cx: &BlockContext, to: &Target) -> BlockResult<()> {
+    pub(super) fn refuse_outside_coordinates(&self, cx: &BlockContext, to: &Target) -> BlockResult<()> {
         let Some(frame) = cx.shared.rules.running.range else { return Ok(()) };
         let reach = cx.shared.units.coordinate_max;
         match (0..AXES).find(|k| self.coordinate(frame, to, *k).unsigned_abs() > reach && self.has_range(cx, to, *k)) {

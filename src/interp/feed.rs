@@ -3,6 +3,7 @@
 use super::canon::Feed;
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
+use super::modal::SecondSpindle;
 use super::state::RunState;
 use crate::controls::{Address, Alarm};
 use crate::msg;
@@ -22,8 +23,8 @@ impl RunState {
     /// Speed in r/min of a master spindle other than the machine's own spindle.
     #[cold]
     fn other_speed(&self) -> BlockResult<f64> {
-        match self.modal.spindle.other {
-            (rpm, true) if rpm > 0.0 => Ok(rpm),
+        match self.modal.spindle.second {
+            SecondSpindle { rpm, turns: true } if rpm > 0.0 => Ok(rpm),
             _ => Err(Trap::alarm(
                 Alarm::NotSimulated,
                 msg!("interp.other-spindle-at-rest", spindle = u32::from(self.modal.spindle.master)),

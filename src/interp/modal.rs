@@ -21,6 +21,14 @@ pub(super) enum Radii {
     All,
 }
 
+/// Commands to the second spindle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SecondSpindle {
+    /// Commanded speed in r/min.
+    pub(super) rpm: f64,
+    pub(super) turns: bool,
+}
+
 /// Modal state of the spindle.
 #[derive(Debug, Clone)]
 pub(super) struct SpindleModal {
@@ -34,8 +42,7 @@ pub(super) struct SpindleModal {
     pub(super) last_speed: Option<f64>,
     /// The spindle addressed by S and M words without a number.
     pub(super) master: u8,
-    /// Second spindle: commanded r/min, and whether it turns.
-    pub(super) other: (f64, bool),
+    pub(super) second: SecondSpindle,
 }
 
 /// Codes in force that are not simulated and whose axis words move nothing.
@@ -135,7 +142,7 @@ impl Modal {
                 surface_undone: false,
                 last_speed: None,
                 master: 1,
-                other: (0.0, false),
+                second: SecondSpindle::default(),
             },
             area: WorkingArea::default(),
             words: [f64::NAN; 26],
@@ -279,9 +286,9 @@ impl Modal {
         self.words.get(letter as usize).copied().unwrap_or(f64::NAN)
     }
 
-    /// Stores a word for system variables.
+    /// Stores the last word with a letter, for system variables.
     #[inline]
-    pub(super) fn word(&mut self, letter: Address, value: f64) {
+    pub(super) fn set_shown(&mut self, letter: Address, value: f64) {
         if let Some(place) = self.words.get_mut(letter as usize) {
             *place = value;
         }

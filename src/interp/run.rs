@@ -31,7 +31,7 @@ impl RunState {
         };
         self.place = Place { file: self.file, span: block.span };
         self.at = at + 1;
-        match self.block(&mut cx, at, block) {
+        match self.execute_block(&mut cx, at, block) {
             Ok(()) => {
                 self.synced = false;
                 match self.queue.pop() {

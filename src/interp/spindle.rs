@@ -20,7 +20,7 @@ const FOOT: f64 = 0.3048;
 impl RunState {
     /// S, and constant surface speed on and off. `surface` is its work zero before the block; `None` if it was off.
     #[inline]
-    pub(super) fn speed(
+    pub(super) fn queue_speed(
         &mut self,
         cx: &BlockContext,
         codes: &BlockCodes,
@@ -40,7 +40,7 @@ impl RunState {
             }
             (Some(Code::LowerLimits), Some(rpm)) => self.limit_speed(SpeedLimit::Lower, rpm),
             (Some(Code::UpperLimits), Some(rpm)) => self.limit_speed(SpeedLimit::Upper, rpm),
-            _ if self.modal.spindle.surface => return self.surface(cx, speed, surface),
+            _ if self.modal.spindle.surface => return self.switch_surface_on(cx, speed, surface),
             _ => {
                 if surface.is_some() {
                     self.queue.push(Canon::ConstantSpeed);
@@ -50,7 +50,7 @@ impl RunState {
                     surface.is_some() && self.modal.spindle.surface_undone && cx.shared.rules.spindle.last_speed_back;
                 let back = self.modal.spindle.last_speed.filter(|_| undone);
                 if let Some(rpm) = speed {
-                    self.modal.word(Address::S, rpm);
+                    self.modal.set_shown(Address::S, rpm);
                     self.modal.spindle.last_speed = Some(rpm);
                 }
                 if let Some(rpm) = speed.or(back) {
@@ -62,12 +62,12 @@ impl RunState {
     }
 
     /// Switches constant surface speed on.
-    fn surface(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> BlockResult<()> {
+    fn switch_surface_on(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> BlockResult<()> {
         if self.modal.spindle.master > 1 && before.is_none() {
             return Err(self.other_spindle_asked());
         }
         if let Some(speed) = speed {
-            self.modal.word(Address::S, speed);
+            self.modal.set_shown(Address::S, speed);
             let feet = self.modal.inch && cx.shared.rules.numbers.surface_feet;
             self.modal.spindle.surface_speed = Some(if feet { speed * FOOT } else { speed });
         } else if self.modal.spindle.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {

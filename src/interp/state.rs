@@ -102,7 +102,7 @@ impl RunState {
         if let Some(row) = deck.programs.get(program as usize) {
             (self.program, self.file) = (program, row.file);
             (self.first, self.end, self.at) = (row.first, row.end, row.first);
-            self.modal.word(Address::O, if row.number == 0 { VACANT } else { f64::from(row.number) });
+            self.modal.set_shown(Address::O, if row.number == 0 { VACANT } else { f64::from(row.number) });
         }
     }
 

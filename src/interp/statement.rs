@@ -10,7 +10,8 @@ use crate::nc::{BadBlock, Block, Stmt};
 use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
 impl RunState {
-    pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> BlockResult<()> {
+    /// Executes a block.
+    pub(super) fn execute_block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> BlockResult<()> {
         if block.skip > 0 && cx.world.block_skip(block.skip) {
             self.counts.macros += 1;
             self.counts.empty += 1;
@@ -20,10 +21,10 @@ impl RunState {
             self.refused(cx, block)?;
         }
         if let Some(number) = block.number {
-            self.modal.word(Address::N, f64::from(number));
+            self.modal.set_shown(Address::N, f64::from(number));
         }
         match block.stmt {
-            Stmt::Words { .. } => return self.words(cx, at, block, cx.deck.words_of(block)),
+            Stmt::Words { .. } => return self.execute_words(cx, at, block, cx.deck.words_of(block)),
             Stmt::Empty => self.counts.empty += 1,
             Stmt::Assign { to, value } => self.assign(cx, block, to, value)?,
             Stmt::If { cond, target, .. } => {

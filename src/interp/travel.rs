@@ -14,7 +14,7 @@ use crate::nc::Dimensioning;
 impl RunState {
     /// Queues the command for the axis words of a block; returns whether axes move.
     #[inline]
-    pub(super) fn motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> BlockResult<bool> {
+    pub(super) fn queue_motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> BlockResult<bool> {
         match codes.special {
             None => {}
             Some(Code::Dwell) => {
@@ -54,9 +54,9 @@ impl RunState {
             self.return_to_reference(values, to);
             return Ok(cx.control.macros.call_after_return);
         }
-        self.in_range(cx, &to)?;
+        self.refuse_outside_coordinates(cx, &to)?;
         if let Some(area) = self.area(cx) {
-            self.within(cx, to, area)?;
+            self.refuse_outside_area(cx, to, area)?;
         }
         let Some(motion) = self.motion_command(cx, codes, values, code, to)? else { return Ok(false) };
         let arc = match motion {
@@ -162,7 +162,7 @@ impl RunState {
     /// Tapping: a feed of lead times spindle speed.
     fn tapping(&mut self, cx: &BlockContext, values: &BlockWords, to: Target) -> BlockResult<Canon> {
         let rpm = if self.modal.spindle.master > 1 {
-            Some(self.modal.spindle.other.0)
+            Some(self.modal.spindle.second.rpm)
         } else {
             self.modal.spindle.last_speed
         };

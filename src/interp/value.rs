@@ -19,7 +19,7 @@ const INCH_DECIMALS: usize = 1;
 
 /// `mantissa / 10^scale`, rounded half away from zero; exact.
 #[inline]
-fn shift(mantissa: i64, scale: i32) -> Option<i64> {
+fn rounded_scale(mantissa: i64, scale: i32) -> Option<i64> {
     if scale <= 0 {
         return mantissa.checked_mul(*POW10.get(scale.unsigned_abs() as usize)?);
     }
@@ -29,7 +29,7 @@ fn shift(mantissa: i64, scale: i32) -> Option<i64> {
 }
 
 /// Truncates to a whole number, with a tolerance for rounding errors.
-fn cut(value: f64) -> f64 {
+fn truncated(value: f64) -> f64 {
     let nearest = value.round();
     if (value - nearest).abs() < WHOLE { nearest } else { value.trunc() }
 }
@@ -100,14 +100,14 @@ impl RunState {
     /// Value of a word as a whole number. Decimals are dropped; on some controls a calculated value is rounded instead.
     pub(super) fn whole(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         let value = self.raw(cx, block, word)?;
-        self.note_cut(cx, block, word);
+        self.note_truncation(cx, block, word);
         let round = cx.control.macros.round_words && matches!(word.value, WordValue::Expr(_));
-        Ok(value.map(|value| if round { value.round() } else { cut(value) }))
+        Ok(value.map(|value| if round { value.round() } else { truncated(value) }))
     }
 
     /// Warns about a number with decimals after an integer address.
     #[inline]
-    fn note_cut(&self, cx: &mut BlockContext, block: &Block, word: &Word) {
+    fn note_truncation(&self, cx: &mut BlockContext, block: &Block, word: &Word) {
         if let WordValue::Number(dec @ Dec { scale: 1.., .. }) = word.value
             && dec.to_f64().fract() != 0.0
         {
@@ -145,9 +145,9 @@ impl RunState {
             WordValue::Number(dec) if !inch => {
                 let decimals = i32::from(units.decimals);
                 if self.counts_increments(cx, word.letter, dec) {
-                    shift(dec.mantissa, i32::from(dec.scale))
+                    rounded_scale(dec.mantissa, i32::from(dec.scale))
                 } else {
-                    shift(dec.mantissa, i32::from(dec.scale) - decimals)
+                    rounded_scale(dec.mantissa, i32::from(dec.scale) - decimals)
                 }
             }
             WordValue::Number(dec) => {
@@ -155,7 +155,7 @@ impl RunState {
                 let counts = self.counts_increments(cx, word.letter, dec);
                 let written = i32::from(dec.scale) + if counts { decimals + INCH_DECIMALS as i32 } else { 0 };
                 let tenths = dec.mantissa.checked_mul(INCH_TENTHS);
-                tenths.and_then(|tenths| shift(tenths, written + 1 - decimals))
+                tenths.and_then(|tenths| rounded_scale(tenths, written + 1 - decimals))
             }
             WordValue::Expr(_) => {
                 let Some(value) = self.raw(cx, block, word)? else { return Ok(None) };
@@ -234,11 +234,11 @@ impl RunState {
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
             Some(value) if whole && cx.shared.rules.numbers.round_speed => value.round(),
-            Some(value) if whole => cut(value),
+            Some(value) if whole => truncated(value),
             Some(value) => value,
         };
         if whole {
-            self.note_cut(cx, block, word);
+            self.note_truncation(cx, block, word);
         }
         let limits = &cx.control.limits;
         let own = match word.letter {

@@ -93,7 +93,7 @@ impl RunState {
         let inch = self.modal.inch;
         let dwell = codes.special == Some(Code::Dwell);
         // Limits by S, and the first S of a surface speed, are handled elsewhere.
-        let surface = self.modal.spindle.surface && !codes.limits();
+        let surface = self.modal.spindle.surface && !codes.s_is_limit();
         for word in words {
             let letter = word.letter;
             // Words of a second spindle, and words that are not simulated.
@@ -137,7 +137,7 @@ impl RunState {
             self.idle_words(cx, block, words, (codes, values))?;
         }
         if self.modal.radii != Radii::No {
-            self.double(cx, values);
+            self.double_radii(cx, values);
         }
         if codes.data {
             self.modal.unmoved.data = cx.codes().opens_data(words);
@@ -190,7 +190,7 @@ impl RunState {
         };
         if let Some(value) = value {
             *(if lead { &mut self.modal.lead } else { &mut self.modal.feed }) = Some(value);
-            self.modal.word(Address::F, value);
+            self.modal.set_shown(Address::F, value);
         }
         Ok(())
     }
@@ -276,7 +276,7 @@ impl RunState {
                     if let Some(most) = most.filter(|most| !(0.0..=*most).contains(&number)) {
                         return Err(self.out_of_range(cx, block, word, 0.0, most));
                     }
-                    self.modal.word(word.letter, number);
+                    self.modal.set_shown(word.letter, number);
                 }
                 if word.letter == Address::H {
                     values.call.h = number;
@@ -302,7 +302,7 @@ impl RunState {
     ) -> BlockResult<()> {
         let at = word.letter.after(Address::I).unwrap_or(usize::MAX);
         if word.letter == Address::S {
-            self.modal.spindle.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.other.0);
+            self.modal.spindle.second.rpm = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.second.rpm);
         } else if matches!(word.letter, Address::Spos | Address::Lims) {
             let spindle = u32::from(self.spindle_of(word));
             self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));
@@ -372,7 +372,7 @@ impl RunState {
 
     /// Doubles words that count radii on an axis whose positions are diameters.
     #[cold]
-    fn double(&self, cx: &BlockContext, values: &mut BlockWords) {
+    fn double_radii(&self, cx: &BlockContext, values: &mut BlockWords) {
         for k in (0..AXES).filter(|&k| cx.shared.rules.moves[k] != 1.0) {
             let bit = 1 << k;
             let relative = (values.incremental & bit != 0 || !self.modal.absolute) && values.absolute & bit == 0;

@@ -21,7 +21,7 @@ impl RunState {
 
     /// Refuses an end point outside the working area.
     #[cold]
-    pub(super) fn within(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> BlockResult<()> {
+    pub(super) fn refuse_outside_area(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> BlockResult<()> {
         for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {
             let at = to.position[k];
             if !(low[k]..=high[k]).contains(&at) {
@@ -65,7 +65,7 @@ impl RunState {
                 (passes((start, end), clockwise, (sign * x, sign * y)), far.position.get_mut(usize::from(axis)))
             {
                 *at = (center + sign * radius / scale(axis)).round() as i64;
-                self.within(cx, far, area)?;
+                self.refuse_outside_area(cx, far, area)?;
             }
         }
         Ok(())

@@ -86,7 +86,7 @@ pub struct Symbols {
 impl Symbols {
     /// Collects the occurrences of a deck.
     pub fn new(parsed: &Parsed) -> Symbols {
-        let mut reader = Reader::new(parsed);
+        let mut reader = SymbolReader::new(parsed);
         for (index, program) in parsed.deck.programs.iter().enumerate() {
             reader.program(index as u32, program);
         }
@@ -180,7 +180,7 @@ struct Return {
     from: u32,
 }
 
-struct Reader<'a> {
+struct SymbolReader<'a> {
     parsed: &'a Parsed,
     deck: &'a Deck,
     control: &'static Control,
@@ -206,8 +206,8 @@ struct Here<'a> {
     block: &'a Block,
 }
 
-impl<'a> Reader<'a> {
-    fn new(parsed: &'a Parsed) -> Reader<'a> {
+impl<'a> SymbolReader<'a> {
+    fn new(parsed: &'a Parsed) -> SymbolReader<'a> {
         let deck = &parsed.deck;
         let (mut numbers, mut labels) = (BTreeMap::<_, Vec<usize>>::new(), BTreeMap::<_, Vec<usize>>::new());
         for (index, program) in (0..).zip(&deck.programs) {
@@ -220,7 +220,7 @@ impl<'a> Reader<'a> {
                 }
             }
         }
-        Reader {
+        SymbolReader {
             parsed,
             deck,
             control: parsed.control,

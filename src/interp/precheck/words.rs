@@ -89,7 +89,7 @@ impl Precheck<'_> {
         let with_p = if all { WITH_CONSTANT_P } else { &[] };
         let with_h = if sequence { WITH_SEQUENCE_IN_H } else { &[] };
         let alarms = [ALWAYS, with_p, with_h].concat();
-        let finding = self.always(block, &alarms, &mut |state, cx| state.words(cx, at, block, words));
+        let finding = self.always(block, &alarms, &mut |state, cx| state.execute_words(cx, at, block, words));
         self.note(finding);
     }
 
@@ -130,7 +130,7 @@ impl Precheck<'_> {
     /// Warns about the contour skipped by a cycle that is not simulated.
     fn contour(&mut self, at: u32, block: &Block, words: &[Word]) {
         // Other outcomes depend on the state.
-        let outcome = self.state.clone().words(&mut self.cx, at, block, words);
+        let outcome = self.state.clone().execute_words(&mut self.cx, at, block, words);
         self.report(block, outcome, &[Alarm::NoContour]);
         self.found.extend(self.heard.take().into_iter().filter(|remark| remark.kind == DiagnosticKind::Contour));
     }

@@ -7,7 +7,7 @@ use crate::msg;
 use crate::text::Fix;
 
 /// Maximum words reported.
-pub(super) const MOST: usize = 20;
+pub(super) const REPORTED_WORDS: usize = 20;
 
 /// Words of a block that may override each other.
 #[derive(Clone, Copy)]
@@ -55,7 +55,7 @@ impl Rivals {
 impl Lint<'_> {
     /// Whether a further word may be reported. A block with a `/` in its middle may repeat a word on purpose.
     fn reports_again(&self, words: &[Word]) -> bool {
-        self.again < MOST && words.iter().all(|word| word.letter != Address::Skip)
+        self.again < REPORTED_WORDS && words.iter().all(|word| word.letter != Address::Skip)
     }
 
     /// Reports the second word of an address in a block.

@@ -1,7 +1,7 @@
 //! Words beside a macro call that are no arguments of it, or only on some controls.
 
 use super::super::ast::{Block, Word};
-use super::again::MOST;
+use super::again::REPORTED_WORDS;
 use super::context::Lint;
 use super::roles::{CALL, Roles};
 use crate::controls::{Address, Alarm};
@@ -19,7 +19,7 @@ impl Lint<'_> {
         let control = self.control;
         let raises = |alarm: Option<Alarm>| alarm.is_some_and(|alarm| control.raises(alarm));
         let mut report = |word: Option<&Word>, alarm, message: fn(&str, &str) -> Message| {
-            let Some(word) = word.filter(|_| self.again < MOST && !raises(alarm)) else { return };
+            let Some(word) = word.filter(|_| self.again < REPORTED_WORDS && !raises(alarm)) else { return };
             self.again += 1;
             let call = self.written(at, call.span(block)).1;
             let (place, word) = self.written(at, word.span(block));
