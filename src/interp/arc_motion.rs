@@ -1,6 +1,8 @@
 //! The command for an arc: its centre by I J K, by its radius, by an intermediate point or by the tangent of the last motion.
 
-use super::arc::{Chord, Impossible, checked_center, moved_center, center_by_point, center_by_radius, center_by_tangent, sweep};
+use super::arc::{
+    Chord, Impossible, center_by_point, center_by_radius, center_by_tangent, checked_center, moved_center, sweep,
+};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
@@ -43,7 +45,9 @@ impl RunState {
             }
         };
         let placed = match motion {
-            Code::ArcThrough => center_by_point(chord.end, (self.passed(cx, values, first), self.passed(cx, values, second))),
+            Code::ArcThrough => {
+                center_by_point(chord.end, (self.passed(cx, values, first), self.passed(cx, values, second)))
+            }
             Code::ArcTangent => center_by_tangent(chord.end, self.heading(cx)),
             _ => center.map(|center| Some((center, clockwise))),
         };

@@ -22,7 +22,13 @@ use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 impl RunState {
     /// Executes a block of words.
-    pub(super) fn execute_words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> BlockResult<()> {
+    pub(super) fn execute_words(
+        &mut self,
+        cx: &mut BlockContext,
+        at: u32,
+        block: &Block,
+        words: &[Word],
+    ) -> BlockResult<()> {
         if self.modal.unmoved.data && self.is_data(words) {
             self.counts.nc += 1;
             return Ok(());

@@ -2,7 +2,7 @@
 
 use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
-use super::operators::{calculate, function, is_zero_divisor, zero_if_vacant, truth};
+use super::operators::{calculate, function, is_zero_divisor, truth, zero_if_vacant};
 use super::state::RunState;
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};

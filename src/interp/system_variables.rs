@@ -172,7 +172,9 @@ impl RunState {
                     self.vars.set_common(slot, value);
                 }
             }
-            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => self.suppress(cx, row.kind, (number, slot), value)?,
+            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => {
+                self.suppress(cx, row.kind, (number, slot), value)?
+            }
             VarKind::AlarmMessage => return Err(user_alarm(cx, block, value.round())),
             VarKind::StopMessage => {
                 self.queue.push(Canon::Message { text: cx.deck.text(block.comment).to_owned() });

@@ -14,7 +14,12 @@ use crate::nc::Dimensioning;
 impl RunState {
     /// Queues the command for the axis words of a block; returns whether axes move.
     #[inline]
-    pub(super) fn queue_motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> BlockResult<bool> {
+    pub(super) fn queue_motion(
+        &mut self,
+        cx: &BlockContext,
+        codes: &BlockCodes,
+        values: &BlockWords,
+    ) -> BlockResult<bool> {
         match codes.special {
             None => {}
             Some(Code::Dwell) => {

@@ -302,7 +302,8 @@ impl RunState {
     ) -> BlockResult<()> {
         let at = word.letter.after(Address::I).unwrap_or(usize::MAX);
         if word.letter == Address::S {
-            self.modal.spindle.second.rpm = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.second.rpm);
+            self.modal.spindle.second.rpm =
+                self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.second.rpm);
         } else if matches!(word.letter, Address::Spos | Address::Lims) {
             let spindle = u32::from(self.spindle_of(word));
             self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));

@@ -21,7 +21,12 @@ impl RunState {
 
     /// Refuses an end point outside the working area.
     #[cold]
-    pub(super) fn refuse_outside_area(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> BlockResult<()> {
+    pub(super) fn refuse_outside_area(
+        &self,
+        cx: &BlockContext,
+        to: Target,
+        [low, high]: &[[i64; AXES]; 2],
+    ) -> BlockResult<()> {
         for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {
             let at = to.position[k];
             if !(low[k]..=high[k]).contains(&at) {

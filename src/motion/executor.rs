@@ -122,7 +122,9 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.update_spindle_and_plc(t);
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
-            Canon::OtherSpindle { rotation, .. } => self.state.spindle.driven_tool_turns = rotation != Rotation::Stopped,
+            Canon::OtherSpindle { rotation, .. } => {
+                self.state.spindle.driven_tool_turns = rotation != Rotation::Stopped
+            }
             // No motion: a position or message is recorded, or the command has acted when it was read.
             Canon::Preset { .. } => self.state.path.reference = Some(self.state.path.position),
             Canon::PathMode { .. } => {}

@@ -69,8 +69,14 @@ impl<P: RunningProgram> Sim<'_, P> {
         let zero = zero as f64 * scale;
         let before = self.state.spindle.surface.filter(|before| before.axis == at);
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
-        self.state.spindle.surface =
-            Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY, last_computed: (f64::NEG_INFINITY, 0.0) });
+        self.state.spindle.surface = Some(Surface {
+            speed,
+            axis: at,
+            zero,
+            until,
+            again: f64::INFINITY,
+            last_computed: (f64::NEG_INFINITY, 0.0),
+        });
         self.state.spindle.diameter_axis = Some((axis, zero));
         // If the turning centre is unknown, it is assumed to be at the first work zero.
         let centre = *self.state.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));

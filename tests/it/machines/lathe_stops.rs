@@ -82,7 +82,8 @@ fn clamp_of_the_keyway_follows_the_table_of_stops() {
             let rows = stop_table(&project);
             for (name, emergency) in [("Reset", false), ("Emergency stop", true)] {
                 let row = rows.iter().find(|cells| cells[0] == format!("{name} in the keyway")).unwrap();
-                let stops = PlcSignals { program_state: ProgramState::Idle, reset: true, emergency, ..PlcSignals::default() };
+                let stops =
+                    PlcSignals { program_state: ProgramState::Idle, reset: true, emergency, ..PlcSignals::default() };
                 let locked = row[1].starts_with("Stays locked");
                 let rotation = if locked { Rotation::Stopped } else { Rotation::Clockwise };
                 assert_eq!(rotation_after(&project, stops), Some(rotation), "{control}, M{release}: {name}");
