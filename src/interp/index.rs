@@ -1,11 +1,9 @@
 //! Look-up tables of a run, built once per program: axes, variables, sequence numbers, pairs of DO and END.
 
-use std::collections::BTreeMap;
-
 use crate::controls::Address;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
-use crate::nc::{Deck, Expr, ExprId, Jump, Program, Stmt};
+use crate::nc::{Deck, Expr, ExprId, Jump, Program, SequenceNumbers, Stmt, labels_of};
 
 /// Storage of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,8 +46,7 @@ pub(super) enum Partner {
 /// Jump targets of one program.
 #[derive(Debug, Default)]
 struct Jumps {
-    /// (sequence number, block), sorted.
-    numbers: Vec<(u32, u32)>,
+    numbers: SequenceNumbers,
     /// Loops by their first block.
     loops: Vec<Loop>,
     /// (block of DO or END, partner), sorted by block.
@@ -109,7 +106,7 @@ impl Index {
             bases,
             stored,
             numbers,
-            jumps: deck.programs.iter().map(|program| jumps(deck, program.first..program.end, control)).collect(),
+            jumps: deck.programs.iter().map(|program| jumps(deck, program, control)).collect(),
             targets: Vec::new(),
             names: Vec::new(),
             fitted: dialect.reading.fitted,
@@ -179,12 +176,7 @@ impl Index {
 
     /// The block with a sequence number: searched from `from` to the end of the program, then from its first block.
     pub(super) fn sequence(&self, program: u32, number: u32, from: u32) -> Option<u32> {
-        let numbers = &self.jumps.get(program as usize)?.numbers;
-        let first_from = |block: u32| {
-            let at = numbers.partition_point(|&row| row < (number, block));
-            numbers.get(at).filter(|&&(n, _)| n == number).map(|&(_, block)| block)
-        };
-        first_from(from).or_else(|| first_from(0))
+        self.jumps.get(program as usize)?.numbers.find(number, from)
     }
 
     /// The partner of the DO or END in a block.
@@ -215,40 +207,33 @@ impl Index {
 /// Targets of the jumps of a program, in a language with jump directions.
 fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
     let blocks = deck.blocks_of(program);
-    let mut labels: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    let mut numbers: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
-    for (at, block) in blocks.iter().enumerate() {
-        if block.label.is_some() {
-            labels.entry(deck.text(block.label)).or_default().push(at);
-        }
-        if let Some(number) = block.number {
-            numbers.entry(number.into()).or_default().push(at);
-        }
-    }
+    let (numbers, labels) = (SequenceNumbers::new(blocks, 0), labels_of(deck, blocks));
     let mut found = Vec::new();
-    for (at, block) in blocks.iter().enumerate() {
+    for (at, block) in (0..).zip(blocks) {
         for Jump { target, way, .. } in deck.jumps_of(block.stmt) {
-            let named = match deck.expr(target) {
-                Expr::Label(name) => labels.get(deck.text(Some(name))),
-                Expr::Number(number) => numbers.get(&number.mantissa),
+            let to = match deck.expr(target) {
+                Expr::Label(name) => {
+                    let named = labels.get(deck.text(Some(name)));
+                    named.and_then(|named| way.nearest(at as usize, named)).map(|to| to as u32)
+                }
+                Expr::Number(number) => {
+                    let number = u32::try_from(number.mantissa);
+                    number.ok().and_then(|number| numbers.target(number, at, way))
+                }
                 _ => None,
             };
-            let Some(named) = named else { continue };
-            found.extend(way.nearest(at, named).map(|to| (target.0, program.first + to as u32)));
+            found.extend(to.map(|to| (target.0, program.first + to)));
         }
     }
     found
 }
 
-fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps {
-    let mut jumps = Jumps::default();
+fn jumps(deck: &Deck, program: &Program, control: &Control) -> Jumps {
+    let blocks = deck.blocks_of(program);
+    let mut jumps = Jumps { numbers: SequenceNumbers::new(blocks, program.first), ..Jumps::default() };
     // Open loops: (label, block of the DO).
     let mut open: Vec<(u16, u32)> = Vec::new();
-    for at in range {
-        let Some(block) = deck.blocks.get(at as usize) else { break };
-        if let Some(number) = block.number {
-            jumps.numbers.push((number, at));
-        }
+    for (at, block) in (program.first..).zip(blocks) {
         match block.stmt {
             Stmt::While { label, .. } => {
                 if open.len() >= control.syntax.do_depth as usize {
@@ -276,7 +261,6 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
             _ => {}
         }
     }
-    jumps.numbers.sort_by_key(|&(number, _)| number);
     jumps.pairs.sort_by_key(|&(at, _)| at);
     jumps.loops.sort_by_key(|l| l.start);
     let mut around: Vec<u32> = Vec::new();

@@ -2,7 +2,7 @@
 //!
 //! Blocks and their parts keep their places in the text; built and rewritten ones have none.
 
-use crate::controls::{Address, Alarm};
+use crate::controls::{Address, Alarm, Control, VarKind};
 use core::num::NonZeroU32;
 
 use super::dec::Dec;
@@ -252,12 +252,16 @@ impl JumpDirection {
     /// Target of a jump in block `from`, among the blocks `places` of one name in rising order: the nearest one in its direction.
     pub(crate) fn nearest(self, from: usize, places: &[usize]) -> Option<usize> {
         let after = places.partition_point(|to| *to <= from);
-        let at = match self {
-            JumpDirection::Around if after == places.len() => 0,
-            JumpDirection::Around | JumpDirection::Forward => after,
-            JumpDirection::Backward => after.checked_sub(1)?,
-        };
-        places.get(at).copied()
+        places.get(self.choice(after, places.len())?).copied()
+    }
+
+    /// Index of the nearest of `count` blocks, of which the one at `after` is the first behind the jump.
+    pub(super) fn choice(self, after: usize, count: usize) -> Option<usize> {
+        match self {
+            JumpDirection::Around if after == count => Some(0),
+            JumpDirection::Around | JumpDirection::Forward => Some(after),
+            JumpDirection::Backward => after.checked_sub(1),
+        }
     }
 }
 
@@ -540,6 +544,12 @@ impl Deck {
             _ => &[],
         };
         one.into_iter().chain(several.iter().copied())
+    }
+
+    /// Whether an assignment to `to` raises a user alarm, so that the program ends there.
+    pub(super) fn raises_alarm(&self, control: &Control, to: ExprId) -> bool {
+        let Expr::Var(number) = self.expr(to) else { return false };
+        control.var(number).is_some_and(|row| row.kind == VarKind::AlarmMessage)
     }
 
     /// Unconditional assignments of a block.

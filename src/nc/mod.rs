@@ -10,6 +10,7 @@ pub mod files;
 
 pub mod build;
 
+mod block_index;
 mod checks;
 mod codes;
 mod deck_eq;
@@ -31,6 +32,7 @@ pub use ast::{
     Assignment, BadBlock, Block, Deck, Dimensioning, Expr, ExprId, Extent, Jump, JumpDirection, Op, Program, Stmt,
     TextId, Word, WordValue,
 };
+pub(crate) use block_index::{SequenceNumbers, labels_of};
 pub use codes::{Codes, are_data};
 pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_with};

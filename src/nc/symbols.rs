@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::ast::{Assignment, Block, Deck, Expr, ExprId, Jump, JumpDirection, Program, Stmt, TextId, Word, WordValue};
+use super::block_index::{SequenceNumbers, labels_of};
+use super::dec::Dec;
 use super::lex::tokens::{TokenKind, tokens};
 use super::parsed::Parsed;
 use super::program_names::{ProgramNames, split_repeats};
@@ -185,9 +187,10 @@ struct SymbolReader<'a> {
     deck: &'a Deck,
     control: &'static Control,
     names: ProgramNames<'a>,
-    /// Blocks of a program by number, in rising order.
-    numbers: BTreeMap<(u32, u32), Vec<usize>>,
-    labels: BTreeMap<(u32, &'a str), Vec<usize>>,
+    /// Numbered blocks of each program.
+    numbers: Vec<SequenceNumbers>,
+    /// Blocks of the labels of each program.
+    labels: Vec<BTreeMap<&'a str, Vec<usize>>>,
     found: Vec<Occurrence>,
     returns: Vec<Return>,
     /// Called programs and their callers.
@@ -209,24 +212,14 @@ struct Here<'a> {
 impl<'a> SymbolReader<'a> {
     fn new(parsed: &'a Parsed) -> SymbolReader<'a> {
         let deck = &parsed.deck;
-        let (mut numbers, mut labels) = (BTreeMap::<_, Vec<usize>>::new(), BTreeMap::<_, Vec<usize>>::new());
-        for (index, program) in (0..).zip(&deck.programs) {
-            for (at, block) in deck.blocks_of(program).iter().enumerate() {
-                if let Some(number) = block.number {
-                    numbers.entry((index, number)).or_default().push(at);
-                }
-                if block.label.is_some() {
-                    labels.entry((index, deck.text(block.label))).or_default().push(at);
-                }
-            }
-        }
+        let programs = || deck.programs.iter().map(|program| deck.blocks_of(program));
         SymbolReader {
             parsed,
             deck,
             control: parsed.control,
             names: ProgramNames::new(deck),
-            numbers,
-            labels,
+            numbers: programs().map(|blocks| SequenceNumbers::new(blocks, 0)).collect(),
+            labels: programs().map(|blocks| labels_of(deck, blocks)).collect(),
             found: Vec::new(),
             returns: Vec::new(),
             calls: Vec::new(),
@@ -262,15 +255,18 @@ impl<'a> SymbolReader<'a> {
                     }
                     for Jump { cond, target, way, .. } in deck.jumps_of(stmt) {
                         cond.into_iter().for_each(|cond| self.read(here, cond));
-                        let places = match deck.expr(target) {
-                            Expr::Number(number) => self.numbered(index, number.to_f64()),
-                            Expr::Label(name) => self.labels.get(&(index, deck.text(Some(name)))).map(Vec::as_slice),
+                        let to = match deck.expr(target) {
+                            Expr::Number(number) => self.numbered(index, number, at, way),
+                            Expr::Label(name) => {
+                                let labels = self.labels.get(index as usize);
+                                let places = labels.and_then(|labels| labels.get(deck.text(Some(name))));
+                                places.and_then(|places| way.nearest(at, places)).map(|to| to as u32)
+                            }
                             _ => None,
                         };
-                        let to = places.and_then(|places| way.nearest(at, places));
                         match (to, self.span(here, target)) {
                             (Some(to), Some(place)) => {
-                                self.add(place, Symbol::Block(program.first + to as u32), Role::Jump);
+                                self.add(place, Symbol::Block(program.first + to), Role::Jump);
                             }
                             _ => self.read(here, target),
                         }
@@ -354,20 +350,22 @@ impl<'a> SymbolReader<'a> {
         self.calls.push((to, here.program));
     }
 
-    /// The blocks of a program with a number.
-    fn numbered(&self, program: u32, number: f64) -> Option<&[usize]> {
+    /// The block of a program that a jump to a number in block `from` finds.
+    fn numbered(&self, program: u32, number: Dec, from: usize, way: JumpDirection) -> Option<u32> {
+        let number = number.to_f64();
         let whole = number.fract() == 0.0 && (0.0..4e9).contains(&number);
-        self.numbers.get(&(program, number as u32)).filter(|_| whole).map(Vec::as_slice)
+        let numbers = self.numbers.get(program as usize).filter(|_| whole)?;
+        numbers.target(number as u32, from as u32, way)
     }
 
     /// Records a word that refers to a block of a program by its number.
     fn names_block(&mut self, here: Here, word: &Word, program: u32, from: usize) {
         let WordValue::Number(number) = word.value else { return };
-        let to = self.numbered(program, number.to_f64()).and_then(|places| JumpDirection::Around.nearest(from, places));
+        let to = self.numbered(program, number, from, JumpDirection::Around);
         let first = self.deck.programs.get(program as usize).map(|program| program.first);
         if let (Some(to), Some(first)) = (to, first) {
             let place = Place { file: here.file, span: word.span(here.block) };
-            self.add(place, Symbol::Block(first + to as u32), Role::Jump);
+            self.add(place, Symbol::Block(first + to), Role::Jump);
         }
     }
 
@@ -473,8 +471,8 @@ impl<'a> SymbolReader<'a> {
             let first = self.calls.partition_point(|call| call.0 < from);
             let callers = self.calls.get(first..).unwrap_or_default().iter().take_while(|call| call.0 == from);
             let found = callers.filter_map(|&(_, caller)| {
-                let at = *self.numbered(caller, f64::from(number))?.first()?;
-                Some(self.deck.programs.get(caller as usize)?.first + at as u32)
+                let at = self.numbers.get(caller as usize)?.find(number, 0)?;
+                Some(self.deck.programs.get(caller as usize)?.first + at)
             });
             if let Some(block) = found.min() {
                 self.add(place, Symbol::Block(block), Role::Jump);

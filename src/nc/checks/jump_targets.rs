@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::controls::Control;
 use crate::nc::ast::{Block, Deck, JumpDirection, Stmt};
+use crate::nc::block_index::{SequenceNumbers, labels_of};
 use crate::nc::dec::Dec;
 use crate::nc::unread;
 
@@ -14,8 +15,7 @@ pub(super) struct JumpTargets<'a> {
     blocks: &'a [Block],
     /// Text of the program's file.
     text: &'a str,
-    /// (block number, index of the block in the program), sorted.
-    numbers: Option<Vec<(u32, usize)>>,
+    numbers: Option<SequenceNumbers>,
     labels: Option<BTreeMap<&'a str, Vec<usize>>>,
     /// Names in blocks that do not parse, in capitals.
     unread: Option<BTreeSet<String>>,
@@ -27,16 +27,8 @@ impl<'a> JumpTargets<'a> {
     }
 
     /// The blocks with a number.
-    fn numbered(&mut self, number: u32) -> &[(u32, usize)] {
-        let numbers = self.numbers.get_or_insert_with(|| {
-            let numbered = self.blocks.iter().zip(0..).filter_map(|(block, at)| Some((block.number?, at)));
-            let mut all: Vec<(u32, usize)> = numbered.collect();
-            all.sort_unstable();
-            all
-        });
-        let start = numbers.partition_point(|row| row.0 < number);
-        let end = numbers.partition_point(|row| row.0 <= number);
-        numbers.get(start..end).unwrap_or_default()
+    fn numbered(&mut self, number: u32) -> &[(u32, u32)] {
+        self.numbers.get_or_insert_with(|| SequenceNumbers::new(self.blocks, 0)).of(number)
     }
 
     /// Whether a block of the program has this number.
@@ -49,18 +41,12 @@ impl<'a> JumpTargets<'a> {
     pub(super) fn number_on_way(&mut self, number: i64, from: usize, way: JumpDirection) -> bool {
         let Ok(number) = u32::try_from(number) else { return false };
         let ends = self.numbered(number);
-        ends.first().into_iter().chain(ends.last()).any(|row| way.reaches(from, row.1))
+        ends.first().into_iter().chain(ends.last()).any(|row| way.reaches(from, row.1 as usize))
     }
 
     /// All labels, each with its blocks.
     pub(super) fn labels(&mut self) -> &BTreeMap<&'a str, Vec<usize>> {
-        self.labels.get_or_insert_with(|| {
-            let mut labels: BTreeMap<&'a str, Vec<usize>> = BTreeMap::new();
-            for (block, at) in self.blocks.iter().zip(0..).filter(|(block, _)| block.label.is_some()) {
-                labels.entry(self.deck.text(block.label)).or_default().push(at);
-            }
-            labels
-        })
+        self.labels.get_or_insert_with(|| labels_of(self.deck, self.blocks))
     }
 
     /// Whether the program has a label, and whether a jump in block `from` reaches it.

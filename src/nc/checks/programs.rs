@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::context::Check;
 use super::jump_targets::JumpTargets;
-use crate::controls::{Address, Alarm, Code, CodeId, Control, VarKind};
+use crate::controls::{Address, Alarm, Code, CodeId, Control};
 use crate::msg;
 use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use crate::nc::codes::{Codes, m_number};
@@ -255,11 +255,7 @@ impl Check<'_> {
                 });
                 heads.is_none_or(|cond| cond.is_some_and(|cond| self.deck.holds(cond) != Some(true)))
             }
-            Stmt::Assign { to, .. } => {
-                let Expr::Var(number) = self.deck.expr(to) else { return true };
-                let row = self.control.var(number);
-                row.is_none_or(|row| row.kind != VarKind::AlarmMessage)
-            }
+            Stmt::Assign { to, .. } => !self.deck.raises_alarm(self.control, to),
             Stmt::Bad(_) => {
                 let codes = unread::codes(block.span.of(self.text), self.control);
                 let ends = |id: &CodeId| {

@@ -175,9 +175,8 @@ impl Facts {
     }
 
     /// Whether a call or return goes to a sequence number of a program.
-    pub(super) fn enters(&self, program: u32, number: u64) -> bool {
-        let named = |number| [Some(program), None].into_iter().any(|program| self.entries.contains(&(program, number)));
-        self.any_entry || u32::try_from(number).is_ok_and(named)
+    pub(super) fn enters(&self, program: u32, number: u32) -> bool {
+        self.any_entry || [Some(program), None].into_iter().any(|program| self.entries.contains(&(program, number)))
     }
 
     /// Reports a main program that returns, and so restarts for ever: the started program, if known; else the first one, if no program here

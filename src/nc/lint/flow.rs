@@ -3,11 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Jump, JumpDirection, Stmt, WordValue};
+use super::super::block_index::{SequenceNumbers, labels_of};
 use super::context::{Lint, whole};
 use super::facts::Facts;
 use super::roles::{END, RETURN, Roles};
 use crate::controls::Address;
-use crate::controls::{Control, VarKind};
+use crate::controls::Control;
 use crate::msg;
 
 /// Maximum repeated sequence numbers in the warnings of a program.
@@ -49,8 +50,7 @@ pub(super) struct Flow<'a> {
     pub(super) blocks: &'a [Block],
     /// Index of the first block in the deck.
     pub(super) base: u32,
-    /// (sequence number, block), sorted.
-    numbers: Vec<(u64, usize)>,
+    numbers: SequenceNumbers,
     /// Blocks of each label, rising.
     labels: BTreeMap<&'a str, Vec<usize>>,
     /// END of a DO and DO of an END; empty without loops.
@@ -61,17 +61,9 @@ impl<'a> Flow<'a> {
     pub(super) fn new(deck: &'a Deck, control: &'static Control, roles: &'a Roles<'a>, program: usize) -> Flow<'a> {
         let row = &deck.programs[program];
         let blocks = deck.blocks_of(row);
-        let mut numbers = Vec::new();
-        let mut labels: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
         let mut partner = Vec::new();
         let mut open: Vec<(u64, usize)> = Vec::new();
         for (at, block) in blocks.iter().enumerate() {
-            if let Some(number) = block.number {
-                numbers.push((number.into(), at));
-            }
-            if block.label.is_some() {
-                labels.entry(deck.text(block.label)).or_default().push(at);
-            }
             match block.stmt {
                 Stmt::While { label, .. } => open.push((label.into(), at)),
                 Stmt::End { .. } => {
@@ -85,18 +77,8 @@ impl<'a> Flow<'a> {
                 _ => {}
             }
         }
-        numbers.sort_unstable();
+        let (numbers, labels) = (SequenceNumbers::new(blocks, 0), labels_of(deck, blocks));
         Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, labels, partner }
-    }
-
-    /// The block with a sequence number: searched from a block to the end, then from the start.
-    fn target(&self, number: u32, from: u32) -> JumpTo {
-        let number = u64::from(number);
-        let mut at = self.numbers.partition_point(|&row| row < (number, from as usize));
-        if self.numbers.get(at).is_none_or(|row| row.0 != number) {
-            at = self.numbers.partition_point(|&row| row.0 < number);
-        }
-        JumpTo::block(self.numbers.get(at).filter(|row| row.0 == number).map(|row| row.1 as u32))
     }
 
     fn jump(&self, target: ExprId, from: u32, way: JumpDirection) -> JumpTo {
@@ -106,7 +88,8 @@ impl<'a> Flow<'a> {
                 JumpTo::block(way.nearest(from as usize, places).map(|to| to as u32))
             }
             Expr::Number(number) => {
-                whole(WordValue::Number(number)).map_or(JumpTo::Nowhere, |number| self.target(number, from))
+                let number = whole(WordValue::Number(number));
+                JumpTo::block(number.and_then(|number| self.numbers.target(number, from, way)))
             }
             _ => JumpTo::Anywhere,
         }
@@ -140,15 +123,10 @@ impl<'a> Flow<'a> {
                 holds => (JumpTo::block(partner().map(|end| end + 1)), holds.is_none()),
             },
             Stmt::End { .. } => (JumpTo::block(partner()), false),
-            Stmt::Assign { to, .. } => (Nowhere, !self.is_alarm(to)),
+            Stmt::Assign { to, .. } => (Nowhere, !self.deck.raises_alarm(self.control, to)),
             _ => (Nowhere, true),
         };
         Successors { jump, falls: falls || block.skip > 0 }
-    }
-
-    fn is_alarm(&self, to: ExprId) -> bool {
-        let Expr::Var(number) = self.deck.expr(to) else { return false };
-        self.control.var(number).is_some_and(|row| row.kind == VarKind::AlarmMessage)
     }
 
     /// Whether a block leads to an alarm before anything else; jumps to it handle errors.
@@ -158,7 +136,10 @@ impl<'a> Flow<'a> {
         while at < from + 20 && self.successors(at) == goes_on {
             at += 1;
         }
-        matches!(self.blocks.get(at as usize), Some(Block { stmt: Stmt::Assign { to, .. }, .. }) if self.is_alarm(*to))
+        match self.blocks.get(at as usize) {
+            Some(Block { stmt: Stmt::Assign { to, .. }, .. }) => self.deck.raises_alarm(self.control, *to),
+            _ => false,
+        }
     }
 
     /// Reports repeated sequence numbers that are jump targets.
@@ -167,14 +148,14 @@ impl<'a> Flow<'a> {
             // In a language with labels each jump has a direction, so that a repeated number is no mistake.
             return;
         }
-        let twice = || self.numbers.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        let twice = || self.numbers.all().windows(2).filter(|pair| pair[0].0 == pair[1].0);
         if twice().next().is_none() || lint.is_full() {
             return;
         }
         let (jumped, any) = self.jumped();
         let entered = |number| any || facts.enters(self.program, number) || jumped.contains(&number);
         for pair in twice().filter(|pair| entered(pair[0].0)).take(TWICE) {
-            let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1 as u32);
+            let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1);
             let (place, block) = lint.written(second, lint.number(second));
             let line = lint.line(first);
             lint.warn(place, msg!("lint.number-twice", block, line));
@@ -182,11 +163,11 @@ impl<'a> Flow<'a> {
     }
 
     /// Sequence numbers that the program jumps to, and whether it jumps to calculated ones.
-    fn jumped(&self) -> (BTreeSet<u64>, bool) {
+    fn jumped(&self) -> (BTreeSet<u32>, bool) {
         let (mut numbers, mut any) = (BTreeSet::new(), false);
         for Jump { target, .. } in self.blocks.iter().flat_map(|block| self.deck.jumps_of(block.stmt)) {
             match self.deck.expr(target) {
-                Expr::Number(target) => numbers.extend(whole(WordValue::Number(target)).map(u64::from)),
+                Expr::Number(target) => numbers.extend(whole(WordValue::Number(target))),
                 _ => any = true,
             }
         }
@@ -198,8 +179,8 @@ impl<'a> Flow<'a> {
         let part = facts.programs[self.program as usize];
         let mut seen = vec![false; self.blocks.len()];
         let mut open = vec![JumpTo::Block(0)];
-        let firsts = self.numbers.chunk_by(|a, b| a.0 == b.0).filter_map(<[_]>::first);
-        open.extend(firsts.filter(|row| facts.enters(self.program, row.0)).map(|row| JumpTo::Block(row.1 as u32)));
+        let firsts = self.numbers.all().chunk_by(|a, b| a.0 == b.0).filter_map(<[_]>::first);
+        open.extend(firsts.filter(|row| facts.enters(self.program, row.0)).map(|row| JumpTo::Block(row.1)));
         // If the callers of a subprogram are not here, any sequence number may be an entry.
         if !part.called && !part.ends || facts.any_entry {
             open.push(JumpTo::Anywhere);
@@ -211,8 +192,8 @@ impl<'a> Flow<'a> {
                 JumpTo::Anywhere if !all => {
                     all = true;
                     let labelled = self.blocks.iter().enumerate().filter(|row| row.1.label.is_some());
-                    let entries = self.numbers.iter().map(|row| row.1).chain(labelled.map(|row| row.0));
-                    open.extend(entries.map(|at| JumpTo::Block(at as u32)));
+                    let numbered = self.numbers.all().iter().map(|row| row.1);
+                    open.extend(numbered.chain(labelled.map(|row| row.0 as u32)).map(JumpTo::Block));
                     continue;
                 }
                 JumpTo::Anywhere | JumpTo::Nowhere => continue,
