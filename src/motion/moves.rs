@@ -47,7 +47,7 @@ pub(super) struct ActiveMove {
     bow: Option<ArcMove>,
     /// End point.
     pub(super) end: [f64; AXES],
-    /// Length of the path; millimetres and degrees count alike (`reference/mitsubishi-e60.md` section 5).
+    /// Length of the path; millimetres and degrees count alike (`docs/reference/mitsubishi-e60.md` section 5).
     pub(super) length: f64,
     pub(super) pace: Pace,
     /// Exact stop at the end.

@@ -1,7 +1,7 @@
 //! The commanded path before acceleration, and the filtered positions by acceleration and servo lag in closed form.
 //!
 //! The path `U(t)` is a list of segments of constant feed. Acceleration "linear by time constant" is a moving average over the time
-//! constant `τ` of each axis after the interpolator (`reference/sizing.md` section 4):
+//! constant `τ` of each axis after the interpolator (`docs/reference/sizing.md` section 4):
 //!
 //! ```text
 //! P(t) = 1/τ ∫ U(t-s) ds = U(t) - ∫ u(t-s) (1 - s/τ) ds        s from 0 to τ, u = dU/dt

@@ -104,7 +104,7 @@ pub struct SpindlePlant {
     pub stage_count: u8,
     /// Clamp in r/min of spindle or chuck.
     pub speed_clamp: f64,
-    /// Lowest speed in r/min under constant surface speed (No.043).
+    /// Lowest speed in r/min under constant surface speed (GSK 980TDc: No.043).
     pub surface_low: f64,
     /// Seconds from 0 to the rated speed of a stage, and back.
     pub ramp: f64,
@@ -119,7 +119,7 @@ pub struct SpindlePlant {
     pub encoder: bool,
     /// Data of spindle positioning; `None` if the spindle cannot be positioned.
     pub positioning: Option<Positioning>,
-    /// Delay (s) between a new speed command and the speed-reached check, on controls where cuts wait for the speed (No.072).
+    /// Delay (s) between a new speed command and the speed-reached check, on controls where cuts wait for the speed (GSK 980TDc: No.072).
     pub reached_delay: f64,
     /// Turning centre on the axis perpendicular to the spindle, in mm in the machine frame; `None` if unknown.
     pub centre: Option<f64>,

@@ -219,7 +219,7 @@ pub trait Plc {
 /// A gear change: shift voltage, delay, old gear disengaged and new one engaged, wait for its contact, another delay; then the voltage of
 /// the commanded speed again.
 ///
-/// Source: `reference/gsk-980tdc.md` section 1.2 (No.067, DT000, ASPn, DT001; A1.0 where the contact does not come).
+/// Source: `docs/reference/gsk-980tdc.md` section 1.2 (No.067, DT000, ASPn, DT001; A1.0 where the contact does not come).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GearShift {
     /// Analog output (V) while the gear shifts.

@@ -157,7 +157,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.out.log.push_back((t, canon.clone(), place));
         }
         match canon {
-            // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
+            // Macro statements act when they are read (docs/reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
                 if self.state.plc.signals.macro_outputs.get(&variable) != Some(&value) {
                     self.out.timeline.changes.append(VariableChange { t, number: variable, value });

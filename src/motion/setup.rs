@@ -1,4 +1,4 @@
-//! Inputs of a run (program, plant, PLC, panel, budgets), and its end.
+//! Inputs of a run (program, plant, PLC, panel, budget), and its end.
 
 use super::panel::Panel;
 use super::plant::Plant;
@@ -6,7 +6,7 @@ use super::plc::Plc;
 use crate::controls::Control;
 use crate::text::Diagnostic;
 
-/// Budgets of a run.
+/// Limits beyond which a run is not planned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget {
     /// Maximum blocks read.
@@ -39,7 +39,7 @@ pub struct Setup<'a, P> {
     pub plc: Box<dyn Plc>,
     /// The operator's events.
     pub panel: Panel,
-    /// Budgets.
+    /// Budget of the run.
     pub limits: Budget,
     /// Records to keep.
     pub keep: Retention,

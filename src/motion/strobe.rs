@@ -13,7 +13,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Puts out a code, together with the ready codes of the same block.
     pub(super) fn put_out(&mut self, t: f64, canon: Canon) {
         self.strobe(canon);
-        // S, M and T of one block are put out together (reference/mitsubishi-e60.md section 5).
+        // S, M and T of one block are put out together (docs/reference/mitsubishi-e60.md section 5).
         while self
             .state
             .reader
