@@ -195,7 +195,9 @@ impl Readout {
     fn apart_from(&self, fewest: u8) -> u8 {
         let exceeded = self.limit.filter(|limit| self.verdict >= Verdict::Warn && !limit.holds(self.value));
         let Some(limit) = exceeded.filter(|_| self.value.is_finite()) else { return fewest };
-        let reads_as = |decimals: &u8| figure(self.value, *decimals) == figure(limit.value(), *decimals);
+        // A limit of the magnitude is written without a sign.
+        let value = if matches!(limit, Limit::Within(_)) { self.value.abs() } else { self.value };
+        let reads_as = |decimals: &u8| figure(value, *decimals) == figure(limit.value(), *decimals);
         (fewest..MOST_DECIMALS).find(|decimals| !reads_as(decimals)).unwrap_or(fewest)
     }
 
