@@ -269,6 +269,10 @@ impl Page {
                 self.player.replan(&after, written);
             }
         });
+        if machine || after.panel.events().is_empty() {
+            // The effect of an action that is gone.
+            put(self.player.changed, String::new());
+        }
         put(self.machine, after.machine.id());
         put(self.control, after.control.id);
         self.project.set(after);
