@@ -5,6 +5,7 @@ mod cooling;
 mod demand;
 mod drawing;
 mod each_control;
+mod edges;
 mod entries;
 mod gears;
 mod guards;
