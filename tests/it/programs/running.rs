@@ -94,6 +94,36 @@ fn alarm_of_a_run_has_a_hint() {
 }
 
 #[test]
+fn value_outside_its_range_says_what_it_belongs_to() {
+    let mut alarms = String::new();
+    for (control, source) in [
+        ("mitsubishi-e60", "O1\n#100=300\n#3004=#100\nM30"),
+        ("mitsubishi-e60", "O1\n#100=-1\n#3000=#100\nM30"),
+        ("mitsubishi-e60", "O1\n#100=1000000\n#5221=#100\nM30"),
+        ("mitsubishi-e60", "O1\n#100=123456\nGOTO#100\nM30"),
+        ("mitsubishi-e60", "O1\n#100=20000\nM98P2L#100\nM30\nO2\nM99"),
+        ("sinumerik-802d", "R1=1\nGOTOF MARK1\nM2"),
+        ("sinumerik-802d", "MARK1: R1=1\nGOTOF MARK1\nM2"),
+        ("sinumerik-802d", "R1=1\nRET"),
+    ] {
+        let log = log_of(source, &mut start_on(find(control).unwrap(), source, &[]));
+        let alarm = log.lines().find(|line| line.starts_with("= ")).unwrap_or("no alarm");
+        writeln!(alarms, "{alarm}").unwrap();
+    }
+    expect![[r#"
+        = P35 3:1 #3004 takes values from 0 to 255: 300 is outside this range.
+        = P35 3:1 The number of a macro alarm is 1 to 9999.
+        = P35 3:1 #5221 takes values from -99999.999 to 99999.999: 1000000 is outside this range.
+        = P231 3:5 Sequence numbers are 1 to 99999: no block can be N123456.
+        = P35 3:6 A program is called 0 to 9999 times: 20000 is outside this range.
+        = 14080 2:7 No block of this program has the label MARK1.
+        = 14080 2:7 MARK1 lies the other way: GOTOF does not find it, GOTOB does.
+        = 14091 2:1 RET ends a subprogram; the main program ends with M2 or M30.
+    "#]]
+    .assert_eq(&alarms);
+}
+
+#[test]
 fn switches_change_what_a_program_does() {
     let source = "O1\nG91 G01 X8 Y8. F100\nM30";
     check_switched(
