@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 
 use super::Project;
 use super::sensitivity::{assumed_numbers, changed};
-use crate::machines::form::Value;
+use crate::machines::form::{FieldInfo, FieldKindInfo, Value};
 use crate::machines::sheets::{row, say};
 use crate::msg;
 use crate::text::catalog::sentence;
@@ -37,10 +37,18 @@ pub struct Chance {
     pub failing: Vec<(&'static str, &'static str, u32)>,
 }
 
-/// Draws machines, each with every assumed fact evenly between 0.9 and 1.1 of its value: within the range of its field, rounded to its decimals.
+/// Draws machines, each with every assumed fact that is measured evenly between 0.9 and 1.1 of its value: within the range of its field, rounded to its decimals.
 /// The same seed draws the same machines everywhere.
 pub fn chance(project: &Project, draws: u32, seed: u64) -> Chance {
     chance_with_progress(project, draws, seed, &mut |_| ())
+}
+
+/// Whether a fact is measured. A number of pieces is counted: it is never a tenth off.
+fn is_measured(field: &FieldInfo) -> bool {
+    match field.kind {
+        FieldKindInfo::Number { unit, decimals, .. } => decimals > 0 || !unit.is_empty(),
+        _ => false,
+    }
 }
 
 /// Number of draws between two reports of progress.
@@ -48,7 +56,7 @@ const DRAWS_PER_REPORT: u32 = 500;
 
 /// Draws machines and reports the share done, 0 to 1.
 pub fn chance_with_progress(project: &Project, draws: u32, seed: u64, tell: &mut dyn FnMut(f64)) -> Chance {
-    let facts = assumed_numbers(project);
+    let facts: Vec<FieldInfo> = assumed_numbers(project).into_iter().filter(is_measured).collect();
     let mut random = fastrand::Rng::with_seed(seed);
     let mut values = project.values.clone();
     let mut hold = 0;

@@ -74,13 +74,8 @@ impl Sensitivity {
 pub(super) fn assumed_numbers(project: &Project) -> Vec<FieldInfo> {
     let prepared = project.prepared();
     let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
-    // A number of pieces is counted, not measured: it is never a tenth off.
-    let is_measured = |field: &FieldInfo| match field.kind {
-        FieldKindInfo::Number { unit, decimals, .. } => decimals > 0 || !unit.is_empty(),
-        _ => false,
-    };
     let counts = |field: &FieldInfo| {
-        is_measured(field)
+        matches!(field.kind, FieldKindInfo::Number { .. })
             && field.role == FieldRole::Fact
             && assumed(field.id)
             && !prepared.hidden().contains(&field.id)

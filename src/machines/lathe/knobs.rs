@@ -8,7 +8,7 @@ use crate::text::Message;
 use crate::view::Advice;
 
 /// Position (%) of the feed override at which the feeds are those of the form.
-const FULL_PERCENT: f64 = 100.0;
+pub(in crate::machines) const FULL_PERCENT: f64 = 100.0;
 
 /// Positions of the override knobs, %.
 #[derive(Debug, Clone, Copy, PartialEq)]

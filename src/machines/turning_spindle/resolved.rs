@@ -151,6 +151,12 @@ impl TurningSpindle {
         all.into_iter().map(cut).collect()
     }
 
+    /// The cut at the form's positions of the knobs.
+    pub(super) fn cut_at_present(&self) -> CutAtKnobs<'_> {
+        let at = KnobPositions { feed: knobs::FULL_PERCENT, spindle: self.params.override_percent };
+        CutAtKnobs { at, params: &self.params, derived: &self.derived }
+    }
+
     /// The results at the form's position (%) of the spindle override or at an end of it.
     fn at_spindle_override(&self, percent: f64) -> &Derived {
         let ends = [self.at_highest_knob(), self.at_lowest_knob()].into_iter().flatten();

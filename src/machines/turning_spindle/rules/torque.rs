@@ -105,11 +105,15 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     fail(AtMost(most), [advice])
 }
 
+/// Position (%) of the spindle override at which operator's panels end, whatever a control takes beyond. Source: SINUMERIK 802D facts, 3.7.
+const PANEL_END: f64 = 120.0;
+
 /// Warns of a ramp that is too steep beside the cut: the inverter accelerates over it when the operator turns the knob in the cut, and at the
 /// begin of a cut that waits only for a part of the speed. `J · 2π / 60 · n10 / t + M_cut + M_f` against the short-time torque. Source: turning
 /// spindle facts, 5.
 fn turn_of_the_knob(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
-    let (cut, (torque, most)) = knobs::worst(lathe.cuts_at_knobs(), ramp_demand)?;
+    let at_ends = lathe.cuts_at_knobs().into_iter().filter(|cut| cut.at.spindle <= PANEL_END);
+    let (cut, (torque, most)) = knobs::worst(core::iter::once(lathe.cut_at_present()).chain(at_ends), ramp_demand)?;
     let spindle = cut.params.main_spindle(cut.derived.stage.speed);
     let shortest = spindle.load_at_spindle.inertia * spindle.speed_at_10v * RPM
         / (most - cut.params.steady_torque(cut.derived.cut.largest_whole)).max(0.0);

@@ -70,7 +70,10 @@ fn positioning_is_judged_in_braking_and_against_the_ramp() {
     assert_eq!(mended(&lathe, "positioning-torque").1.verdict, Verdict::Ok);
     let steep = example("sinumerik-802d", "keyway", &[("positioning-acceleration", "2000"), ("spindle-ramp", "60")]);
     let row = readout(&steep, "positioning-torque");
-    assert!(row.verdict == Verdict::Fail && sentence(&row.advice[0].message).contains("follows its ramp of 50"), "{row:?}");
+    assert!(
+        row.verdict == Verdict::Fail && sentence(&row.advice[0].message).contains("follows its ramp of 50"),
+        "{row:?}"
+    );
     let (after, row) = mended(&steep, "positioning-torque");
     assert!(row.verdict == Verdict::Ok && after.design().readouts.len() == steep.design().readouts.len());
 }
