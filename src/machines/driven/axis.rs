@@ -6,7 +6,6 @@ use crate::drives::holding_brake;
 use crate::drives::load::Load;
 use crate::drives::servo::FittedMotor;
 use crate::drives::shaft_motion::{CutSpan, Motion, SpeedSegment, Strikes};
-use crate::math::RPM;
 use crate::motion::{Mover, RunSegment};
 
 /// A servo motor of a machine, and the source of its motion in a run.
@@ -36,8 +35,6 @@ pub struct DrivenAxis {
     /// Continuous torque (Nm) of the heaviest cut with friction and weight, without a pause; none where no cut adds to
     /// the load.
     pub continuous_cut_torque: Option<f64>,
-    /// Its rapid traverse, which the run may lack; none without one.
-    pub rapid: Option<RapidTraverse>,
     /// Starts per minute by the formulas, while the work lasts; 0 where only the starts of the run count.
     pub starts_per_minute: f64,
     /// The gear unit between motor and load, if it is a purchased part.
@@ -50,23 +47,7 @@ pub struct DrivenAxis {
     pub fields: Option<&'static MotorFields>,
 }
 
-/// Rapid traverse of an axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RapidTraverse {
-    /// Speed of its motor, r/min.
-    pub speed: f64,
-    /// Time of the ramp to it, s.
-    pub ramp: f64,
-}
-
 impl DrivenAxis {
-    /// Torque (Nm) of a motor, with a rotor of an inertia in kg m², on the ramp to rapid traverse upwards: `T_L + T_W / η + (J_L / η + J_M) · ω / t`.
-    /// Source: sizing facts 2.2.
-    pub fn rapid_torque(&self, rotor: f64, rapid: RapidTraverse) -> f64 {
-        let steady = self.load.torque + self.weight / self.load.efficiency;
-        steady + self.load.accelerating(rotor, rapid.speed * RPM, rapid.ramp)
-    }
-
     /// Greatest distance (in units of the run) that the axis sinks under its weight from rest until the brake at its
     /// motor has closed; none without a weight.
     pub fn sinks(&self) -> Option<f64> {

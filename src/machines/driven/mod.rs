@@ -12,7 +12,7 @@ pub mod site;
 mod spindle;
 pub(super) mod spindle_encoder;
 
-pub use axis::{DrivenAxis, RapidTraverse, speed_segments};
+pub use axis::{DrivenAxis, speed_segments};
 pub(super) use fields::motor_fields;
 pub use fields::{FormMotor, InductionFields, MotorFields};
 pub use gauges::{CoastedAxes, Gauge, GaugeRow, ProductSize, read};

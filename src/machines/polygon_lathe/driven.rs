@@ -52,7 +52,6 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             taut_torque: 0.0,
             cut: Some(mean),
             continuous_cut_torque: None,
-            rapid: None,
             starts_per_minute: 0.0,
             // Wheels of the lathe itself.
             gear: None,

@@ -11,7 +11,7 @@ use crate::drives::load::{Load, Move};
 use crate::drives::shaft_motion::Strikes;
 use crate::machines::driven::{
     DrivenAxis, FormGear, FullSignal, GaugeRow, GearFields, InductionFields, InverterCycle, InverterDrive, MotorFields,
-    ProductSize, RapidTraverse, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
+    ProductSize, ResistorDemand, SpindleEncoder, WITHOUT_RESISTOR, motor_fields,
 };
 use crate::math::{PI, RPM};
 use crate::motion::{Mover, Snapshot};
@@ -56,8 +56,7 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         backlash: of.reverses(p.path_mode).then_some(p.gear_backlash),
         fields,
     };
-    let [rapid_x, rapid_y] = line.rapid_speeds();
-    let axis = |id, name, (at, rapid), (ratio, turn): (f64, f64), of: &ServoAxis, (fields, gear_fields)| DrivenAxis {
+    let axis = |id, name, at, (ratio, turn): (f64, f64), of: &ServoAxis, (fields, gear_fields)| DrivenAxis {
         id,
         name,
         mover: Mover::Axis(at),
@@ -69,7 +68,6 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         taut_torque: of.taut.abs(),
         cut: None,
         continuous_cut_torque: None,
-        rapid: Some(RapidTraverse { speed: rapid, ramp: of.ramp }),
         starts_per_minute: 0.0,
         gear: is_geared(ratio).then(|| gear(ratio, of, gear_fields)),
         fitted: of.fitted,
@@ -81,19 +79,12 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
         axis(
             "x",
             "ribbon.drive.pull",
-            (line.pull(), rapid_x),
+            line.pull(),
             (p.gear_x, per_turn(p.x_roller_diameter)),
             &m.pull,
             (&PULL, PULL_GEAR),
         ),
-        axis(
-            "y",
-            "ribbon.drive.print",
-            (line.print(), rapid_y),
-            (p.gear_y, print_turn),
-            &m.print,
-            (&PRINT, PRINT_GEAR),
-        ),
+        axis("y", "ribbon.drive.print", line.print(), (p.gear_y, print_turn), &m.print, (&PRINT, PRINT_GEAR)),
     ]
 }
 

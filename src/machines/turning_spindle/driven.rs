@@ -75,7 +75,7 @@ pub(super) fn load_at_motor(lathe: &TurningSpindle) -> Load {
 /// in every gear stage.
 pub(super) fn encoder(lathe: &TurningSpindle) -> SpindleEncoder {
     let of = &lathe.params.encoder;
-    SpindleEncoder { name: NAME, speed: run_up::greatest_speed(lathe) * of.ratio(), lines: of.lines }
+    SpindleEncoder { name: NAME, speed: run_up::greatest_turned_speed(lathe) * of.ratio(), lines: of.lines }
 }
 
 /// Abilities of the inverter that the catalogue does not list: a speed input of both signs, and the feedback for a

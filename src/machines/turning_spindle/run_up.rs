@@ -22,16 +22,20 @@ pub(super) fn programmed_speed_of(d: &Derived) -> f64 {
     d.speeds.largest.max(d.speeds.smallest)
 }
 
-/// Greatest speed (r/min) of the program with the knob at its highest position, and of the positioning.
+/// Greatest speed (r/min) of the cut with the knob at its highest position.
 pub(super) fn greatest_speed(lathe: &TurningSpindle) -> f64 {
+    lathe.at_highest_knob().map_or(0.0, |(_, fast)| programmed_speed_of(fast)).max(programmed_speed(lathe))
+}
+
+/// Greatest speed (r/min) at all: of the cut or of the positioning.
+pub(super) fn greatest_turned_speed(lathe: &TurningSpindle) -> f64 {
     let positioning = if lathe.positions() { lathe.params.positioning_speed } else { 0.0 };
-    let fast = lathe.at_highest_knob().map_or(0.0, |(_, fast)| programmed_speed_of(fast));
-    fast.max(programmed_speed(lathe)).max(positioning)
+    greatest_speed(lathe).max(positioning)
 }
 
 /// Seconds in which the spindle coasts to rest from its greatest speed.
 pub(super) fn coasting(lathe: &TurningSpindle) -> f64 {
-    engaged(lathe).coasting(greatest_speed(lathe))
+    engaged(lathe).coasting(greatest_turned_speed(lathe))
 }
 
 /// The spindle in the program's gear stage.
@@ -41,8 +45,13 @@ pub(super) fn engaged(lathe: &TurningSpindle) -> MainSpindle {
 
 /// Torque (Nm) at the spindle for its acceleration to the positioning speed: `J α + M_f`. Source: turning spindle facts, 5.
 pub(super) fn positioning_torque(lathe: &TurningSpindle) -> f64 {
+    torque_of(lathe, lathe.params.positioning_acceleration)
+}
+
+/// Torque (Nm) at the spindle for an acceleration in r/min per second.
+fn torque_of(lathe: &TurningSpindle, acceleration: f64) -> f64 {
     let load = engaged(lathe).load_at_spindle;
-    load.accelerating(0.0, lathe.params.positioning_acceleration * RPM, 1.0) + load.torque
+    load.accelerating(0.0, acceleration * RPM, 1.0) + load.torque
 }
 
 /// Greatest acceleration (r/min per second) of the positioning by what limits it.
@@ -77,15 +86,16 @@ impl PositioningLimits {
 /// its ramp.
 pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let (p, limits) = (&lathe.params, PositioningLimits::new(lathe));
-    let most = engaged(lathe).driving_motor().torque(p.positioning_speed);
-    let torque = positioning_torque(lathe);
+    // The torque of the greatest acceleration.
+    let limit = AtMost(torque_of(lathe, limits.least()));
     let sign = keyway::sign_for_angle(lathe);
     let asked = p.positioning_acceleration;
     if asked <= limits.least() {
-        return sign.map_or_else(|| ok(AtMost(most)), |advice| fail(None, [advice]));
+        return sign.map_or_else(|| ok(limit), |advice| fail(None, [advice]));
     }
     let message = if asked > limits.driving {
-        msg!("turning.positioning-too-hard", torque = (torque, 1), limit = (most, 1))
+        let gives = engaged(lathe).driving_motor().torque(p.positioning_speed);
+        msg!("turning.positioning-too-hard", torque = (positioning_torque(lathe), 1), limit = (gives, 1))
     } else if asked > limits.braking {
         msg!("turning.positioning-brakes-too-hard", acceleration = (asked, 0), limit = (limits.braking, 0))
     } else {
@@ -95,7 +105,7 @@ pub(super) fn judge_positioning(lathe: &TurningSpindle) -> Option<Judgement> {
     let advice = Advice::from(message);
     let button = msg!("advice.set-positioning-acceleration", acceleration = set.text.as_str());
     let advice = if limits.least() >= 1.0 { advice.setting(button, [set]) } else { advice };
-    fail(AtMost(most), core::iter::once(advice).chain(sign).collect::<Vec<_>>())
+    fail(limit, core::iter::once(advice).chain(sign).collect::<Vec<_>>())
 }
 
 /// The form's ramp against the shortest one.

@@ -253,7 +253,6 @@ fn candidate(part: &Part, axis: &DrivenAxis, runs: &RunsDemand, catalogue: &[&Pa
     let refusal = is_at_rest(&demand)
         .then(at_rest)
         .or_else(|| judged.beyond_limit())
-        .or_else(|| judged.too_weak_for_rapid(axis))
         .or_else(|| judged.too_weak_for_long(axis))
         .or_else(|| (!follows(part, control)).then(|| Refusal::new(Rank::Role, msg!("size.refused-role"))))
         .or_else(|| judged.too_warm(runs.mean_speed))

@@ -79,19 +79,6 @@ impl JudgedMotor<'_> {
         Some(refusal)
     }
 
-    /// The refusal of a motor that is too slow or too weak for the rapid traverse of the axis; none if it suffices.
-    pub(super) fn too_weak_for_rapid(&self, axis: &DrivenAxis) -> Option<Refusal> {
-        let rapid = axis.rapid?;
-        if rapid.speed > self.motor.top_speed {
-            let message = msg!("size.refused-rapid-speed", speed = (rapid.speed, 0), limit = (self.motor.top_speed, 0));
-            return Some(Refusal::new(Rank::Speed, message));
-        }
-        let torque = axis.rapid_torque(self.motor.rotor, rapid);
-        let most = self.limits.peak * self.motor.short_time_torque(rapid.speed);
-        let message = || msg!("size.refused-rapid", torque = (torque, 3), speed = (rapid.speed, 0), limit = (most, 3));
-        (torque > most).then(|| Refusal::new(Rank::Peak, message()))
-    }
-
     /// The refusal of a motor that gives less torque continuously than a long cut or a weight asks; none if it suffices.
     pub(super) fn too_weak_for_long(&self, axis: &DrivenAxis) -> Option<Refusal> {
         let most = self.limits.effective * self.motor.stall;

@@ -6,7 +6,7 @@ use crate::drives::inertia::{CM2, Cylinder, STEEL};
 use crate::drives::servo::{Acceptance, FittedMotor, Servo, WEIGHT_SHARE};
 use crate::drives::shaft_motion::Strikes;
 use crate::drives::slide::Slide;
-use crate::machines::driven::{DrivenAxis, MotorFields, RapidTraverse};
+use crate::machines::driven::{DrivenAxis, MotorFields};
 use crate::machines::machine::Machine;
 use crate::math::{self, PI, RPM};
 use crate::motion::Mover;
@@ -238,7 +238,6 @@ impl ServoSlide {
             taut_torque: 0.0,
             cut: Some(self.slide.torque(self.feed_force)),
             continuous_cut_torque: Some(self.cut_torque()),
-            rapid: Some(RapidTraverse { speed: self.rapid_speed(), ramp: self.ramp }),
             starts_per_minute: self.starts_per_minute,
             // Wheels or a belt of the lathe itself.
             gear: None,

@@ -54,7 +54,7 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     });
     stations::behind(&mut drawing, layout, &layout.unwinder, group::UNWINDER, "S");
     stations::behind(&mut drawing, layout, &layout.pull, group::PULL, "X");
-    printing::behind(&mut drawing, layout, &print);
+    printing::behind(&mut drawing, layout, print);
     drawing.showing("loop-capacity", |drawing| labels::ruler(drawing, line, layout));
     reels::behind(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
     dancer::behind(&mut drawing, line);

@@ -8,6 +8,7 @@ use crate::machines::turning_spindle::params::Output;
 use crate::machines::turning_spindle::resolved::TurningSpindle;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
+use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost};
 
 pub(super) fn few_volts_smallest(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -22,7 +23,8 @@ fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     let limit = if volts < 0.0 { AtMost(-FEW_VOLTS) } else { AtLeast(FEW_VOLTS) };
     let turns = lathe.analog().speed(0.0);
     if volts == 0.0 && lathe.params.output == Output::Unipolar && turns > 0.0 {
-        return fail(limit, [msg!("turning.turns-at-zero-volts", speed = (turns, 0)).into()]);
+        let advice = Advice::from(msg!("turning.turns-at-zero-volts", speed = (turns, 0)));
+        return fail(limit, [advice.setting(msg!("advice.no-offset"), [("offset-zero", "0")])]);
     }
     if volts.abs() >= FEW_VOLTS {
         return ok(limit);

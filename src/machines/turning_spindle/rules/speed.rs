@@ -1,7 +1,7 @@
 //! The rules of the spindle's speed: the chuck's limit, the diameter at which the limit binds, and the acceleration needed in the cut.
 
 use super::knob_positions::at_knobs;
-use super::remedies::with_slower_cut;
+use super::remedies::{with_feed, with_slower_cut};
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::machines::form::entry::at_most;
 use crate::machines::turning_spindle::params::{FIELDS, Params};
@@ -54,7 +54,10 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
         let advice =
             msg!("turning.spindle-lags", needed = (d.acceleration.needed, 0), acceleration = (d.acceleration.ramp, 0));
         let follows = |slower: &TurningSpindle| slower.derived.acceleration.needed <= slower.derived.acceleration.ramp;
-        return warn(AtMost(d.acceleration.ramp), [with_slower_cut(lathe, follows, advice)]);
+        let slower = with_slower_cut(lathe, follows, advice.clone());
+        let share = d.acceleration.ramp / d.acceleration.needed;
+        let advice = if slower.button.is_some() { slower } else { with_feed(lathe, share, advice) };
+        return warn(AtMost(d.acceleration.ramp), [advice]);
     }
     if d.acceleration.ramp.is_infinite() {
         return ok(None);

@@ -524,7 +524,8 @@ fn override_behind_the_limits_is_held_by_the_chuck() {
 fn value_beyond_its_limit_does_not_read_like_it() {
     let row = project("ribbon-line", "mitsubishi-e60", &[]).design().readouts.into_iter().next().unwrap();
     let with = |value, limit| Readout { value, decimals: 1, limit: Some(limit), verdict: Verdict::Fail, ..row.clone() };
-    let texts = |readout: &Readout| (readout.value_text(), list::readouts_text(std::slice::from_ref(readout)));
+    let plain = |text: String| text.replace('\u{202f}', "").replace('\u{2212}', "-");
+    let texts = |readout: &Readout| (plain(readout.value_text()), list::readouts_text(std::slice::from_ref(readout)));
     for (value, limit, shown, in_full) in [
         (5000.2, Limit::AtMost(5000.0), "5000.2", "5000.2 "),
         (5000.0004, Limit::AtMost(5000.0), "5000.0004", "5000.0004 "),

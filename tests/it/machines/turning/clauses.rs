@@ -37,7 +37,8 @@ fn program_limits_the_speed_by_the_machine_data() {
         }
         assert!(limited.contains("R115=2200 ") && limited.contains("R116=40 "), "{limited}");
         let alone = text(&project(control, &[("chuck-limit", "2200")]));
-        assert!(alone.contains("G26 S=R16") && !alone.contains("G25"), "{alone}");
+        // A lowest speed of 0 replaces that of the part before.
+        assert!(alone.contains("G26 S=R16") && alone.contains("G25 S=R17") && alone.contains("R116=0 "), "{alone}");
         // The operator lowers the limit of the chuck for an unbalanced part.
         let part = ideal(control, &[("upper-limit", "1500")]);
         let mut planner = run_set(&part, 115, 900.0);

