@@ -9,6 +9,7 @@ mod holds;
 mod knob;
 mod length;
 mod lists;
+mod phase;
 mod program;
 mod stops;
 mod synchronism;

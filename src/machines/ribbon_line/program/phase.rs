@@ -13,6 +13,9 @@ use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
 /// Phase error (in heads) up to which the first block corrects it; with a greater one the roller is turned first.
 const SMALL: f64 = 0.002;
 
+/// Added to the phase error (in heads) before it is rounded: every error above [`SMALL`] then rounds up, and none below 0 does.
+const ROUNDS_UP: f64 = 0.5 - SMALL;
+
 /// Variable of the print roller's position, if the control has one.
 fn position(line: &RibbonLine) -> Option<u32> {
     Some(writing::work_position(line.control)? + line.print() as u32)
@@ -29,7 +32,7 @@ pub(super) fn check(b: &mut Builder, line: &RibbonLine, number: u32) {
 /// travel. A product begins here.
 ///
 /// With the position y in heads and its distance `e = y - ROUND(y)` from the nearest head, the way on to the next head is
-/// `ROUND(e + 0.49) - e`: 1 - e if the ribbon is past a head, -e if it is before one.
+/// `ROUND(e + 0.498) - e`: 1 - e if the ribbon is past a head, -e if it is before one. The roller never turns backwards.
 pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl FnOnce(Formula) -> NewWord) {
     let axis = line.params.print_axis.address();
     let Some(position) = position(line) else {
@@ -41,7 +44,7 @@ pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl 
     b.assign(PHASE, v(PHASE) - v(PHASE).round()).note("FROM THE NEAREST");
     b.assign(REMAINDER, -(v(PHASE) * v(STROKE))).note(&format!("REMAINDER OF {axis}"));
     b.if_goto(v(PHASE).abs().le(real(SMALL, 3)), next);
-    b.assign(PHASE, (v(PHASE) + real(0.49, 2)).round() - v(PHASE)).note("TO THE NEXT HEAD");
+    b.assign(PHASE, (v(PHASE) + real(ROUNDS_UP, 3)).round() - v(PHASE)).note("TO THE NEXT HEAD");
     b.assign(PRINT_TRAVEL, (v(PHASE) * v(STROKE) * 1000).round() / 1000);
     b.assign(REMAINDER, v(PHASE) * v(STROKE) - v(PRINT_TRAVEL)).note(&format!("REMAINDER OF {axis}"));
     let mut words = writing::codes(line.control, [Code::Incremental]);

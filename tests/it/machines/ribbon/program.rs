@@ -42,7 +42,7 @@ pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachinePr
 }
 
 /// The PLC's word is #1033 or #1032.
-fn world(percent: f64) -> MachineAtRest {
+pub(super) fn world(percent: f64) -> MachineAtRest {
     MachineAtRest {
         inputs: vec![(1032, percent), (1033, percent)],
         positions: [0.0; 6],
@@ -65,7 +65,7 @@ fn ready_on(on: ControlContext<'static>, values: &Values) -> Interp {
 }
 
 #[track_caller]
-fn ready(values: &Values) -> Interp {
+pub(super) fn ready(values: &Values) -> Interp {
     ready_on(on(), values)
 }
 
