@@ -64,7 +64,7 @@ pub(super) fn laid_in_move(line: &RibbonLine, d: &Derived) -> f64 {
 
 /// Ribbon (mm) in the loop before the stop at the worst moment, with the knob at its highest position.
 fn loop_before_stop(line: &RibbonLine) -> f64 {
-    line.fast.slack.start.abs() + line.fast.slack.run.abs()
+    line.fast.slack.laid_before_stop()
 }
 
 /// Ribbon (mm) laid at the worst moment, with the knob at its highest position: both axes are at rest after the last move and M5 is not

@@ -123,14 +123,15 @@ fn unwinder_cycle(line: &RibbonLine) -> InverterCycle {
     }
 }
 
-/// The unwinder: its steady torque at the fastest position of the knob.
+/// The unwinder: its steady torque at the fastest position of the knob, with the upward trim of a dancer.
 pub(super) fn inverter(line: &RibbonLine) -> InverterDrive {
+    let speed = line.fast.unwinder.actual * line.trimmed_up();
     InverterDrive {
         id: "unwinder",
         name: "ribbon.drive.unwinder",
         torque: line.mechanics.unwinder,
-        speed: line.fast.unwinder.actual,
-        top_speed: line.fast.unwinder.actual,
+        speed,
+        top_speed: speed,
         site_share: line.params.unwinding.site_share / 100.0,
         brake: line.params.unwinding.motor_brake,
         cycle: Some(unwinder_cycle(line)),

@@ -107,5 +107,5 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
         part("ribbon.part.take-up", (take_up.x - 0.4 * take_up.r, take_up.y + 0.3 * take_up.r), &[]),
     ];
     // The dancer lies in the loop.
-    to_the_loop.into_iter().chain(line.params.dancer.then_some(dancer)).chain(from_the_nip).collect()
+    to_the_loop.into_iter().chain(line.params.is_regulated().then_some(dancer)).chain(from_the_nip).collect()
 }

@@ -4,7 +4,7 @@ use super::resolved::RibbonLine;
 use crate::motion::WebRegulator;
 
 /// Time (s) between two samples of the inverter's regulator. Engineering choice.
-const SAMPLES: f64 = 0.1;
+pub(super) const SAMPLES: f64 = 0.1;
 
 /// The regulator of the loop in the unwinder's inverter; none without a dancer, or where the motor's error uses up its trim. Source: ribbon
 /// line facts, 7.
@@ -16,8 +16,7 @@ pub(super) fn regulator(line: &RibbonLine) -> Option<WebRegulator> {
     (limit > 0.0).then_some(regulator)
 }
 
-/// Slack (mm) that the regulator keeps: the loop that a start leaves at any position of the knob, as a reserve for turns of the knob.
-/// Source: ribbon line facts, 7.
+/// Slack (mm) that the regulator keeps; 0 without regulator. Source: ribbon line facts, 7.
 pub(super) fn set_point(line: &RibbonLine) -> f64 {
-    line.over_knob().map(|d| d.slack.start).into_iter().fold(f64::INFINITY, f64::min).max(0.0)
+    line.derived.slack.set_point
 }

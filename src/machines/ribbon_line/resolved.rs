@@ -2,11 +2,13 @@
 
 use std::sync::OnceLock;
 
-use super::derive::{Derived, greatest};
+use super::derive::{Derived, TRIM, greatest};
+use super::knob_turn::KnobTurn;
 use super::mechanics::Mechanics;
 use super::params::{
     Endless, KnobStep, OverrideForm, PULL, PULL_LETTER, Params, PathMode, PrintAxis, YUnit, override_input,
 };
+use super::regulated_loop;
 use super::scene::captions::{distance, names};
 use super::scene::layout::Layout;
 use super::variables::TYPED_OVERRIDE;
@@ -91,6 +93,16 @@ impl RibbonLine {
             dialect,
             layout: OnceLock::new(),
         }
+    }
+
+    /// Results of the formulas with the knob at a position (%).
+    pub(super) fn at(&self, percent: f64) -> Derived {
+        Derived::new(&Params { override_percent: percent, ..self.params.clone() }, &self.control.analog_output)
+    }
+
+    /// One turn of the knob between its lowest and its highest position.
+    pub(super) fn knob_turn(&self) -> KnobTurn<'_> {
+        KnobTurn::new(&self.params, self.dialect.spindle().knob.low <= 0.0, &self.slow, &self.fast)
     }
 
     /// Results of the formulas for another form, with the knob as it is, at its highest and at its lowest position.
@@ -231,6 +243,11 @@ impl RibbonLine {
         (speed > 0.0).then(|| self.params.loop_trim_range() / speed)
     }
 
+    /// Highest speed of the unwinder's motor over that with the knob at its highest position: the regulator of a dancer trims upwards too.
+    pub(super) fn trimmed_up(&self) -> f64 {
+        if self.params.is_regulated() { 1.0 + TRIM } else { 1.0 }
+    }
+
     /// F counts per revolution of the unwinder.
     pub(super) fn feeds_per_revolution(&self) -> bool {
         self.params.feeds_per_revolution()
@@ -275,6 +292,13 @@ fn highest(knob: KnobRange) -> f64 {
 /// Results of the formulas with the knob as it is, at its highest and at its lowest position. A locked knob has no other position, a line
 /// at standstill neither.
 fn derive_over_knob(params: &Params, knob: KnobRange, output: &AnalogOutput) -> [Derived; 3] {
+    let mut over_knob = unregulated_over_knob(params, knob, output);
+    regulated_loop::keep(params, knob, &mut over_knob);
+    over_knob
+}
+
+/// The same without the loop that the regulator of a dancer keeps.
+fn unregulated_over_knob(params: &Params, knob: KnobRange, output: &AnalogOutput) -> [Derived; 3] {
     let at = |percent: f64| Derived::new(&Params { override_percent: percent, ..params.clone() }, output);
     let now = Derived::new(params, output);
     if now.unwinder.actual <= 0.0 || params.knob_is_locked() {

@@ -11,6 +11,7 @@ mod length;
 mod lists;
 mod phase;
 mod program;
+mod reserve;
 mod stops;
 mod synchronism;
 

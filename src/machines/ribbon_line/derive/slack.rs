@@ -7,6 +7,9 @@ use super::unwinder::UnwinderSpeed;
 use crate::drives::web;
 use crate::machines::ribbon_line::params::{Params, PathMode, Wait};
 
+/// Slack rate (mm/min) up to which a loop lasts for ever: less is rounding.
+const NO_RATE: f64 = 1e-9;
+
 /// Ribbon between unwinder and pull roller, mm; positive where it piles up.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::ribbon_line) struct Slack {
@@ -23,6 +26,12 @@ pub(in crate::machines::ribbon_line) struct Slack {
     /// Ribbon missing after a start or restart with an empty loop, by which X is ahead of the unwinder; 0 if ribbon is
     /// left over.
     pub missing: f64,
+    /// Slack that the regulator of a dancer keeps, and the loop that many products leave before the next, infinite where it grows with each
+    /// product; 0 without regulator.
+    pub set_point: f64,
+    pub before: f64,
+    /// Ribbon that stands in the loop while a knob turns the unwinder alone to its highest position and a regulator trims that away.
+    pub standing: f64,
     /// Loop capacity for all ribbon that one product with one interruption may lay:
     /// `C ≥ |start| + |run| + |stop| + interruption`. The magnitudes are added, because the signs differ and an
     /// operator may interrupt at any moment. An emergency stop replaces the stop at the end of the product and lays as
@@ -81,9 +90,34 @@ impl Slack {
             resume,
             interruption,
             missing: (-start.min(resume)).max(0.0),
+            set_point: 0.0,
+            before: 0.0,
+            standing: 0.0,
             loop_needed: start.abs() + run.abs() + stop.abs() + interruption,
-            loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
+            loop_time: if worst > NO_RATE { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
         }
+    }
+}
+
+impl Slack {
+    /// Enters the loop that a regulator keeps: its set point, the loop (mm) before a product, and that standing with the knob turned.
+    pub(in crate::machines::ribbon_line) fn keep(&mut self, set_point: f64, before: f64, standing: f64) {
+        (self.set_point, self.before, self.standing) = (set_point, before, standing);
+        self.loop_needed = self.laid_to_the_end() + self.interruption;
+    }
+
+    /// Greatest ribbon (mm) in the loop before the stop: `max(before + |start|, set point) + |run| + standing`. A loop that grows with each
+    /// product is taken up before.
+    pub(in crate::machines::ribbon_line) fn laid_before_stop(&self) -> f64 {
+        let before = if self.before.is_finite() { self.before } else { 0.0 };
+        (before + self.start.abs()).max(self.set_point) + self.run.abs() + self.standing
+    }
+
+    /// Greatest ribbon (mm) in the loop of a product: before the stop, or `max(|start|, set point) + |run| + standing + |stop|` after it. What products
+    /// before have left is taken away until then.
+    pub(in crate::machines::ribbon_line) fn laid_to_the_end(&self) -> f64 {
+        let stopped = self.start.abs().max(self.set_point) + self.run.abs() + self.standing + self.stop.abs();
+        self.laid_before_stop().max(stopped)
     }
 }
 

@@ -3,8 +3,10 @@
 use crate::machines::ribbon_line::coasting;
 use crate::machines::ribbon_line::contacts::CONTACTS;
 use crate::machines::ribbon_line::reel_demand::products_per_hour;
+use crate::machines::ribbon_line::regulator;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::rules::coordinates;
+use crate::machines::ribbon_line::rules::dancer;
 use crate::machines::ribbon_line::rules::feeds;
 use crate::machines::ribbon_line::rules::slack;
 use crate::machines::ribbon_line::tension_switch;
@@ -212,8 +214,38 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "dancer-trim", label: "ribbon.readout.dancer-trim", unit: "%", decimals: 2,
-        formula: "n / n10 - 1 at 10 V and the running load",
-        cite: Citation::new("sizing facts 2.6", Grade::Inferred), value: feeds::dancer_trim, shown: |line| line.params.is_regulated(), ..ReadoutRow::BASE
+        formula: "n / S · (1 + t / #102 - t / Dx) · π / π written - 1 at the running load, at 10 V or with the knob at its lowest position",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: dancer::dancer_trim, shown: |line| line.params.is_regulated(), ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "dancer-loop-trim", label: "ribbon.readout.dancer-loop-trim", unit: "%", decimals: 2,
+        formula: "λ = 10 % - |error that the dancer trims away|",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| 100.0 * line.params.loop_trim(), shown: |line| line.params.is_regulated(), ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "dancer-range", label: "ribbon.readout.dancer-range", unit: "mm", decimals: 1,
+        formula: "λ · 10 s · highest v",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.params.loop_trim_range(), shown: |line| line.params.is_regulated(), ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "dancer-set-point", label: "ribbon.readout.dancer-set-point", unit: "mm", decimals: 1,
+        formula: "least loop after a start, at least the ribbon missing by a start or a turn of the knob, this at most the proportional band",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: regulator::set_point, shown: |line| line.params.is_regulated(), ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "slack-before", label: "ribbon.readout.slack-before", unit: "mm", decimals: 1,
+        formula: "set point + x - start, x = x · e^(-λ · length / range) + start + stop; beyond the range λ · length at most",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.derived.slack.before, shown: slack::settles, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "loop-growth", label: "ribbon.readout.loop-growth", unit: "mm", decimals: 1,
+        formula: "start + stop - λ · length, the knob at its worst",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: slack::loop_growth, shown: |line| line.params.loop_trim() > 0.0, ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "missing-low-knob", label: "ribbon.readout.missing-low-knob", unit: "mm", decimals: 1,
+        formula: "range · (n / n with the knob at its lowest position - 1) / λ - set point",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: slack::missing_at_low_knob, shown: slack::trims_the_knob, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "speed-error", label: "ribbon.readout.speed-error", unit: "%", decimals: 3,
@@ -267,18 +299,18 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "loop-needed", label: "ribbon.readout.loop-needed", unit: "mm", decimals: 1,
-        formula: "|start| + |run| + |stop| + interruption, the knob at its worst",
+        formula: "|start| + |run| + |stop| + interruption, the knob at its worst; with a dancer at least loop before a product + |start| + |run| + interruption, and its set point for a lower start",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| slack::worst_loop(line).slack.loop_needed, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "missing-turned", label: "ribbon.readout.missing-turned", unit: "mm", decimals: 1,
-        formula: "q · (1 - v lowest / v highest), the knob at its lowest and highest position, q = (1 + blocks read ahead) · pitches · #107, at most a product; to a position 0 at least q - v lowest · (ramp / 2 - τ / 2 - 1 / Kx), or q² / (2 · v lowest · ramp) + v lowest · (τ / 2 + 1 / Kx) where q is shorter than v lowest · ramp; up (v highest - v lowest) · (ramp / 2 - q / v lowest - τ / 2 - 1 / Kx), with the ramp between both speeds",
+        formula: "q · (1 - v lowest / v highest), the knob at its lowest and highest position, q = (1 + blocks read ahead) · pitches · #107, at most a product; to a position 0 at least q - v lowest · (ramp / 2 - τ / 2 - 1 / Kx), or q² / (2 · v lowest · ramp) + v lowest · (τ / 2 + 1 / Kx) where q is shorter than v lowest · ramp; up from the worst v (v highest - v) · (ramp / 2 - q / v - τ / 2 - 1 / Kx), with the ramp between both speeds and q = blocks read ahead · pitches · #107",
         cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::missing_by_turn,
         shown: slack::turns_with_queue, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "loop-turned", label: "ribbon.readout.loop-turned", unit: "mm", decimals: 1,
-        formula: "|start| + |run| + |stop| + q · (v highest / v lowest - 1), the knob at its highest and lowest position, q = (1 + blocks read ahead) · pitches · #107",
+        formula: "|start| + |run| + |stop| + q · (v highest / v lowest - 1), the knob at its highest and lowest position, q = (1 + blocks read ahead) · pitches · #107; with a dancer its loop as in the loop capacity needed",
         cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: slack::loop_for_turn,
         shown: slack::turns_with_queue, ..ReadoutRow::BASE
     },
@@ -300,7 +332,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "loop-coasting", label: "ribbon.readout.loop-coasting", unit: "mm", decimals: 1,
-        formula: "|start| + |run| + v · (τr + coasting / 2 - τ / 2 - 1 / Kx), the knob at its highest position",
+        formula: "|start| + |run| + v · (τr + coasting / 2 - τ / 2 - 1 / Kx), the knob at its highest position; with a dancer its loop as in the loop capacity needed",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: coasting::loop_needed, ..ReadoutRow::BASE
     },
     ReadoutRow {

@@ -193,10 +193,10 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
 }
 
 /// The steady torque is the same at every speed: the fan on the motor's shaft cools least with the knob at its lowest position, and the field
-/// is weakest at its highest.
+/// is weakest at its highest, with the upward trim of a dancer.
 fn unwinder(line: &RibbonLine) -> Option<Judgement> {
     let (torque, p) = (line.mechanics.unwinder, &line.params);
-    let (slow, fast) = (line.slow.unwinder.frequency, line.fast.unwinder.frequency);
+    let (slow, fast) = (line.slow.unwinder.frequency, line.fast.unwinder.frequency * line.trimmed_up());
     let (most, at_fast) = (p.unwinding.continuous(slow), p.unwinding.continuous(fast));
     let limit = AtMost(most.min(at_fast));
     if limit.holds(torque) {

@@ -4,15 +4,14 @@ use super::slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
-use crate::machines::form::entry::{at_least, at_most, nearest};
-use crate::machines::ribbon_line::derive::TRIM;
+use crate::machines::form::entry::{at_least, at_most};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::text::Message;
 use crate::view::Advice;
-use crate::view::Limit::{AtLeast, AtMost, Within};
+use crate::view::Limit::{AtLeast, AtMost};
 
 /// F in mm/min beyond the control's range: the finding, and the remedies.
 pub(in crate::machines::ribbon_line) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
@@ -215,32 +214,6 @@ pub(in crate::machines::ribbon_line) fn rapid_x(line: &RibbonLine) -> Option<Jud
 
 pub(in crate::machines::ribbon_line) fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
     rapid(line.rapid_speeds()[1], line.params.motor_max_y, "rapid-y", line.params.rapid_y)
-}
-
-/// Error (%) of the unwinder's speed at 10 V, which the regulator of a dancer has to make up for.
-pub(in crate::machines::ribbon_line) fn dancer_trim(line: &RibbonLine) -> f64 {
-    100.0 * line.params.error_at_10v()
-}
-
-/// Judges whether the regulator of the dancer can make up for the unwinder's error; the remedy is the frequency of the inverter at 10 V, at
-/// which the motor turns as fast as the control counts on. Its slip is the same at every frequency.
-pub(in crate::machines::ribbon_line) fn trim(line: &RibbonLine) -> Option<Judgement> {
-    let (error, limit) = (dancer_trim(line), Within(100.0 * TRIM));
-    if limit.holds(error) {
-        return ok(limit);
-    }
-    let (p, motor) = (&line.params, line.params.induction());
-    let speeds = ((p.speed_at_10v, 0), (motor.speed(p.speed_at_10v).max(0.0), 0));
-    let no_load = p.speed_at_10v + motor.slip();
-    let entries = [
-        nearest(FIELDS, "no-load-speed", no_load),
-        nearest(FIELDS, "rated-load-speed", no_load - (p.no_load_speed - p.rated_load_speed)),
-        nearest(FIELDS, "frequency-at-10v", p.frequency_at_10v * no_load / p.no_load_speed),
-    ];
-    let frequency = entries[2].text.clone();
-    let advice =
-        Advice::from(msg!("ribbon.dancer-cannot-trim", error = (error, 1), speed = speeds.0, turns = speeds.1));
-    fail(limit, [advice.setting(msg!("advice.set-frequency", frequency = frequency.as_str()), entries)])
 }
 
 /// Slip of the motor at a load (fraction of the rated torque), and its speed, r/min, each with its decimals for a

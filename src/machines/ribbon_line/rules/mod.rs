@@ -7,6 +7,7 @@
 
 pub(super) mod cam;
 pub(super) mod coordinates;
+pub(super) mod dancer;
 pub(super) mod dots;
 pub(super) mod drives;
 pub(super) mod feeds;
@@ -88,7 +89,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     ),
     Rule::new(
         "dancer-trim",
-        feeds::trim,
+        dancer::trim,
         Citation::new("sizing facts 2.6, engineering choice; rule 11", Grade::Inferred),
     ),
     Rule::new("speed-error", feeds::stalls_at_load, Citation::new("sizing facts D6", Grade::Inferred)),
@@ -120,6 +121,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
     Rule::new("missing-turned", slack::turn_starves, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("loop-turned", slack::turn_up, Citation::new("ribbon line facts, 5", Grade::Inferred)),
+    Rule::new("loop-growth", slack::grows, Citation::new("ribbon line facts, 7", Grade::Inferred)),
+    Rule::new("missing-low-knob", slack::low_knob_starves, Citation::new("ribbon line facts, 7", Grade::Inferred)),
     Rule::new("stop-room", tension_switch::stops_in_time, CONTACTS),
     Rule::new("y-drift", product::y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
@@ -148,6 +151,9 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
     }
     found.extend(p.encoder.finding(line.control).filter(|_| p.spindle_encoder));
+    if p.dancer && !p.is_regulated() {
+        found.push(Diagnostic::warning(msg!("ribbon.dancer-idle")).about("dancer"));
+    }
     if line.form.path_mode != p.path_mode {
         found.push(Diagnostic::info(msg!("ribbon.no-exact-stop", control = line.control.name)).about("path-mode"));
     }

@@ -3,7 +3,7 @@
 use super::cam;
 use crate::drives::web;
 use crate::machines::form::entry::{at_least, nearest};
-use crate::machines::ribbon_line::params::{FIELDS, PiForm, Rest};
+use crate::machines::ribbon_line::params::{FIELDS, Params, PiForm, Rest};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
@@ -89,11 +89,12 @@ pub(in crate::machines::ribbon_line) fn pi(line: &RibbonLine) -> Option<Judgemen
     match line.params.pi {
         PiForm::Exact => ok(None),
         PiForm::Short => {
-            let advice = msg!(
-                "ribbon.pi-short",
-                rate = (line.derived.accuracy.pi_drift, 2),
-                length = (line.derived.accuracy.pi_drift * 60.0, 0)
-            );
+            let rate = line.derived.accuracy.pi_drift;
+            let advice = if line.params.is_regulated() {
+                msg!("ribbon.pi-short-trimmed", rate = (rate, 2))
+            } else {
+                msg!("ribbon.pi-short", rate = (rate, 2), length = (rate * 60.0, 0))
+            };
             let set = [("pi", "exact")];
             warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
         }
@@ -109,17 +110,28 @@ pub(in crate::machines::ribbon_line) fn thickness(line: &RibbonLine) -> Option<J
     if d.accuracy.thickness_error <= THICKNESS {
         return ok(limit);
     }
-    // The flag holds for both rollers: with one of them alone X would pull the ribbon tight, or lag behind.
-    let [press, pull] = [p.press_roller_diameter, p.x_roller_diameter].map(|bare| bare + p.ribbon_thickness);
+    let [press, pull] = with_thickness(p);
     let percent = (d.accuracy.thickness_error, 2);
     let advice = Advice::from(msg!("ribbon.thickness", percent, press = (press, 3), pull = (pull, 3)));
+    warn(limit, [with_effective_diameters(p, advice)])
+}
+
+/// Diameters (mm) of press roller and pull roller with the ribbon's thickness.
+fn with_thickness(p: &Params) -> [f64; 2] {
+    [p.press_roller_diameter, p.x_roller_diameter].map(|bare| bare + p.ribbon_thickness)
+}
+
+/// Adds a button to an advice that enters the diameters with the ribbon's thickness. The flag holds for both rollers: with one of them alone X
+/// would pull the ribbon tight, or lag behind.
+pub(super) fn with_effective_diameters(p: &Params, advice: Advice) -> Advice {
+    let [press, pull] = with_thickness(p);
     let button = msg!("advice.set-effective-diameters", press = (press, 2), pull = (pull, 2));
     let entries = [
         nearest(FIELDS, "press-roller-diameter", press).into(),
         nearest(FIELDS, "x-roller-diameter", pull).into(),
         FieldEntry::new("effective-diameter", "true"),
     ];
-    warn(limit, [advice.setting(button, entries)])
+    advice.setting(button, entries)
 }
 
 fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {

@@ -4,6 +4,8 @@ use crate::controls::Code;
 use crate::machines::form::entry::{NumberEntry, at_least, nearest};
 use crate::machines::ribbon_line::derive::{Derived, greatest, least_dwell};
 use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wait};
+use crate::machines::ribbon_line::regulated_loop;
+use crate::machines::ribbon_line::regulator::set_point;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::tension_switch::{TensionSwitch, with_pinch};
 use crate::machines::ribbon_line::unwinder_motor::shortest_ramp;
@@ -115,6 +117,50 @@ pub(in crate::machines::ribbon_line) fn with_loop(advice: Advice, needed: f64, c
     taking(advice, changes.into_iter().chain([longer_loop(needed)]).collect())
 }
 
+/// The parts of the loop that a product needs; with the regulator of a dancer also what products before have left.
+fn sum_of_loop(line: &RibbonLine, d: &Derived) -> Message {
+    let (percent, needed) = ((d.unwinder.effective_override, 1), (d.slack.loop_needed.ceil(), 0));
+    let capacity = (line.params.loop_capacity, 0);
+    let [start, stop] = [d.slack.start, d.slack.stop].map(|laid| (laid.abs(), 0));
+    let (run, hold) = (((d.slack.run.abs() + d.slack.standing), 0), (d.slack.interruption, 0));
+    if d.slack.set_point > 0.0 || d.slack.before > 0.0 {
+        let before = if d.slack.before.is_finite() { d.slack.before } else { 0.0 };
+        let (before, kept) = ((before, 0), (d.slack.set_point, 0));
+        return msg!("ribbon.loop-too-small-dancer", percent, needed, capacity, before, kept, start, run, stop, hold);
+    }
+    msg!("ribbon.loop-too-small", percent, needed, capacity, start, run, stop, hold)
+}
+
+/// The results at the position of the knob at which start and stop of a product add most ribbon.
+fn most_added(line: &RibbonLine) -> &Derived {
+    line.worst(|d| d.slack.start + d.slack.stop)
+}
+
+/// Ribbon (mm) that each product adds to the loop beyond the trim of a dancer: `start + stop - λ · l`, with the length l of a product, at the
+/// worst position of the knob; negative where the dancer takes it away. Source: ribbon line facts, 7.
+pub(in crate::machines::ribbon_line) fn loop_growth(line: &RibbonLine) -> f64 {
+    let d = most_added(line);
+    d.slack.start + d.slack.stop - line.params.loop_trim() * d.product.length
+}
+
+/// Whether a loop that many products leave is known.
+pub(in crate::machines::ribbon_line) fn settles(line: &RibbonLine) -> bool {
+    line.params.loop_trim() > 0.0 && line.derived.slack.before.is_finite()
+}
+
+/// Warns where each product lays more ribbon than the dancer takes away while it runs, so that the operator has to take up the loop.
+pub(in crate::machines::ribbon_line) fn grows(line: &RibbonLine) -> Option<Judgement> {
+    let limit = AtMost(0.0);
+    if limit.holds(loop_growth(line)) {
+        return ok(limit);
+    }
+    let (worst, trim) = (most_added(line), line.params.loop_trim());
+    let laid = worst.slack.start + worst.slack.stop;
+    let (percent, taken) = ((worst.unwinder.effective_override, 1), (trim * worst.product.length, 0));
+    let length = ((laid / trim).ceil(), 0);
+    warn(limit, [msg!("ribbon.loop-grows", percent, laid = (laid, 0), taken, length).into()])
+}
+
 /// Judges the ribbon that a product lays into the loop, with one interruption, against the loop's capacity, over the range of the knob.
 pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
     let (p, d) = (&line.params, worst_loop(line));
@@ -122,17 +168,7 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     if d.slack.loop_needed <= p.loop_capacity {
         return ok(limit);
     }
-    let sum = msg!(
-        "ribbon.loop-too-small",
-        percent = (d.unwinder.effective_override, 1),
-        needed = (d.slack.loop_needed.ceil(), 0),
-        capacity = (p.loop_capacity, 0),
-        start = (d.slack.start.abs(), 0),
-        run = (d.slack.run.abs(), 0),
-        stop = (d.slack.stop.abs(), 0),
-        hold = (d.slack.interruption, 0)
-    );
-    let mut advice = vec![with_loop(sum.into(), d.slack.loop_needed, Vec::new())];
+    let mut advice = vec![with_loop(sum_of_loop(line, d).into(), d.slack.loop_needed, Vec::new())];
     let after = |form: &Params| greatest(&line.with(form), |d| d.slack.loop_needed);
     // Offers changes of wait and ramp with the loop that is still needed, if such a loop can be built.
     let mut offer = |message: Message, left: f64, changes: Vec<FormChange>| {
@@ -164,17 +200,6 @@ pub(in crate::machines::ribbon_line) fn loop_needed(line: &RibbonLine) -> Option
     fail(limit, advice)
 }
 
-/// Ribbon (mm) of the running block and of those that the control has read ahead, at most a product: they keep the F of the old position of
-/// the knob. Source: ribbon line facts, 5.
-fn queued(line: &RibbonLine) -> f64 {
-    (queued_per_pitch(&line.params) * line.params.block_pitches()).min(line.derived.product.length)
-}
-
-/// Ribbon (mm) of the running block and of those read ahead, per pitch of a block.
-fn queued_per_pitch(p: &Params) -> f64 {
-    (p.preread + 1.0) * p.pitch
-}
-
 /// Least ribbon (mm) in the loop while the line runs, over the positions of the knob.
 fn least_laid_by_start(line: &RibbonLine) -> f64 {
     line.over_knob().into_iter().map(least_laid).fold(f64::INFINITY, f64::min)
@@ -185,55 +210,9 @@ fn least_laid(at: &Derived) -> f64 {
     at.slack.start.min(at.slack.start + at.slack.run)
 }
 
-/// Whether one turn of the knob lays ribbon: the unwinder follows it at once, and the queued blocks keep their feed.
+/// Whether one turn of the knob lays ribbon.
 pub(in crate::machines::ribbon_line) fn turns_with_queue(line: &RibbonLine) -> bool {
-    let p = &line.params;
-    !line.feeds_per_revolution() && !p.knob_is_locked() && !p.knob_turns_alone() && line.derived.unwinder.actual > 0.0
-}
-
-/// Speed of the unwinder with the knob at its highest position over that at its lowest: `k_high / k_low`.
-fn turn_ratio(line: &RibbonLine) -> f64 {
-    line.fast.unwinder.actual / line.slow.unwinder.actual
-}
-
-/// Ribbon (mm) that one turn of the knob from its lowest position to its highest lays more than X pulls: `q · (k_high / k_low - 1)`.
-/// Source: ribbon line facts, 5.
-fn laid_by_turn_up(line: &RibbonLine) -> f64 {
-    queued(line) * (turn_ratio(line) - 1.0)
-}
-
-/// Ribbon (mm) that one turn of the knob from its highest position to its lowest pulls more than is laid: `q · (1 - k_low / k_high)`.
-/// Source: ribbon line facts, 5.
-fn missing_at_lowest(line: &RibbonLine) -> f64 {
-    queued(line) * (1.0 - 1.0 / turn_ratio(line))
-}
-
-/// Ribbon (mm) that a turn to 0, where the knob has it, pulls more than is laid: the unwinder stops over its ramp `t_r` while X carries out the queue at the speed `v`,
-/// `q - v · t_r / 2`, or `q² / (2 · v · t_r)` where the queue is shorter than the ramp, and makes up its lag, `v · (τ / 2 + 1 / K)`. Most from
-/// the lowest position. Source: ribbon line facts, 5.
-fn missing_at_zero(line: &RibbonLine) -> f64 {
-    if line.dialect.spindle().knob.low > 0.0 {
-        return 0.0;
-    }
-    let (p, queued) = (&line.params, queued(line));
-    let ramp = p.ramp_to(line.slow.unwinder.actual);
-    let speed = line.slow.feeds.mm_per_second();
-    let (stop, lag) = (speed * ramp, speed * p.x_stop_time());
-    lag + if queued < stop { queued * queued / (2.0 * stop) } else { queued - stop / 2.0 }
-}
-
-/// Ribbon (mm) that one turn of the knob from its lowest position to its highest pulls more than is laid, where the queue ends before the
-/// unwinder is on speed: `(v2 - v1) · (t_r / 2 - q / v1 - τ / 2 - 1 / K)`, with the inverter's ramp `t_r` from v1 to v2; 0 where the product ends
-/// with the queue, and where feeds wait for the speed. Source: ribbon line facts, 5.
-fn missing_at_highest(line: &RibbonLine) -> f64 {
-    let (p, queued) = (&line.params, queued(line));
-    if p.speed_tolerance.is_some() || queued >= line.derived.product.length {
-        return 0.0;
-    }
-    let [v1, v2] = [&line.slow, &line.fast].map(|d| d.feeds.mm_per_second());
-    let ramp = p.ramp_to(line.fast.unwinder.actual - line.slow.unwinder.actual);
-    let lag = p.x_stop_time();
-    ((v2 - v1) * (ramp / 2.0 - queued / v1 - lag)).max(0.0)
+    line.knob_turn().acts()
 }
 
 /// One turn of the knob in which X pulls more ribbon than the unwinder lays.
@@ -248,16 +227,22 @@ struct StarvingTurn {
 }
 
 impl StarvingTurn {
-    /// The turn with most ribbon missing beyond that in the loop: down to the lowest position, on to 0, or up from the lowest position.
+    /// The turn with most ribbon missing beyond that in the loop: down to the lowest position, on to 0, or up from any position.
     fn worst(line: &RibbonLine) -> StarvingTurn {
+        let turn = line.knob_turn();
         let [low, high] = [&line.slow, &line.fast].map(|d| d.unwinder.effective_override);
         let laid = least_laid_by_start(line);
-        let others = [
-            StarvingTurn { from: low, to: 0.0, missing: missing_at_zero(line), laid },
-            StarvingTurn { from: low, to: high, missing: missing_at_highest(line), laid: least_laid(&line.slow) },
-        ];
-        let down = StarvingTurn { from: high, to: low, missing: missing_at_lowest(line), laid };
-        others.into_iter().fold(down, |worst, next| if next.beyond_loop() > worst.beyond_loop() { next } else { worst })
+        let down = StarvingTurn { from: high, to: low, missing: turn.missing_at_lowest(), laid };
+        let stop = StarvingTurn { from: low, to: 0.0, missing: turn.missing_at_zero(), laid };
+        let up = turn.positions_below_highest().map(|from| (from, turn.missing_at_highest(from)));
+        let up = up.filter(|(_, missing)| *missing > 0.0).map(|(from, missing)| {
+            let laid = least_laid(&line.at(from));
+            // A regulator brings the loop from the start to its set point.
+            let laid = if line.params.is_regulated() { laid.min(set_point(line)) } else { laid };
+            StarvingTurn { from, to: high, missing, laid }
+        });
+        let others = [stop].into_iter().chain(up);
+        others.fold(down, |worst, next| if next.beyond_loop() > worst.beyond_loop() { next } else { worst })
     }
 
     /// Ribbon (mm) that is missing beyond that in the loop.
@@ -270,14 +255,16 @@ impl StarvingTurn {
     }
 
     fn message(&self, line: &RibbonLine, most: f64) -> Message {
-        let (missing, kept, queued) = ((self.missing, 1), (self.missing - most, 1), queued(line));
+        let (missing, kept) = ((self.missing, 1), (up_to_tenth(self.missing - most), 1));
+        let turn = line.knob_turn();
         if self.is_up() {
-            let time = queued / line.slow.feeds.line_speed * 60.0;
+            let speed = line.fast.feeds.mm_per_second() * self.from / self.to;
+            let time = turn.least_queued() / speed;
             let (low, high) = ((self.from, 0), (self.to, 0));
             return msg!("ribbon.knob-outruns", low, high, time = (time, 1), missing, kept);
         }
         let (low, high) = ((self.to, 0), (self.from, 0));
-        msg!("ribbon.knob-starves", queued = (queued, 0), low, high, missing, kept)
+        msg!("ribbon.knob-starves", queued = (turn.queued(), 0), low, high, missing, kept)
     }
 }
 
@@ -286,15 +273,20 @@ pub(in crate::machines::ribbon_line) fn missing_by_turn(line: &RibbonLine) -> f6
     if turns_with_queue(line) { StarvingTurn::worst(line).missing } else { 0.0 }
 }
 
-/// Ribbon (mm) that start, run and stop lay into the loop, at the worst position of the knob.
+/// A shortage (mm) as a message shows it, rounded up to tenths: none is shown as 0.
+fn up_to_tenth(shortage: f64) -> f64 {
+    (10.0 * shortage).ceil() / 10.0
+}
+
+/// Greatest ribbon (mm) in the loop at the end of a product, at the worst position of the knob.
 fn laid_to_the_end(line: &RibbonLine) -> f64 {
-    greatest(line.over_knob(), |d| d.slack.start.abs() + d.slack.run.abs() + d.slack.stop.abs())
+    greatest(line.over_knob(), |d| d.slack.laid_to_the_end())
 }
 
 /// Loop (mm) that takes a product in which the knob is turned once from its lowest position to its highest: the loop keeps the ribbon of
 /// the turn, and the stop at the end adds its own. Source: ribbon line facts, 5.
 pub(in crate::machines::ribbon_line) fn loop_for_turn(line: &RibbonLine) -> f64 {
-    laid_to_the_end(line) + laid_by_turn_up(line)
+    laid_to_the_end(line) + line.knob_turn().laid()
 }
 
 /// Judges one turn of the knob up, as the operating envelope does: the loop has to take its ribbon.
@@ -304,18 +296,19 @@ pub(in crate::machines::ribbon_line) fn turn_up(line: &RibbonLine) -> Option<Jud
     if needed <= p.loop_capacity {
         return ok(limit);
     }
-    let (laid, room) = (laid_by_turn_up(line), p.loop_capacity - laid_to_the_end(line));
+    let (turn, room) = (line.knob_turn(), p.loop_capacity - laid_to_the_end(line));
+    let laid = turn.laid();
     let message = msg!(
         "ribbon.knob-fills-loop",
         low = (line.slow.unwinder.effective_override, 0),
         high = (line.fast.unwinder.effective_override, 0),
         laid = (laid.ceil(), 0),
-        queued = (queued(line), 0),
+        queued = (turn.queued(), 0),
         before = (laid_to_the_end(line).ceil(), 0),
         capacity = (p.loop_capacity, 0)
     );
     let longer = with_loop(message.into(), needed, Vec::new());
-    let lowest = line.fast.unwinder.effective_override / (1.0 + room.max(0.0) / queued(line));
+    let lowest = line.fast.unwinder.effective_override / (1.0 + room.max(0.0) / turn.queued());
     let others = [higher_lowest(line, lowest), fewer_pitches(line, room / laid)];
     fail(limit, [longer].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
 }
@@ -330,12 +323,19 @@ pub(in crate::machines::ribbon_line) fn turn_starves(line: &RibbonLine) -> Optio
         return ok(limit);
     }
     let harder = with_pinch(line, turn.message(line, most), turn.beyond_loop());
-    let dwell = longer_dwell(line, turn.beyond_loop() - stretch);
+    // The start at each position has to lay the ribbon to which a regulator brings the loop.
+    let kept = if line.params.is_regulated() {
+        line.knob_turn().missing() - least_laid_by_start(line)
+    } else {
+        turn.beyond_loop()
+    };
+    let dwell = longer_dwell(line, kept - stretch);
     let others = if turn.is_up() {
         [None, None, dwell]
     } else {
-        let lowest = line.fast.unwinder.effective_override * (1.0 - most / queued(line));
-        let higher = higher_lowest(line, lowest).filter(|_| missing_at_zero(line) <= most);
+        let knob = line.knob_turn();
+        let lowest = line.fast.unwinder.effective_override * (1.0 - most / knob.queued());
+        let higher = higher_lowest(line, lowest).filter(|_| knob.missing_at_zero() <= most);
         [higher, fewer_pitches(line, most / turn.missing), dwell]
     };
     fail(limit, [harder].into_iter().chain(others.into_iter().flatten()).collect::<Vec<_>>())
@@ -357,7 +357,7 @@ fn longer_dwell(line: &RibbonLine, kept: f64) -> Option<Advice> {
     let after = line.with(&Params { dwell: set.value, ..p.clone() });
     let needed = greatest(&after, |d| d.slack.loop_needed);
     let needed = needed.max(loop_for_turn(line) + laid);
-    let message = msg!("ribbon.dwell-for-turn", time = set.text.as_str(), kept = (kept, 1));
+    let message = msg!("ribbon.dwell-for-turn", time = set.text.as_str(), kept = (up_to_tenth(kept), 1));
     let button = msg!("advice.set-dwell", time = set.text.as_str());
     let dwell = FormChange { button, entries: vec![set.into()] };
     if needed > LONGEST_LOOP {
@@ -380,8 +380,8 @@ fn higher_lowest(line: &RibbonLine, lowest: f64) -> Option<Advice> {
 /// The greatest number of pitches per block at which a turn of the knob moves at most `share` of the ribbon that it moves now; none where
 /// one is too many.
 fn fewer_pitches(line: &RibbonLine, share: f64) -> Option<Advice> {
-    let p = &line.params;
-    let pitches = (queued(line) * share / queued_per_pitch(p)).floor();
+    let (p, turn) = (&line.params, line.knob_turn());
+    let pitches = (turn.queued() * share / turn.queued_per_pitch()).floor();
     if p.variant != Variant::ReadyMade || pitches < 1.0 || pitches >= p.block_pitches() {
         return None;
     }
@@ -527,6 +527,31 @@ pub(in crate::machines::ribbon_line) fn slack_rate_knob(line: &RibbonLine) -> Op
         });
     }
     fail(limit, advice)
+}
+
+/// Whether a dancer trims away what a knob changes that turns the unwinder alone.
+pub(in crate::machines::ribbon_line) fn trims_the_knob(line: &RibbonLine) -> bool {
+    worst_knob(line).is_some() && line.params.loop_trim() > 0.0
+}
+
+/// Ribbon (mm) missing in the loop while such a knob is at its lowest position: the dancer stands that far below its end.
+pub(in crate::machines::ribbon_line) fn missing_at_low_knob(line: &RibbonLine) -> f64 {
+    if !trims_the_knob(line) {
+        return 0.0;
+    }
+    (-regulated_loop::standing(&line.params, &line.derived, &line.slow) - set_point(line)).max(0.0)
+}
+
+/// Judges the ribbon that is missing while a knob at its lowest position slows the unwinder alone, against the stretch at which the tension
+/// switch opens.
+pub(in crate::machines::ribbon_line) fn low_knob_starves(line: &RibbonLine) -> Option<Judgement> {
+    let (missing, limit) = (missing_at_low_knob(line), AtMost(TensionSwitch::new(line).missing));
+    if limit.holds(missing) {
+        return ok(limit);
+    }
+    let percent = (line.lowest_position(), 0);
+    let advice = Advice::from(msg!("ribbon.low-knob-starves", percent, missing = (up_to_tenth(missing), 1)));
+    fail(limit, [advice.setting(msg!("advice.lock-knob"), [("knob-use", "locked")])])
 }
 
 /// Judges the tension of a tight ribbon over the range of the knob against that at which the switch holds the program: by the draw while the

@@ -21,7 +21,7 @@ fn centre(layout: &Layout, slack: f64) -> (f64, f64) {
 /// The body of the roller, behind the ribbon.
 pub(super) fn behind(drawing: &mut Drawing, line: &RibbonLine) {
     let layout = line.layout();
-    if !line.params.dancer {
+    if !line.params.is_regulated() {
         return;
     }
     drawing.place(group::DANCER, SceneGroup { at: centre(layout, 0.0), ..SceneGroup::default() });
@@ -35,7 +35,7 @@ pub(super) fn behind(drawing: &mut Drawing, line: &RibbonLine) {
 
 /// Its face, in front of the ribbon.
 pub(super) fn before(drawing: &mut Drawing, line: &RibbonLine) {
-    if !line.params.dancer {
+    if !line.params.is_regulated() {
         return;
     }
     let r = radius(line.layout());
@@ -52,5 +52,9 @@ pub(super) fn before(drawing: &mut Drawing, line: &RibbonLine) {
 pub(crate) fn pose(line: &RibbonLine, slack: f64) -> Option<Placement> {
     let layout = line.layout();
     let (from, to) = (centre(layout, 0.0), centre(layout, slack));
-    line.params.dancer.then(|| Placement { dx: to.0 - from.0, dy: to.1 - from.1, ..Placement::of(group::DANCER) })
+    line.params.is_regulated().then(|| Placement {
+        dx: to.0 - from.0,
+        dy: to.1 - from.1,
+        ..Placement::of(group::DANCER)
+    })
 }

@@ -76,6 +76,13 @@ const RARE: &[Entered] = &[
             ("loop-capacity", "1500"),
         ],
     ),
+    // A slip that is more of a slow unwinder's speed than a dancer trims away, and a ribbon as thick as its roller is thin.
+    ("ribbon-line", "mitsubishi-e60", &[("dancer", "true"), ("unwinder-load", "100"), ("knob-lowest", "10")]),
+    (
+        "ribbon-line",
+        "mitsubishi-e60",
+        &[("dancer", "true"), ("press-roller-diameter", "20"), ("ribbon-thickness", "3"), ("reduction-ratio", "10")],
+    ),
     // A length that is no whole number of pitches, and a shorter last pitch that keeps it.
     ("ribbon-line", "mitsubishi-e60", &[("job", "product-length"), ("product-length", "1003"), ("rest", "alarm")]),
     // A knob that acts on the unwinder alone, although the axes could follow it.
@@ -357,6 +364,8 @@ const PLAIN: &[(&str, &str)] = &[
     ("ribbon.loop-fills", "a fact; the dancer behind it has the button"),
     ("ribbon.low-frequency", "a deed: another gear, which changes the line"),
     ("ribbon.match-cam", "a deed: another drive"),
+    ("ribbon.loop-grows", "a deed: longer products, or the loop taken up between two"),
+    ("ribbon.slip-beyond-trim", "a fact; the lowest position of the knob behind it has the button"),
     ("ribbon.match-cam-no-time", "a fact, no remedy"),
     ("ribbon.match-diameter-thin", "says why the diameter is no remedy"),
     ("ribbon.motor-above-rated", "a deed: the torque is checked on the data sheet"),
