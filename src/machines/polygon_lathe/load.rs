@@ -203,11 +203,6 @@ impl Params {
         self
     }
 
-    /// Whether the main spindle turns an end of the bar.
-    pub(super) fn turns_ends(&self) -> bool {
-        self.turned_ends.iter().any(|end| end.on)
-    }
-
     /// Moment of inertia (kg m²) of the main motor's rotor at the spindle.
     fn main_rotor_at_spindle(&self) -> f64 {
         self.main.rotor_at_spindle(self.main_speed)

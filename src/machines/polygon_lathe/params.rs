@@ -129,6 +129,11 @@ impl Params {
         self.shape == Shape::Own
     }
 
+    /// Whether the main spindle turns an end of the bar.
+    pub(super) fn turns_ends(&self) -> bool {
+        self.turned_ends.iter().any(|end| end.on)
+    }
+
     /// Whether the form asks for the main spindle.
     fn turns(&self, _: &Control) -> bool {
         self.turns_ends()

@@ -44,23 +44,6 @@ fn thickness_error(p: &Params) -> f64 {
     if p.effective_diameter { 0.0 } else { p.ribbon_thickness / smaller * 100.0 }
 }
 
-impl Params {
-    /// Ribbon that the press roller lays more than the pull roller takes up, as a share of the line speed; 0 with the regulator of a dancer,
-    /// which trims it.
-    pub(in crate::machines::ribbon_line) fn laid_by_thickness(&self) -> f64 {
-        if self.is_regulated() { 0.0 } else { self.share_of_thickness() }
-    }
-
-    /// Ribbon that the press roller lays more than the pull roller takes up without a trim, as a share of the line speed, where the diameters
-    /// are entered without the ribbon's thickness: `t / D - t / Dx`; 0 for equal rollers. Source: ribbon line facts, 3.
-    pub(super) fn share_of_thickness(&self) -> f64 {
-        if self.effective_diameter {
-            return 0.0;
-        }
-        self.ribbon_thickness / self.press_roller_diameter - self.ribbon_thickness / self.x_roller_diameter
-    }
-}
-
 /// Drift of Y in mm (or °) per shift of eight hours if the control only rounded each stroke to 0.001. The programs
 /// carry the remainder and avoid it. Source: ribbon line facts, 3.
 fn y_drift(stroke: f64, pitch_time: f64) -> f64 {

@@ -9,6 +9,7 @@ mod feeds;
 mod passes;
 mod printing;
 mod product;
+mod rollers;
 mod slack;
 mod start;
 mod tension;

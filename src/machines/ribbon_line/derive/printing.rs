@@ -39,9 +39,4 @@ impl Params {
     pub(in crate::machines::ribbon_line) fn head_gap(&self) -> f64 {
         self.head_spacing() - self.print.head_length
     }
-
-    /// Arc (mm) from head to head on the circumference of the print roller.
-    pub(in crate::machines::ribbon_line) fn head_spacing(&self) -> f64 {
-        PI * self.print_roller_diameter / self.heads
-    }
 }

@@ -113,4 +113,10 @@ impl Params {
     pub(in crate::machines::ribbon_line) fn is_regulated(&self) -> bool {
         self.dancer && !self.feeds_per_revolution()
     }
+
+    /// Ribbon that the press roller lays more than the pull roller takes up, as a share of the line speed; 0 with the regulator of a dancer,
+    /// which trims it.
+    pub(in crate::machines::ribbon_line) fn laid_by_thickness(&self) -> f64 {
+        if self.is_regulated() { 0.0 } else { self.share_of_thickness() }
+    }
 }
