@@ -82,8 +82,8 @@ pub fn draw(chart: &Chart) -> Plot {
     let mut svg = String::with_capacity(16 * points().count() + 3072);
     svg.push_str("<svg class=\"chart-lines\" width=\"100%\" height=\"100%\">");
     stretched(&mut svg, |out| grid(out, x, y));
-    stretched(&mut svg, |out| lines_of(out, (chart, &limits), x, y));
     figures(&mut svg, x, y, chart.x_unit);
+    stretched(&mut svg, |out| lines_of(out, (chart, &limits), x, y));
     names(&mut svg, (chart, &limits), x, y);
     svg.push_str("</svg>");
     Plot { svg, x, y }

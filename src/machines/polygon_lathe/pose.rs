@@ -146,7 +146,7 @@ fn texts(
         (node::WORK_SPEED, speed(WORK)),
         (node::TOOL_SPEED, speed(TOOL)),
         (node::SIZE, format!("X {}", figure(lathe.x_of(across_flats), 3))),
-        (node::PASS, format!("{} {}", words("polygon.scene.pass"), pass(lathe, progress))),
+        (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
         (node::APART, apart),
         (node::ALONG, format!("Z {}", figure(z, 3))),

@@ -129,7 +129,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "peak-torque", label: "turning.readout.peak-torque", unit: "Nm", decimals: 1,
         formula: "F D / 2000 + friction + J · 2π / 60 · dn/dt", cite: DEMAND, value: |lathe| worst_cut_point(&lathe.params, &lathe.derived).torque,
-        shown: |lathe| cuts_by_force(lathe) && lathe.surface(), ..ReadoutRow::BASE
+        shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1,

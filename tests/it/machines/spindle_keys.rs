@@ -15,8 +15,8 @@ fn moving() -> impl Iterator<Item = (String, Project, f64)> {
             let end = whole.timeline().end();
             let moves = |t: &f64| {
                 let now = whole.timeline().at(*t);
-                now.spindle.actual == now.spindle.command
-                    && now.spindle.actual != 0.0
+                now.spindle.actual.abs() > 0.9 * now.spindle.command.abs()
+                    && now.spindle.command != 0.0
                     && now.axes.iter().any(|axis| axis.feed.abs() > 1.0)
             };
             let at = (300..1000).map(|k| end * f64::from(k) / 1000.0).find(moves).expect("a cut");

@@ -119,9 +119,15 @@ fn labels(drawing: &mut Drawing, lathe: &PolygonLathe, layout: &Layout) {
     callout(drawing, "tip-radius", (cutter, ROW), Anchor::Start, &name, &values, None);
     let ahead = [(Some(node::PHASE), ""), (Some(node::STATE), "")];
     callout(drawing, "", (DETAILS[0], LOW_ROW), Anchor::Start, &say("polygon.scene.phase"), &ahead, None);
-    drawing.showing("depth", |drawing| {
-        drawing.text((PASS, LOW_ROW), Anchor::Start, "", Font::Value, Paint::Ink).id = Some(node::PASS);
-    });
+    callout(
+        drawing,
+        "depth",
+        (PASS, LOW_ROW),
+        Anchor::Start,
+        &say("polygon.scene.pass"),
+        &[(Some(node::PASS), "")],
+        None,
+    );
     let stock = format!("Ø {}", mm(p.stock_diameter));
     let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
     let (at, anchor) = beside_passes(lathe);

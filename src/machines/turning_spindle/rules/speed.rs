@@ -4,6 +4,7 @@ use super::knob_positions::at_knobs;
 use super::remedies::{with_feed, with_slower_cut};
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::machines::form::entry::at_most;
+use crate::machines::lathe::knobs;
 use crate::machines::turning_spindle::params::{FIELDS, Params};
 use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
 use crate::machines::turning_spindle::run_up::programmed_speed_of;
@@ -54,7 +55,10 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
         let advice =
             msg!("turning.spindle-lags", needed = (d.acceleration.needed, 0), acceleration = (d.acceleration.ramp, 0));
         let follows = |slower: &TurningSpindle| slower.derived.acceleration.needed <= slower.derived.acceleration.ramp;
-        let slower = with_slower_cut(lathe, follows, advice.clone());
+        let everywhere = |slower: &TurningSpindle| {
+            follows(slower) && knobs::worst(slower.cuts_at_knobs(), acceleration_demand).is_none()
+        };
+        let slower = with_slower_cut(lathe, everywhere, advice.clone());
         let share = d.acceleration.ramp / d.acceleration.needed;
         let advice = if slower.button.is_some() { slower } else { with_feed(lathe, share, advice) };
         return warn(AtMost(d.acceleration.ramp), [advice]);

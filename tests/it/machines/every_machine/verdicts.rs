@@ -22,6 +22,30 @@ type Entered = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Machines whose advice is too rare for random forms.
 const RARE: &[Entered] = &[
+    // A shaft whose spindle is positioned faster than its inverter follows, and one whose motor hardly brakes.
+    (
+        "turning-spindle",
+        "sinumerik-802d",
+        &[
+            ("path", "turning"),
+            ("keyway", "true"),
+            ("output", "+-10"),
+            ("positioning-acceleration", "900"),
+            ("spindle-ramp", "60"),
+        ],
+    ),
+    (
+        "turning-spindle",
+        "sinumerik-802d",
+        &[
+            ("path", "turning"),
+            ("keyway", "true"),
+            ("output", "+-10"),
+            ("positioning-acceleration", "900"),
+            ("motor-braking", "5"),
+            ("spindle-ramp", "0.5"),
+        ],
+    ),
     // 4.8995 mm per revolution in steps of 0.001, at a high speed.
     (
         "ribbon-line",

@@ -197,7 +197,7 @@ fn short_products_fill_the_loop_with_a_warning() {
     assert!(before.is_sorted() && before[5] > 450.0, "{before:?}");
     // Without a dancer the operator takes the loop up.
     let open = line(&[("pitch-count", "20"), ("dancer", "false")]);
-    assert_eq!(value(&open, "loop-needed"), value(&line(&[("dancer", "false")]), "loop-needed"));
+    assert!(open.design().readouts.iter().all(|row| row.id != "loop-growth" && row.id != "slack-before"));
 }
 
 #[test]

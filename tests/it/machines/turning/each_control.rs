@@ -196,8 +196,8 @@ fn differences_between_controls_match_the_table() {
             mitsubishi-e60  N27 G97 S#10 M3
         limit
             gsk-980tdc      N20 G50 S#8
-            sinumerik-802d  -
-            sinumerik-808d  -
+            sinumerik-802d  N20 G25 S=R17
+            sinumerik-808d  N20 G25 S=R17
             knd-k2000t      N20 G50 S#8
             fanuc-0i-tf     N20 G50 S#8
             mitsubishi-e60  -
