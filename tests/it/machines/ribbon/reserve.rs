@@ -88,7 +88,7 @@ fn short_pi_with_a_dancer_lays_no_ribbon() {
     let short = line(&[("pi", "3.14")]);
     assert_eq!(advice(&short), "ribbon.pi-short-trimmed");
     assert_eq!(advice(&short.with_entries(&[("dancer", "false")]).unwrap()), "ribbon.pi-short");
-    let more = (1.0 + value(&line(&[]), "dancer-trim") / 100.0) * std::f64::consts::PI / 3.14 - 1.0;
+    let more = (1.0 + value(&line(&[]), "dancer-trim") / 100.0) * std::f64::consts::PI * 100.0 / 314.0 - 1.0;
     near(value(&short, "dancer-trim"), 100.0 * more, 1e-9);
 }
 
