@@ -1,4 +1,4 @@
-//! The loop that the regulator of a dancer keeps from product to product: its set point, and what the products before leave.
+//! The loop that the regulator of a dancer keeps from product to product: its set point, and the ribbon that earlier products leave.
 
 use super::derive::{Derived, greatest};
 use super::knob_turn::KnobTurn;
@@ -59,12 +59,7 @@ fn left_by_products(p: &Params, d: &Derived) -> f64 {
     } else if linear <= range {
         linear
     } else {
-        let mut between = (range, range + most);
-        for _ in 0..HALVINGS {
-            let middle = (between.0 + between.1) / 2.0;
-            between = if middle - left(middle) < added { (middle, between.1) } else { (between.0, middle) };
-        }
-        between.1
+        math::bisect(range, range + most, HALVINGS, |middle| middle - left(middle) < added).1
     };
     beyond - d.slack.start
 }
