@@ -6,6 +6,7 @@ use super::gear::FormGear;
 use crate::drives::ShortTime;
 use crate::drives::load::{Load, Move, Phase};
 use crate::drives::shaft_motion::{Motion, SpeedSegment};
+use crate::drives::spindle_motor::MotorCurve;
 use crate::math::RPM;
 use crate::motion::RunSegment;
 
@@ -55,6 +56,11 @@ pub struct InverterDrive {
 }
 
 impl InverterDrive {
+    /// Continuous curve of a motor at its site, and with the fan on its shaft where the drive has no forced cooling.
+    pub fn continuous(&self, motor: &MotorCurve) -> MotorCurve {
+        motor.share(self.site_share).with_shaft_fan(self.cooled_at.is_some())
+    }
+
     /// Motion of the motor's shaft in a part of a run; for a main spindle without the torque of its cut.
     pub fn motion(&self, segments: &[RunSegment]) -> Motion {
         Motion::new(speed_segments(segments, self.radians_per_rpm), self.load_at_motor, 0.0)

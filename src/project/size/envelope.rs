@@ -465,7 +465,7 @@ impl Envelope<'_> {
     /// speed as the torque below it that heats the motor as much.
     fn spindle_heat(&self, of: &Cutting, event: OperatingEvent, whole: &WholeRun) -> Option<EnvelopeRow> {
         let (drive, spindle) = (self.prepared.inverter_drive()?, whole.spindle(of.machine)?);
-        let continuous = spindle.motor.share(drive.site_share).with_shaft_fan(drive.cooled_at.is_some());
+        let continuous = drive.continuous(&spindle.motor);
         let motion = spindle.motion.clone().with_pause(self.prepared.pause());
         let most = continuous.base_torque();
         let effective = motion.effective_share(spindle.rotor, &continuous) * most;

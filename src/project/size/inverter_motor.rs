@@ -267,7 +267,7 @@ fn of_spindle(
     curve: &MotorCurve,
     drive: &InverterDrive,
 ) -> (f64, f64, Option<(Rank, Message)>) {
-    let continuous = curve.share(drive.site_share).with_shaft_fan(drive.cooled_at.is_some());
+    let continuous = drive.continuous(curve);
     let (steady, worst_point) = (spindle.worst_point_steady(&continuous), spindle.worst_point(curve, rotor));
     let ramps = spindle.worst_point_idle(curve, rotor);
     let effective = spindle.motion.effective_share(rotor, &continuous);

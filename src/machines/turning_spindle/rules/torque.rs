@@ -4,6 +4,7 @@ use super::knob_positions::{at_knobs, with_slower_feed};
 use super::overload::{overload_without_pause, overloaded};
 use super::remedies::{with_depth, with_slower_cut};
 use super::stages::stronger_stage;
+use crate::drives::spindle_motor::shortest_ramp;
 use crate::machines::form::entry::{at_least, field_max};
 use crate::machines::lathe::knobs::{self, TorqueRemedy};
 use crate::machines::turning_spindle::cooling;
@@ -11,7 +12,6 @@ use crate::machines::turning_spindle::params::{FIELDS, Gear};
 use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
 use crate::machines::turning_spindle::worst_cut::{CutPoint, worst_cut_point};
 use crate::machines::verdict::{Judgement, fail, ok, warn};
-use crate::math::RPM;
 use crate::msg;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
@@ -115,8 +115,8 @@ fn turn_of_the_knob(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     let at_ends = lathe.cuts_at_knobs().into_iter().filter(|cut| cut.at.spindle <= PANEL_END);
     let (cut, (torque, most)) = knobs::worst(core::iter::once(lathe.cut_at_present()).chain(at_ends), ramp_demand)?;
     let spindle = cut.params.main_spindle(cut.derived.stage.speed);
-    let shortest = spindle.load_at_spindle.inertia * spindle.speed_at_10v * RPM
-        / (most - cut.params.steady_torque(cut.derived.cut.largest_whole)).max(0.0);
+    let left = (most - cut.params.steady_torque(cut.derived.cut.largest_whole)).max(0.0);
+    let shortest = shortest_ramp(spindle.load_at_spindle.inertia, spindle.speed_at_10v, left);
     let (feed, percent) = ((cut.at.feed, 0), (cut.at.spindle, 0));
     let message = msg!("turning.ramp-in-cut", feed, spindle = percent, torque = (torque, 1), limit = (most, 1));
     let advice = Advice::from(message);
