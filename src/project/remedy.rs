@@ -2,12 +2,12 @@
 
 use super::Project;
 use super::run::{Run, RunOptions, of_project};
-use crate::machines::form::FieldKindInfo;
+use crate::machines::form::{FieldInfo, FieldKindInfo};
 use crate::machines::sheets::say;
 use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use crate::msg;
 use crate::text::catalog::number_text;
-use crate::text::{Diagnostic, units};
+use crate::text::{Diagnostic, Message, units};
 use crate::view::{Advice, Verdict};
 
 /// Budget of a trial run. A program that calculates or waits longer before anything moves counts as working.
@@ -47,10 +47,15 @@ pub fn remedy(project: &Project) -> Option<Advice> {
 /// The advice to enter what mends an error of a field.
 fn of_error(project: &Project, found: &Diagnostic) -> Option<Advice> {
     let (id, entry) = found.field.zip(found.entry)?;
-    let field = project.machine.fields().into_iter().find(|field| field.id == id)?;
-    let FieldKindInfo::Number { unit, .. } = field.kind else { return None };
-    let button = msg!("advice.set-field", field = say(field.label), value = units::text(entry, 3, unit));
+    let button = set_field(&project.machine.fields(), id, entry)?;
     Some(Advice::from(found.message.clone()).setting(button, [(id, number_text(entry, 3))]))
+}
+
+/// The change of a number field in words: its label, value and unit; `None` for other fields.
+pub(super) fn set_field(fields: &[FieldInfo], id: &str, value: f64) -> Option<Message> {
+    let field = fields.iter().find(|field| field.id == id)?;
+    let FieldKindInfo::Number { unit, .. } = field.kind else { return None };
+    Some(msg!("advice.set-field", field = say(field.label), value = units::text(value, 3, unit)))
 }
 
 /// Whether cycle start after a stopped run leads to the same stop again without any motion.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Project;
+use super::remedy::set_field;
 use crate::text::Severity;
 use crate::text::number::figure;
 use crate::view::{FieldEntry, Readout, Repair, Repairs, Verdict};
@@ -153,13 +154,19 @@ impl Trial {
         tried.min_by_key(|(_, after)| after.faults)
     }
 
-    /// The remedies of its failing results, each once.
+    /// The remedies of its failing results, each once. Beside its result a button need not name the field of its number; here it does.
     fn offered(&self) -> Vec<Repair> {
+        let fields = self.project.machine.fields();
+        let number = |entries: &[FieldEntry]| match entries {
+            [entry] => set_field(&fields, entry.field, entry.text.parse().ok()?),
+            _ => None,
+        };
         let failing = self.readouts.iter().filter(|readout| readout.verdict == Verdict::Fail);
         let mut offered: Vec<Repair> = Vec::new();
         for advice in failing.flat_map(|readout| &readout.advice) {
             let Some(text) = advice.button.clone() else { continue };
             if offered.iter().all(|other| other.entries != advice.entries) {
+                let text = number(&advice.entries).unwrap_or(text);
                 offered.push(Repair { text, entries: advice.entries.clone() });
             }
         }

@@ -124,7 +124,7 @@ impl Advice {
 /// A change of the form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repair {
-    /// The change in words: those of the remedy's button.
+    /// The change in words: a number with its field, else those of the remedy’s button.
     pub text: Message,
     /// Entries of the form.
     pub entries: Vec<FieldEntry>,

@@ -59,12 +59,12 @@ test('repair makes failing results hold, one undo restores them', () =>
     assert.equal(await failing.count(), 9);
     await page.locator('.repairs').getByRole('button', { name: 'Repair', exact: true }).click();
     // Several ways, each with its consequences.
-    const way = page.locator('.ways-out li', { hasText: 'Set 47 heads' }).first();
+    const way = page.locator('.ways-out li', { hasText: 'Set Print heads to 47' }).first();
     await way.getByText(/Roller : ribbon speed 7\.850 → 1\.00/).waitFor();
     assert.ok((await page.locator('.ways-out li').count()) > 1);
     await accessible(page);
     await way.getByRole('button').click();
-    await page.locator('.notices', { hasText: 'All results hold now: Add a dancer; Set a loop of 1710 mm' }).waitFor();
+    await page.locator('.notices', { hasText: 'All results hold now: Add a dancer; Set Loop capacity to 1710 mm' }).waitFor();
     await page.locator('.repairs').waitFor({ state: 'detached' });
     assert.equal(await failing.count(), 0);
     assert.equal(await page.locator('#pitch').inputValue(), '8');

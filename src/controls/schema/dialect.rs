@@ -193,6 +193,11 @@ impl Dialect {
         axis < 32 && self.rotary & 1 << axis != 0
     }
 
+    /// Whether a local variable without an argument keeps its last value.
+    pub fn keeps_locals(&self) -> bool {
+        self.running.keep_locals
+    }
+
     /// Characters allowed in comments.
     pub fn comment_characters(&self) -> CommentCharacters {
         self.reading.characters

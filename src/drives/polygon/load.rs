@@ -35,7 +35,8 @@ const INTERVALS: u32 = 48;
 ///
 /// The depth of the layer at an angle of the work is the height left by the preceding pass, `a_p = (ρ_before - ρ) cos ψ`, with ψ between
 /// the motion of the tip and the circle about the work. Inserts are `2π/n` apart on the tool, each in the cut from -σ to σ, so at most
-/// `1 + ⌊n σ / π⌋` at once. The mean is over the pass up to half of the pitch; beyond it the neighbour cuts.
+/// `1 + ⌊n σ / π⌋` at once. The mean is over the pass up to half of the pitch; beyond it the neighbour cuts. A deep layer is a sector of a
+/// ring: in the mean its depth counts `(ρ_before + ρ) / (2 ρ)` times, so that the energy is that of the removed area.
 pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, inserts: u32, stock: f64) -> impl Iterator<Item = PassLoad> {
     let curve = move |size: f64| Curve::new(0.5 * size + radius, radius, ratio.value());
     let pitch = 2.0 * PI / f64::from(ratio.sides(inserts).max(1));
@@ -83,11 +84,13 @@ impl Curve {
             let sigma = step * f64::from(at);
             let (work, tool) = self.levers(sigma);
             let reach = self.reach(sigma);
-            let layer = (surface(self.angle(&near, sigma)) - reach).max(0.0) * (work / reach).abs();
+            let surface = surface(self.angle(&near, sigma));
+            let layer = (surface - reach).max(0.0) * (work / reach).abs();
             depth = depth.max(layer);
             peak = (peak.0.max(layer * work.abs()), peak.1.max(layer * tool.abs()));
             if at % 2 == 1 {
-                sum = (sum.0 + layer * work, sum.1 + layer * tool);
+                let mean_depth = layer * 0.5 * (surface + reach) / reach.abs();
+                sum = (sum.0 + mean_depth * work, sum.1 + mean_depth * tool);
             }
         }
         let n = f64::from(inserts);

@@ -28,6 +28,8 @@ pub enum BillItem {
     Resistor,
     /// Encoder of a spindle.
     Encoder,
+    /// Switch of the zero return of an axis.
+    ReferenceSwitch,
     /// Fan of forced cooling, with a supply of its own.
     Fan,
     /// Dancer with the sensor of its position.
@@ -82,6 +84,7 @@ impl BillItem {
             BillItem::BrakeSupply => "size.item.brake-supply",
             BillItem::Resistor => "size.item.resistor",
             BillItem::Encoder => "size.item.encoder",
+            BillItem::ReferenceSwitch => "size.item.reference-switch",
             BillItem::Fan => "size.item.fan",
             BillItem::Dancer => "size.item.dancer",
             BillItem::EmergencyStop => "size.item.emergency-stop",
@@ -114,6 +117,11 @@ pub struct AskedDevice {
     pub drive: Option<&'static str>,
     /// Range and kind of signal.
     pub asked: Message,
+}
+
+/// The switch of the zero return of a servo axis, by the name of its drive. Motors of the catalogue are not said to have absolute encoders.
+pub fn reference_switch(drive: &'static str) -> AskedDevice {
+    AskedDevice { item: BillItem::ReferenceSwitch, drive: Some(drive), asked: msg!("size.device.reference-switch") }
 }
 
 /// An advice to fit forced cooling (IC 416), with the field of the form that has it.

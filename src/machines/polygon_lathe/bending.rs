@@ -15,6 +15,9 @@ use crate::text::Diagnostic;
 use crate::view::Advice;
 use crate::view::Limit::AtMost;
 
+/// Least share of the present forces that is sought for even flats.
+const LEAST_SHARE: f64 = 0.001;
+
 /// A section of the bar that is thinner than its stock: distances of both ends from the face, and its diameter, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Thinner {
@@ -51,9 +54,9 @@ impl PolygonLathe {
         cantilever(force, self.params.material.elasticity(), steps)
     }
 
-    /// The polygons as thinner sections of the bar, of the diameter across flats, which underestimates their stiffness.
+    /// The polygons as thinner sections of the bar, of the greatest circle in them, which underestimates their stiffness.
     fn flats(&self) -> impl Iterator<Item = Thinner> {
-        let part = |p: &Params| Thinner { from: p.from_face, to: p.far_end(), diameter: p.across_flats };
+        let part = |p: &Params| Thinner { from: p.from_face, to: p.far_end(), diameter: p.circle_in_flats() };
         self.polygons().map(move |lathe| part(&lathe.params))
     }
 
@@ -63,8 +66,8 @@ impl PolygonLathe {
         self.flats().chain(before.thinner()).collect()
     }
 
-    /// Greatest deflection (mm) of the work that stays on the flats, with the free length `free` (mm): that of the last pass, or so much of an
-    /// earlier pass as its allowance does not cover. The force acts at the near end of each polygon.
+    /// Greatest deflection (mm) of the work that stays on the flats, with the free length `free` (mm). The force acts at the near end of each
+    /// polygon.
     fn bending_of(&self, free: f64) -> f64 {
         let thinner = self.thinner_in_flats();
         let left = |lathe: &PolygonLathe| self.left_on_flats(lathe, &lathe.derived.load, free, &thinner);
@@ -73,23 +76,26 @@ impl PolygonLathe {
 
     /// The same for the cuts of one polygon.
     fn left_on_flats(&self, lathe: &PolygonLathe, load: &PolygonLoad, free: f64, thinner: &[Thinner]) -> f64 {
-        let left = |feed: PolygonFeed| {
-            let bending = self.deflection(load.force_together(feed), lathe.params.from_face, free, thinner);
-            bending - lathe.params.left_for_last_pass(feed)
-        };
-        PolygonFeed::ALL.map(left).into_iter().fold(0.0, f64::max)
+        let give = self.deflection(1.0, lathe.params.from_face, free, thinner);
+        let down = give * load.force_together(PolygonFeed::Infeed) - lathe.params.left_by_infeed();
+        load.left_by_passes(give).max(down)
     }
 
-    /// Greatest forces (N) of the cuts at each feed that leave at most the flatness tolerance on the flats; infinite for a rigid bar.
+    /// Greatest forces (N) of the cuts at each feed that leave at most the flatness tolerance on the flats; infinite where those of the form do.
     fn forces_within_flatness(&self) -> [f64; 3] {
         let (free, thinner) = (self.free_length(), self.thinner_in_flats());
-        PolygonFeed::ALL.map(|feed| {
-            let force = |lathe: &PolygonLathe| {
-                let most = lathe.params.flatness + lathe.params.left_for_last_pass(feed);
-                most / self.deflection(1.0, lathe.params.from_face, free, &thinner)
-            };
-            self.polygons().map(force).fold(f64::INFINITY, f64::min)
-        })
+        let of = |lathe: &PolygonLathe| {
+            let (load, flatness) = (&lathe.derived.load, lathe.params.flatness);
+            let give = self.deflection(1.0, lathe.params.from_face, free, &thinner);
+            let is_even = |share: f64| load.left_by_passes(share * give) <= flatness;
+            let share =
+                if is_even(1.0) { None } else { math::greatest_share(LEAST_SHARE, is_even).or(Some(LEAST_SHARE)) };
+            let along = |feed| share.map_or(f64::INFINITY, |share| share * load.force_together(feed));
+            let down = (flatness + lathe.params.left_by_infeed()) / give;
+            [along(PolygonFeed::Roughing), along(PolygonFeed::Finishing), down]
+        };
+        let least = |all: [f64; 3], next: [f64; 3]| core::array::from_fn(|feed| all[feed].min(next[feed]));
+        self.polygons().map(of).fold([f64::INFINITY; 3], least)
     }
 
     /// Greatest deflection (mm) of the work that stays on the flats.
@@ -118,9 +124,24 @@ impl PolygonLathe {
 }
 
 impl Params {
-    /// What the cuts at a feed leave for the last pass, mm.
-    fn left_for_last_pass(&self, feed: PolygonFeed) -> f64 {
-        if feed == PolygonFeed::Finishing || self.passes() <= 1.0 { 0.0 } else { self.allowance }
+    /// What the infeed leaves for the last pass, mm.
+    fn left_by_infeed(&self) -> f64 {
+        if self.passes() <= 1.0 { 0.0 } else { self.allowance }
+    }
+}
+
+impl PolygonLoad {
+    /// Deflection (mm) that the passes leave on the flats of a bar that gives way by `give` (mm/N). A pass of the depth d leaves
+    /// `c (d + u) / (1 + c)` of the depth and of what the pass before has left, u: the bar springs back by the compliance c of mm per mm of
+    /// depth, and the force is that of the layer that is really cut. Source: polygon turning facts 3.9.
+    fn left_by_passes(&self, give: f64) -> f64 {
+        let left = |left: f64, (at, depth): (usize, &f64)| {
+            let is_last = at + 1 == self.layers.len();
+            let feed = if is_last { PolygonFeed::Finishing } else { PolygonFeed::Roughing };
+            let compliance = give * self.at(feed).per_depth * self.at_once.max(1.0);
+            compliance * (depth + left) / (1.0 + compliance)
+        };
+        self.layers.iter().enumerate().fold(0.0, left)
     }
 }
 

@@ -210,8 +210,9 @@ fn start_beyond_slide(lathe: &PolygonLathe) -> Option<Diagnostic> {
 /// of the tip circles, as X reads with the offset of the new cutter.
 fn next_cutter_in_stock(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let p = &lathe.params;
-    let pairs =
-        lathe.polygons().zip(lathe.polygons().skip(1)).filter(|(one, next)| one.params.tool != next.params.tool);
+    // The next part begins with the first cutter, after the last one of the part before.
+    let next = lathe.polygons().skip(1).chain([lathe]);
+    let pairs = lathe.polygons().zip(next).filter(|(one, next)| one.params.tool != next.params.tool);
     let nearer = pairs.map(|(one, next)| 2.0 * (next.params.tip_radius - one.params.tip_radius)).fold(0.0, f64::max);
     let least = p.clear_diameter() + nearer;
     let message = msg!("polygon.next-cutter-in-stock", nearer = (0.5 * nearer, 3), least = (least, 3));

@@ -95,18 +95,19 @@ impl Params {
         }
     }
 
-    /// Cutters, ratios, speeds and distances that the machine allows.
-    pub(super) fn lathe_limits(&self) -> LatheLimits {
+    /// Cutters, ratios, speeds and distances that the machine allows; `at_full_feed` leads from a limit of a speed to that at 100 % of the
+    /// feed override.
+    pub(super) fn lathe_limits(&self, at_full_feed: impl Fn(f64) -> f64) -> LatheLimits {
         let radius = (self.least_radius.min(self.greatest_radius), self.greatest_radius);
         let cutter = |inserts: u32| Cutter { inserts, radius, relief: self.relief * RADIANS };
         LatheLimits {
             cutters: (1..=self.most_inserts as u32).map(cutter).collect(),
             terms: (self.most_tool_turns as u32, self.most_work_turns as u32),
             against: self.against,
-            work_speed: self.work_limit,
-            tool_speed: self.tool_limit,
+            work_speed: at_full_feed(self.work_limit),
+            tool_speed: at_full_feed(self.tool_limit),
             distance: (self.least_distance, self.greatest_distance),
-            cutting_speed: (self.slowest_cut, self.fastest_cut),
+            cutting_speed: (self.slowest_cut, at_full_feed(self.fastest_cut)),
         }
     }
 }

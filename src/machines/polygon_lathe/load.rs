@@ -74,10 +74,11 @@ pub(super) struct Torque {
     pub mean: f64,
 }
 
-/// The cuts at one feed: greatest force of an insert (N), torque of work and tool.
+/// The cuts at one feed: greatest force of an insert (N), its force for a layer of 1 mm (N/mm; 0 in the infeed), torque of work and tool.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct CutLoad {
     pub force: f64,
+    pub per_depth: f64,
     /// Of work and tool.
     pub torque: [Torque; 2],
 }
@@ -89,6 +90,8 @@ pub(super) struct PolygonLoad {
     pub cuts: [CutLoad; 3],
     /// Inserts in the cut at once.
     pub at_once: f64,
+    /// Greatest depth of the layer of each pass, mm.
+    pub layers: Vec<f64>,
     /// Angular momentum that the cuts of all passes take of work and tool, Nm s: the mean torque of each times its time.
     pub impulse: [f64; 2],
 }
@@ -130,7 +133,7 @@ impl CutLoad {
     fn worst(self, other: CutLoad) -> CutLoad {
         let both = |a: Torque, b: Torque| Torque { peak: a.peak.max(b.peak), mean: a.mean.max(b.mean) };
         let torque = [both(self.torque[0], other.torque[0]), both(self.torque[1], other.torque[1])];
-        CutLoad { force: self.force.max(other.force), torque }
+        CutLoad { force: self.force.max(other.force), per_depth: self.per_depth.max(other.per_depth), torque }
     }
 }
 
@@ -168,14 +171,17 @@ impl Params {
                 peak: f64::from(pass.at_once) * down * lever / 1000.0,
                 mean: pass.engaged * down * lever / 1000.0,
             };
-            let cut = CutLoad { force: along * pass.depth, torque: [torque(pass.work), torque(pass.tool)] };
-            let plunge = CutLoad { force: down, torque: [lever(0.5 * self.blank()), lever(self.tip_radius)] };
+            let torques = [torque(pass.work), torque(pass.tool)];
+            let cut = CutLoad { force: along * pass.depth, per_depth: along, torque: torques };
+            let plunge =
+                CutLoad { force: down, per_depth: 0.0, torque: [lever(0.5 * self.blank()), lever(self.tip_radius)] };
             all.raise(if last { PolygonFeed::Finishing } else { PolygonFeed::Roughing }, cut);
             all.raise(PolygonFeed::Infeed, plunge);
             let seconds = self.times_in_cut(at as f64 + 1.0);
             for (impulse, (cut, plunge)) in all.impulse.iter_mut().zip(cut.torque.iter().zip(plunge.torque)) {
                 *impulse += cut.mean * seconds[0] + plunge.mean * seconds[1];
             }
+            all.layers.push(pass.depth);
             all.at_once = all.at_once.max(f64::from(pass.at_once));
         }
         all

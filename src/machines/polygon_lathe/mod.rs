@@ -54,6 +54,7 @@ use crate::machines::driven::{
 };
 use crate::machines::form::Field;
 use crate::machines::ladder::Ladder;
+use crate::machines::lathe::slides;
 use crate::machines::machine::DrivenMachine;
 use crate::machines::machine::Samples;
 use crate::machines::machine::{
@@ -218,7 +219,7 @@ impl DrivenMachine for PolygonLathe {
     }
 
     fn devices(&self) -> Vec<AskedDevice> {
-        main_spindle::devices(self)
+        main_spindle::devices(self).into_iter().chain(slides::reference_switches()).collect()
     }
 
     fn severe_site(&self) -> Option<SevereSite> {

@@ -81,7 +81,8 @@ impl Blocks<'_> {
 
     fn turned_end(&mut self, place: TurnedEndPlace) {
         for block in program::turned_end(self.lathe, place) {
-            self.add(block.words, "");
+            let is_builders = block.words.contains(&m(program::OVERRIDE_OFF));
+            self.add(block.words, if is_builders { "polygon.other.override" } else { "" });
             if block.changes_tool {
                 self.check();
             }

@@ -19,6 +19,12 @@ impl Params {
         if lies_on_it { before.diameter.min(self.stock_diameter) } else { self.stock_diameter }
     }
 
+    /// Diameter (mm) of the greatest circle in the section: that across flats, or between a single flat and the stock opposite to it.
+    pub(super) fn circle_in_flats(&self) -> f64 {
+        let is_single = self.ratio().is_some_and(|ratio| ratio.sides(self.inserts as u32) == 1);
+        if is_single { 0.5 * (self.across_flats + self.blank()) } else { self.across_flats }
+    }
+
     /// Depth of all roughing passes together, on the radius, mm.
     fn rough(&self) -> f64 {
         (0.5 * (self.blank() - self.across_flats) - self.allowance).max(0.0)

@@ -72,6 +72,8 @@ pub(super) const OVERRIDE_OFF: u32 = 49;
 pub(super) const AWAY: u32 = 11;
 /// Number of the alarm of a letter that G512 does not have.
 const LETTER: u32 = 12;
+/// Alarm of O9120: the speed is not a whole number, and the register of the PMC takes no other.
+const SPEED_NOT_WHOLE: u32 = 13;
 
 /// Sequence number of the first block of a pass, from 1.
 fn number(pass: u32) -> u32 {
@@ -367,6 +369,14 @@ fn refuse(b: &mut Builder, arguments: &[u32], target: u32) {
     }
 }
 
+/// Clears the arguments where the control would keep them for the next call, which may not have them.
+fn clear(b: &mut Builder, lathe: &PolygonLathe) {
+    let kept = [A, B, D, E, Q].into_iter().filter(|_| lathe.dialect.keeps_locals());
+    kept.for_each(|argument| {
+        b.assign(argument, v(0));
+    });
+}
+
 /// Waits for standstill of the slide by reading its position.
 fn wait_for_slide(b: &mut Builder) {
     b.assign(STANDSTILL, v(5041)).note("WAITS FOR STANDSTILL");
@@ -389,6 +399,7 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
         b.n(at).if_goto(v(argument).eq(v(0)), alarm_block(alarm));
     }
     b.n(4).if_goto(v(B).le(0), alarm_block(NO_SPEED));
+    b.if_goto(v(B).ne(v(B).fix()), alarm_block(SPEED_NOT_WHOLE));
     for (at, (term, alarm)) in (5..).zip([(D, WORK_RATIO_NOT_WHOLE), (Q, TOOL_RATIO_NOT_WHOLE)]) {
         b.n(at).if_goto(v(term).ne(v(term).fix()), alarm_block(alarm));
     }
@@ -420,7 +431,9 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
     wait_for(b, AT_ANGLE);
     b.n(23).assign(TURN, 1).note("BOTH BEGIN AT ONCE");
     wait_for(b, AT_SPEED);
-    b.n(24).words([m(99)]);
+    b.n(24);
+    clear(b, lathe);
+    b.words([m(99)]);
     let alarms = [
         (NO_SPEED, "B MUST BE ABOVE ZERO"),
         (NO_WORK_RATIO, "D IS MISSING"),
@@ -433,6 +446,7 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
         (WORK_TOO_FAST, "THE WORK WOULD TURN TOO FAST"),
         (TOOL_TOO_FAST, "THE TOOL WOULD TURN TOO FAST"),
         (LETTER, "ONLY B D Q A E PLEASE"),
+        (SPEED_NOT_WHOLE, "B MUST BE A WHOLE NUMBER"),
     ];
     for (number, text) in alarms {
         writing::alarm(b, lathe.control, number, text);
@@ -451,7 +465,9 @@ fn stop(b: &mut Builder, lathe: &PolygonLathe) {
     b.n(20).assign(TURN, 0);
     b.assign(INDEX, 0);
     wait_for(b, IDLE);
-    b.n(21).words([m(99)]);
+    b.n(21);
+    clear(b, lathe);
+    b.words([m(99)]);
     writing::alarm(b, lathe.control, NOT_ALONE, "ALONE IN ITS BLOCK PLEASE");
     b.words([m(99)]);
 }

@@ -1,7 +1,6 @@
 //! Sheets for the machine builder: parameters, interface of the PMC, ladder, sequence, choices of cutter and ratio, passes, inserts.
 
 use super::citations::{OURS, PAPER};
-use super::cutter_choices;
 use super::geometry::own_shape;
 use super::program::{self, MACROS};
 use super::resolved::PolygonLathe;
@@ -146,12 +145,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
         ]
         .map(Column::Plain)
         .to_vec(),
-        rows: cutter_choices::choices(&lathe.params, &lathe.sizes)
-            .into_iter()
-            .take(MAX_CHOICES)
-            .enumerate()
-            .map(listed)
-            .collect(),
+        rows: lathe.choices().into_iter().take(MAX_CHOICES).enumerate().map(listed).collect(),
         drawing: String::new(),
     }
 }

@@ -4,7 +4,7 @@ use super::contacts::{RibbonContacts, left_at_reel_end, room_below_sensor};
 use super::regulator::{SAMPLES, set_point};
 use super::resolved::RibbonLine;
 use super::tension_switch::TensionSwitch;
-use crate::machines::driven::devices::{AskedDevice, BillItem};
+use crate::machines::driven::devices::{AskedDevice, BillItem, reference_switch};
 use crate::msg;
 use crate::text::Message;
 
@@ -37,5 +37,7 @@ pub(super) fn devices(line: &RibbonLine) -> Vec<AskedDevice> {
     let tight = sensor(BillItem::TensionSwitch, msg!("ribbon.device.tension-switch", missing, tension));
     let left = (left_at_reel_end(line), 0);
     let reel = sensor(BillItem::ReelSensor, msg!("ribbon.device.reel-sensor", left));
-    dancer.into_iter().chain(fan).chain(longest).chain([tight, reel]).collect()
+    // The heads have their zero at the ribbon; the pull roller has none.
+    let zero = reference_switch("ribbon.drive.print");
+    dancer.into_iter().chain(fan).chain(longest).chain([tight, reel, zero]).collect()
 }

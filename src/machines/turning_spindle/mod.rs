@@ -202,7 +202,7 @@ impl DrivenMachine for TurningSpindle {
     }
 
     fn devices(&self) -> Vec<AskedDevice> {
-        cooling::devices(self).into_iter().chain(keyway::devices(self)).collect()
+        cooling::devices(self).into_iter().chain(keyway::devices(self)).chain(slides::reference_switches()).collect()
     }
 
     fn severe_site(&self) -> Option<SevereSite> {

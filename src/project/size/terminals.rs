@@ -169,6 +169,15 @@ fn wires(item: BillItem, axis: Option<&'static str>, bill: &[BillRow], coasting:
         BillItem::Encoder => {
             vec![wire(Strip::Cables, "size.terminal.spindle-encoder", own, of_machine(BillItem::Control))]
         }
+        BillItem::ReferenceSwitch => {
+            let input = of_machine(BillItem::Control);
+            let place = headed(input.text(), say("size.terminal.reference-input"));
+            let supply = of_machine(BillItem::ControlSupply);
+            vec![
+                wire(Strip::Contacts, "size.terminal.contact-common", supply, own.clone()),
+                wire(Strip::Contacts, "size.terminal.reference-switch", own, WireEnd { place, ..input }),
+            ]
+        }
         BillItem::DrivenTool => {
             let command = wire(Strip::Cables, "size.terminal.driven-tool", of_machine(BillItem::Control), own.clone());
             fed().into_iter().chain([command]).chain(enable).collect()

@@ -3,7 +3,6 @@
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::{SAME_LENGTH, Section, ellipse};
 use crate::machines::form::entry::{at_least, nearest};
-use crate::machines::polygon_lathe::cutter_choices::choices_on_tip_circle;
 use crate::machines::polygon_lathe::geometry::own_shape;
 use crate::machines::polygon_lathe::params::{FIELDS, Params};
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
@@ -152,7 +151,7 @@ const HALVINGS: u32 = 17;
 /// Advice with the flattest cutter and ratio on this tip circle, or the message that none is possible; `None` if the
 /// form has the flattest one already.
 fn better(lathe: &PolygonLathe) -> Option<Advice> {
-    let choices = choices_on_tip_circle(&lathe.params, &lathe.sizes);
+    let choices = lathe.choices_on_tip_circle();
     let Some(best) = choices.first() else { return Some(msg!("polygon.no-choice", count = lathe.params.sides).into()) };
     if !best.limits.is_empty() {
         return Some(msg!("polygon.no-better", flatness = (best.flatness(), 4)).into());

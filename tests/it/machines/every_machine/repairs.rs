@@ -35,7 +35,10 @@ fn repairs_of_the_published_line_change_the_machine_only() {
         assert_eq!(after.values.get(ordered), paper.values.get(ordered), "{ordered}");
     }
     let buttons = repairs(&paper).texts();
-    assert_eq!(buttons, ["Add a dancer", "Set a loop of 1710 mm", "Set 47 heads", "Set 2 pitches per block"]);
+    assert_eq!(
+        buttons,
+        ["Add a dancer", "Set Loop capacity to 1710 mm", "Set Print heads to 47", "Set Pitches per block to 2"]
+    );
 }
 
 #[test]
@@ -47,7 +50,7 @@ fn answer_names_the_repairs_with_their_entries() {
     assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));
     assert_eq!(
         repairs_text(&self::repairs(&paper)),
-        "With these changes every result holds: Add a dancer; Set a loop of 1710 mm; Set 47 heads; Set 2 pitches per block.\n"
+        "With these changes every result holds: Add a dancer; Set Loop capacity to 1710 mm; Set Print heads to 47; Set Pitches per block to 2.\n"
     );
 }
 
@@ -59,7 +62,7 @@ fn repairs_say_which_errors_stay() {
     let (_, left) = repaired(&project);
     assert_eq!((left, found.errors), (0, 1));
     let message = sentence(&found.message().unwrap());
-    assert!(message.contains("every result holds, but 1 error of the form stays: Set a ramp of"), "{message}");
+    assert!(message.contains("every result holds, but 1 error of the form stays: Set Spindle ramp to"), "{message}");
 }
 
 #[test]

@@ -74,8 +74,10 @@ fn larger_second_cutter_needs_a_start_clear_of_the_stock() {
     let found = about_start(&near_stock).unwrap();
     assert!(sentence(&found.message).contains("61 mm"), "{}", sentence(&found.message));
     assert!(about_start(&second("61", "61")).is_none());
-    // A smaller one moves away.
-    assert!(about_start(&second("30", "60")).is_none());
+    // A smaller one moves away, and the first one comes back for the next part: twice 15 mm.
+    let found = about_start(&second("30", "58")).unwrap();
+    assert!(sentence(&found.message).contains("59 mm"), "{}", sentence(&found.message));
+    assert!(about_start(&second("30", "59")).is_none());
 }
 
 #[test]
@@ -138,6 +140,53 @@ fn allowance_covers_the_bending_of_roughing() {
     // Roughing deflects by 0.11 mm, which an allowance of 0.2 mm covers; the last pass by a tenth of it.
     assert!(bent("0.2") < 0.02, "{}", bent("0.2"));
     assert!(bent("0.02") > 0.05, "{}", bent("0.02"));
+}
+
+#[test]
+fn allowance_covers_no_more_than_it_takes_off() {
+    let bent = |free: &str| {
+        let feeds = [("feed", "0.5"), ("finish-feed", "0.5"), ("flatness", "0.05"), ("free-length", free)];
+        readout(&project(&feeds), "bending")
+    };
+    let row = bent("145");
+    // Passes of 1, 1, 0.3 and 0.2 mm; the bar gives way by 0.221 mm per mm of depth.
+    near(row.value, 0.053, 5e-4);
+    assert_eq!(row.verdict, Verdict::Fail);
+    assert!(bent("130").value < 0.05);
+}
+
+#[test]
+fn bar_with_one_flat_is_nearly_round() {
+    let flat = |depth: &str| {
+        let entries = [
+            ("shape", "own"),
+            ("sides", "1"),
+            ("inserts", "1"),
+            ("work-ratio", "1"),
+            ("tool-ratio", "1"),
+            ("stock-diameter", "24"),
+            ("across-flats", "2"),
+            ("depth", depth),
+            ("length", "40"),
+            ("free-length", "60"),
+            ("overhang", "13"),
+            ("relief", "30"),
+        ];
+        value(&project(&entries), "bending")
+    };
+    // A circle of 13 mm, not of 2 mm.
+    assert!(flat("1") < 0.1, "{}", flat("1"));
+}
+
+#[test]
+fn insert_that_stands_out_is_clear_of_the_stock() {
+    let out = |error: &str| {
+        let polygon = [("from-face", "40"), ("clearance", "0.5"), ("radius-errors", error), ("flatness", "2")];
+        project(&polygon).written().files.0.remove(0).text
+    };
+    // 25 mm of stock, and at both sides 0.5 mm of clearance and the 1 mm of the insert.
+    assert!(out("1").contains("X28.\n") && !out("1").contains("X26.\n"), "{}", out("1"));
+    assert!(out("-1").contains("X26.\n"), "{}", out("-1"));
 }
 
 #[test]

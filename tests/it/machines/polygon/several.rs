@@ -247,6 +247,24 @@ fn alarm(on: &str, off: &str) -> (String, String, Diagnostic) {
 }
 
 #[test]
+fn speed_below_one_turn_is_an_alarm() {
+    for speed in ["B0.4", "B200.6"] {
+        let (number, ..) = alarm(&format!("G512 {speed} D1 Q2"), "G502");
+        assert_eq!(number, "3013", "{speed}");
+    }
+}
+
+#[test]
+fn part_runs_where_calls_keep_their_arguments() {
+    let mut kept = project(&[]);
+    kept.switches.0.push(("locals-of-calls".to_owned(), "kept".to_owned()));
+    let limits = Budget { blocks: 100_000, seconds: 600.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
+    let mut planner = run::of_project(&kept, &kept.written(), &begin);
+    assert_eq!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(RunEnd::ProgramEnd));
+}
+
+#[test]
 fn alarm_for_wrong_letters_points_at_the_calling_block() {
     for letter in ["I3.", "J3.", "K3.", "R3."] {
         let call = format!("G512 B200 D1 Q2 {letter}");
