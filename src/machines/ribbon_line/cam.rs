@@ -44,7 +44,7 @@ impl CamLaw {
 pub(super) fn by(line: &RibbonLine, law: Law) -> Option<(Cam, Cam)> {
     let p = &line.params;
     let cam = |d: &Derived, axis: &ServoAxis| Cam::new(p, law.coefficients(), d, *axis);
-    let pair = || (cam(&line.derived, &line.mechanics.print), cam(&line.fast, &line.fast_mechanics.print));
+    let pair = || (cam(&line.derived, &line.mechanics.axes.print), cam(&line.fast, &line.fast_mechanics.axes.print));
     (p.contact_length < p.pitch).then(pair)
 }
 
@@ -75,10 +75,10 @@ impl Cam {
             },
             law,
             axis,
-            turn: p.gear_y / (p.print_roller_diameter / 2e3),
+            turn: p.axes.print.gear / (p.print_roller_diameter / 2e3),
             tolerance: p.dot_tolerance / 1e3,
-            position_gain: p.position_gain_y,
-            time_constant: p.time_constant_y / 1e3,
+            position_gain: p.axes.print.position_gain,
+            time_constant: p.axes.print.time_constant / 1e3,
             smear: d.surface.smear,
         }
     }

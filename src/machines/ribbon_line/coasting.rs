@@ -57,8 +57,8 @@ pub(super) fn laid_in_move(line: &RibbonLine, d: &Derived) -> f64 {
     laid_while_x_stops(
         line,
         d,
-        (0.0, line.params.time_constant_x / 1000.0),
-        d.feeds.mm_per_second() / line.params.position_gain_x,
+        (0.0, line.params.axes.pull.time_constant / 1000.0),
+        d.feeds.mm_per_second() / line.params.axes.pull.position_gain,
     )
 }
 
@@ -92,8 +92,8 @@ impl EndOfMove {
             PathMode::ExactStop => EndOfMove::default(),
             PathMode::Continuous => EndOfMove {
                 rest: p.slowest(),
-                stop: p.time_constant_x / 1000.0,
-                lag: line.fast.feeds.mm_per_second() / p.position_gain_x,
+                stop: p.axes.pull.time_constant / 1000.0,
+                lag: line.fast.feeds.mm_per_second() / p.axes.pull.position_gain,
             },
         }
     }

@@ -74,7 +74,7 @@ impl RibbonContacts {
             shortest: -TensionSwitch::new(line).missing,
             reel: (1e3 * wound(p).length() - left_at_reel_end(line)).max(0.0),
             is_regulated: regulator(line).is_some(),
-            fastest: (unwinds + p.clamp_x.max(p.rapid_x)) / 60.0,
+            fastest: (unwinds + p.axes.pull.clamp.max(p.axes.pull.rapid)) / 60.0,
             taken_up: 0.0,
             set_point: set_point(line),
             put_on: 0.0,

@@ -28,10 +28,10 @@ impl DotError {
         let play = |axis: &ServoAxis, diameter: f64| {
             if axis.reverses(p.path_mode) { p.gear_backlash / 60.0 * PI / 180.0 * diameter / 2.0 } else { 0.0 }
         };
-        let pull = play(&mechanics.pull, p.x_roller_diameter);
-        let print = play(&mechanics.print, p.print_roller_diameter);
+        let pull = play(&mechanics.axes.pull, p.x_roller_diameter);
+        let print = play(&mechanics.axes.print, p.print_roller_diameter);
         DotError {
-            encoders: math::hypot(half_pulse(d.accuracy.x_resolution), half_pulse(d.accuracy.y_resolution)),
+            encoders: math::hypot(half_pulse(d.accuracy.resolutions.pull), half_pulse(d.accuracy.resolutions.print)),
             run_out: math::hypot(p.roller_run_out / 2.0, p.roller_run_out / 2.0),
             backlash: math::hypot(pull, print),
             lag: d.accuracy.register_error.abs(),

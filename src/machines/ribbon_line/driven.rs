@@ -80,11 +80,18 @@ pub(super) fn axes(line: &RibbonLine) -> Vec<DrivenAxis> {
             "x",
             "ribbon.drive.pull",
             line.pull(),
-            (p.gear_x, per_turn(p.x_roller_diameter)),
-            &m.pull,
+            (p.axes.pull.gear, per_turn(p.x_roller_diameter)),
+            &m.axes.pull,
             (&PULL, PULL_GEAR),
         ),
-        axis("y", "ribbon.drive.print", line.print(), (p.gear_y, print_turn), &m.print, (&PRINT, PRINT_GEAR)),
+        axis(
+            "y",
+            "ribbon.drive.print",
+            line.print(),
+            (p.axes.print.gear, print_turn),
+            &m.axes.print,
+            (&PRINT, PRINT_GEAR),
+        ),
     ]
 }
 

@@ -1,7 +1,8 @@
 //! Mechanics of the ribbon line's drives: the loads at the shafts of their motors, and the demand of start, run and stop of a product.
 
+use super::axes::PerAxis;
 use super::derive::Derived;
-use super::params::{Params, PathMode};
+use super::params::{AxisParams, Params, PathMode, ServoParams};
 use super::reel;
 use crate::drives::block;
 use crate::drives::duty::{counted_pause, with_pause};
@@ -39,8 +40,7 @@ pub(super) struct ServoAxis {
 /// The drives of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mechanics {
-    pub pull: ServoAxis,
-    pub print: ServoAxis,
+    pub axes: PerAxis<ServoAxis>,
     /// Greatest tension of the ribbon before X over the range of the knob, N.
     pub tautest: f64,
     /// Greatest used share of the nip's holding force, and the share that the tautest ribbon uses.
@@ -61,14 +61,10 @@ pub(super) struct Mechanics {
     pub unwinder_braking: f64,
 }
 
-/// Data of an axis that do not depend on its motion; torques at the roller.
-struct Side {
+/// The shaft of a roller behind the gear of its motor, with torques at the roller.
+struct RollerShaft {
     /// Moment of inertia of all parts that turn with the roller, and of the ribbon, kg m².
     turning: f64,
-    /// Ratio of the gear, and its efficiency (0 to 1).
-    gear: (f64, f64),
-    /// Moment of inertia of the gear at the motor's shaft, kg cm².
-    gear_inertia: f64,
     /// Torque at steady speed, Nm.
     torque: f64,
     /// Torque with the ribbon at its tautest, Nm.
@@ -77,25 +73,22 @@ struct Side {
     hold: f64,
     /// Speed of the motor, r/min.
     rpm: f64,
-    /// Time constant of the axis, s.
-    time_constant: f64,
-    /// Position gain of the axis, 1/s.
-    position_gain: f64,
 }
 
 impl ServoAxis {
-    fn new(side: &Side, motor: Servo, limits: Acceptance, p: &Params, d: &Derived) -> ServoAxis {
-        let (ratio, efficiency) = side.gear;
+    fn new(shaft: &RollerShaft, axis: &AxisParams, p: &Params, d: &Derived) -> ServoAxis {
+        let motor = servo(&axis.motor);
+        let (ratio, efficiency) = (axis.gear, axis.efficiency / 100.0);
         let load = Load {
-            inertia: inertia::through_gear(side.turning, ratio) + side.gear_inertia * CM2,
-            torque: load::through_gear(side.torque, ratio, efficiency),
+            inertia: inertia::through_gear(shaft.turning, ratio) + axis.gear_inertia * CM2,
+            torque: load::through_gear(shaft.torque, ratio, efficiency),
             efficiency,
         };
-        let ramp = block::ramp(side.time_constant, side.position_gain);
-        let speed = side.rpm * RPM;
+        let ramp = block::ramp(axis.time_constant / 1e3, axis.position_gain);
+        let speed = shaft.rpm * RPM;
         let rise = load.accelerating(motor.rotor, speed, ramp);
-        let hold = side.hold / ratio;
-        let output = Load { inertia: side.turning, torque: side.torque, efficiency: 1.0 };
+        let hold = shaft.hold / ratio;
+        let output = Load { inertia: shaft.turning, torque: shaft.torque, efficiency: 1.0 };
         let repeated = motion(p, d, (speed, ramp), hold);
         let mean_speed = repeated.map_or(0.0, |of| mean_speed(&of, d.product.time, p.pause));
         let phases = repeated.map(|of| load.phases(motor.rotor, of));
@@ -103,9 +96,10 @@ impl ServoAxis {
         let effective = with_pause(effective, d.product.time, p.pause, hold);
         // An overhauling load needs more torque in the stop or at standstill than in the start.
         let others = phases.iter().flatten().map(|phase| phase.torque.abs());
-        let taut = load::through_gear(side.taut, ratio, efficiency);
+        let taut = load::through_gear(shaft.taut, ratio, efficiency);
         let peak = others.fold((load.torque + rise).abs().max(taut.abs()), f64::max);
-        let demand = MotorDemand { peak, effective, speed: side.rpm };
+        let demand = MotorDemand { peak, effective, speed: shaft.rpm };
+        let limits = Acceptance::of_form(axis.motor.inertia_limit, axis.motor.effective_limit);
         let limits = limits.at_starts(starts(p, d)).derated(p.site().share());
         ServoAxis {
             load,
@@ -115,7 +109,7 @@ impl ServoAxis {
             hold,
             rise,
             taut,
-            output_taut: side.taut,
+            output_taut: shaft.taut,
             mean_speed,
             demand,
         }
@@ -241,75 +235,75 @@ fn roller(diameter: f64, wall: f64, length: f64) -> Cylinder {
     }
 }
 
+/// The motor of the form.
+fn servo(of: &ServoParams) -> Servo {
+    Servo {
+        rated: of.rated,
+        stall: of.stall,
+        peak: of.peak,
+        rated_speed: of.rated_speed,
+        top_speed: of.top_speed,
+        rotor: of.rotor * CM2,
+    }
+}
+
+/// The shaft of the pull roller, with the pinch roller and the ribbon (kg) between the rollers; with the greatest tension (N) of the ribbon
+/// before X.
+fn pull_shaft(p: &Params, d: &Derived, web_mass: f64, tautest: f64) -> RollerShaft {
+    let (web, axis, pinch) = (&p.web, &p.axes.pull, &p.pinch);
+    let radius = p.x_roller_diameter / 2e3;
+    let pinch_inertia = inertia::solid(pinch.mass, pinch.diameter / 1e3);
+    RollerShaft {
+        turning: roller(p.x_roller_diameter, axis.wall, axis.length).inertia()
+            + inertia::across_web(pinch_inertia, pinch.diameter, p.x_roller_diameter)
+            + inertia::at_radius(web_mass, radius),
+        torque: (web.tension_before - web.tension_behind) * radius + axis.friction,
+        taut: (tautest - web.tension_behind) * radius + axis.friction,
+        hold: (web.tension_before - web.tension_behind) * radius,
+        rpm: d.feeds.motor_speeds.pull,
+    }
+}
+
+/// The shaft of the print roller with its heads.
+fn print_shaft(p: &Params, d: &Derived) -> RollerShaft {
+    let (axis, head) = (&p.axes.print, &p.head);
+    let radius = p.print_roller_diameter / 2e3;
+    let torque = head.force * radius + axis.friction;
+    RollerShaft {
+        turning: roller(p.print_roller_diameter, axis.wall, axis.length).inertia()
+            + p.heads * inertia::at_radius(head.mass, radius),
+        torque,
+        taut: torque,
+        hold: 0.0,
+        rpm: d.feeds.motor_speeds.print,
+    }
+}
+
 impl Mechanics {
     /// The drives with the line at the speed of its results, and with the greatest tension (N) of the ribbon before X.
     pub(super) fn new(p: &Params, d: &Derived, tautest: f64) -> Mechanics {
-        let (web, pull, print, unwinding) = (&p.web, &p.pull, &p.print, &p.unwinding);
-        let radius = p.x_roller_diameter / 2e3;
+        let web = &p.web;
         let web_mass = p.ribbon_area() * web.span * 1e-9 * web.density;
-        let pinch = inertia::solid(pull.pinch_mass, pull.pinch_diameter / 1e3);
-        let pull_side = Side {
-            turning: roller(p.x_roller_diameter, pull.wall, pull.length).inertia()
-                + inertia::across_web(pinch, pull.pinch_diameter, p.x_roller_diameter)
-                + inertia::at_radius(web_mass, radius),
-            gear: (p.gear_x, pull.efficiency / 100.0),
-            gear_inertia: pull.gear_inertia,
-            torque: (web.tension_before - web.tension_behind) * radius + pull.friction,
-            taut: (tautest - web.tension_behind) * radius + pull.friction,
-            hold: (web.tension_before - web.tension_behind) * radius,
-            rpm: d.feeds.x_motor_speed,
-            time_constant: p.time_constant_x / 1e3,
-            position_gain: p.position_gain_x,
+        let axes = PerAxis {
+            pull: ServoAxis::new(&pull_shaft(p, d, web_mass, tautest), &p.axes.pull, p, d),
+            print: ServoAxis::new(&print_shaft(p, d), &p.axes.print, p, d),
         };
-        let print_radius = p.print_roller_diameter / 2e3;
-        let print_side = Side {
-            turning: roller(p.print_roller_diameter, print.wall, print.length).inertia()
-                + p.heads * inertia::at_radius(print.head_mass, print_radius),
-            gear: (p.gear_y, print.efficiency / 100.0),
-            gear_inertia: print.gear_inertia,
-            torque: print.force * print_radius + print.friction,
-            taut: print.force * print_radius + print.friction,
-            hold: 0.0,
-            rpm: d.feeds.y_motor_speed,
-            time_constant: p.time_constant_y / 1e3,
-            position_gain: p.position_gain_y,
-        };
-        let servo = |(rated, stall, peak): (f64, f64, f64), rotor: f64, rated_speed: f64, top_speed: f64| Servo {
-            rated,
-            stall,
-            peak,
-            rated_speed,
-            top_speed,
-            rotor: rotor * CM2,
-        };
-        let torques = ((pull.rated, pull.stall, pull.peak), (print.rated, print.stall, print.peak));
-        let pull_motor = servo(torques.0, pull.rotor, p.motor_rated_x, p.motor_max_x);
-        let print_motor = servo(torques.1, print.rotor, p.motor_rated_y, p.motor_max_y);
-        let pull_axis =
-            ServoAxis::new(&pull_side, pull_motor, Acceptance::of_form(pull.inertia_limit, pull.effective_limit), p, d);
-        let acceleration = d.feeds.line_speed / 60e3 / pull_axis.ramp;
+        let acceleration = d.feeds.line_speed / 60e3 / axes.pull.ramp;
         let tension = web.tension_before - web.tension_behind;
-        let unwinder = unwinder_torque(p, unwinding.brake);
+        let unwinder = unwinder_torque(p, p.unwinding.brake);
         // The load includes the gear's losses in its inertia, so run-up and stop need the same torque.
         let unwinder_rise = unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp);
-        let nip = Nip { friction: pull.pinch_friction, force: pull.pinch_force };
+        let nip = Nip { friction: p.pinch.friction, force: p.pinch.force };
         let running = nip.used_share(tension, web_mass * acceleration);
         let taut_nip_use = nip.used_share(tautest - web.tension_behind, 0.0);
         Mechanics {
-            pull: pull_axis,
+            axes,
             tautest,
-            print: ServoAxis::new(
-                &print_side,
-                print_motor,
-                Acceptance::of_form(print.inertia_limit, print.effective_limit),
-                p,
-                d,
-            ),
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
             allowed_tension: d.tension.allowed.min(web.tension_behind + GRIP / 100.0 * nip.friction * nip.force),
             slip_or_break_tension: d.tension.breaking.min(web.tension_behind + nip.friction * nip.force),
-            unwound: unwound(p, unwinding.brake),
+            unwound: unwound(p, p.unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,
             unwinder_braking: (unwinder_rise - unwinder).max(0.0),

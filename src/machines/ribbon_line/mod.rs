@@ -1,5 +1,6 @@
 //! The ribbon dot-printing line: an inverter unwinds, X pulls, another axis prints a dot every pitch.
 
+mod axes;
 mod cam;
 mod charts;
 mod coasting;

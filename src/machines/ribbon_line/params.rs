@@ -1,5 +1,6 @@
 //! The form of the ribbon line: every input with unit, range and default, and the parameters that it fills.
 
+use super::axes::PerAxis;
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control, ParamRole, VarKind};
@@ -261,24 +262,8 @@ pub(crate) struct Params {
     pub rest: Rest,
     pub pitches_per_block: f64,
     pub pause: f64,
-    pub clamp_x: f64,
-    pub clamp_y: f64,
-    pub rapid_x: f64,
-    pub rapid_y: f64,
-    pub time_constant_x: f64,
-    pub time_constant_y: f64,
-    pub position_gain_x: f64,
-    pub position_gain_y: f64,
     pub in_position: f64,
-    pub gear_x: f64,
-    pub gear_y: f64,
     pub x_roller_diameter: f64,
-    pub motor_rated_x: f64,
-    pub motor_max_x: f64,
-    pub motor_rated_y: f64,
-    pub motor_max_y: f64,
-    pub encoder_x: f64,
-    pub encoder_y: f64,
     pub site_height: f64,
     pub site_temperature: f64,
     pub feed_limit: f64,
@@ -295,8 +280,9 @@ pub(crate) struct Params {
     pub customer: String,
     pub product: String,
     pub web: WebParams,
-    pub pull: PullParams,
-    pub print: PrintParams,
+    pub axes: PerAxis<AxisParams>,
+    pub pinch: PinchParams,
+    pub head: HeadParams,
     pub unwinding: UnwindingParams,
 }
 
@@ -309,45 +295,80 @@ pub(crate) struct WebParams {
     pub tension_behind: f64,
 }
 
-/// The drive of the pull roller: roller, pinch roller, gear, motor.
+/// A servo axis: feeds and servo loop, roller, gear, motor.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct PullParams {
+pub(crate) struct AxisParams {
+    pub clamp: f64,
+    pub rapid: f64,
+    pub time_constant: f64,
+    pub position_gain: f64,
+    pub encoder: f64,
     pub wall: f64,
     pub length: f64,
-    pub pinch_mass: f64,
-    pub pinch_diameter: f64,
-    pub pinch_force: f64,
-    pub pinch_friction: f64,
     pub friction: f64,
+    pub gear: f64,
     pub efficiency: f64,
     pub gear_inertia: f64,
-    pub motor: String,
+    pub motor: ServoParams,
+}
+
+/// Ids of the fields of a servo axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AxisFields {
+    pub clamp: &'static str,
+    pub rapid: &'static str,
+    pub time_constant: &'static str,
+    pub position_gain: &'static str,
+    pub encoder: &'static str,
+}
+
+/// Ids of the fields of both servo axes.
+pub(super) const AXIS_FIELDS: PerAxis<AxisFields> = PerAxis {
+    pull: AxisFields {
+        clamp: "clamp-x",
+        rapid: "rapid-x",
+        time_constant: "time-constant-x",
+        position_gain: "position-gain-x",
+        encoder: "encoder-resolution-x",
+    },
+    print: AxisFields {
+        clamp: "clamp-y",
+        rapid: "rapid-y",
+        time_constant: "time-constant-y",
+        position_gain: "position-gain-y",
+        encoder: "encoder-resolution-y",
+    },
+};
+
+/// The motor of a servo axis.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct ServoParams {
+    pub name: String,
     pub rated: f64,
     pub stall: f64,
     pub peak: f64,
     pub rotor: f64,
+    pub rated_speed: f64,
+    pub top_speed: f64,
     pub inertia_limit: f64,
     pub effective_limit: f64,
 }
 
-/// The drive of the print roller: roller, heads, gear, motor.
+/// The pinch roller on the pull roller.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct PrintParams {
-    pub wall: f64,
-    pub length: f64,
-    pub head_mass: f64,
-    pub head_length: f64,
+pub(crate) struct PinchParams {
+    pub mass: f64,
+    pub diameter: f64,
     pub force: f64,
     pub friction: f64,
-    pub efficiency: f64,
-    pub gear_inertia: f64,
-    pub motor: String,
-    pub rated: f64,
-    pub stall: f64,
-    pub peak: f64,
-    pub rotor: f64,
-    pub inertia_limit: f64,
-    pub effective_limit: f64,
+}
+
+/// A head of the print roller.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct HeadParams {
+    pub mass: f64,
+    pub length: f64,
+    pub force: f64,
 }
 
 /// The drive of the unwinder.
@@ -556,21 +577,21 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
     pause("ribbon.group.job", member!(Params.pause)),
-    number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
+    number("clamp-x", member!(Params.axes.pull.clamp)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
         .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact().when(Params::has_clamp),
-    number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
+    number("clamp-y", member!(Params.axes.print.clamp)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
         .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact().when(Params::has_clamp),
-    number("rapid-x", member!(Params.rapid_x)).group("ribbon.group.axes").label("ribbon.rapid-x").help("ribbon.rapid-x.help")
+    number("rapid-x", member!(Params.axes.pull.rapid)).group("ribbon.group.axes").label("ribbon.rapid-x").help("ribbon.rapid-x.help")
         .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
-    number("rapid-y", member!(Params.rapid_y)).group("ribbon.group.axes").label("ribbon.rapid-y").help("ribbon.rapid-y.help")
+    number("rapid-y", member!(Params.axes.print.rapid)).group("ribbon.group.axes").label("ribbon.rapid-y").help("ribbon.rapid-y.help")
         .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
-    number("time-constant-x", member!(Params.time_constant_x)).group("ribbon.group.axes").label("ribbon.time-constant-x").help("ribbon.time-constant-x.help")
+    number("time-constant-x", member!(Params.axes.pull.time_constant)).group("ribbon.group.axes").label("ribbon.time-constant-x").help("ribbon.time-constant-x.help")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
-    number("time-constant-y", member!(Params.time_constant_y)).group("ribbon.group.axes").label("ribbon.time-constant-y").help("ribbon.time-constant-y.help")
+    number("time-constant-y", member!(Params.axes.print.time_constant)).group("ribbon.group.axes").label("ribbon.time-constant-y").help("ribbon.time-constant-y.help")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).setting(),
-    number("position-gain-x", member!(Params.position_gain_x)).group("ribbon.group.axes").label("ribbon.position-gain-x").help("ribbon.position-gain-x.help")
+    number("position-gain-x", member!(Params.axes.pull.position_gain)).group("ribbon.group.axes").label("ribbon.position-gain-x").help("ribbon.position-gain-x.help")
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
-    number("position-gain-y", member!(Params.position_gain_y)).group("ribbon.group.axes").label("ribbon.position-gain-y").help("ribbon.position-gain-y.help")
+    number("position-gain-y", member!(Params.axes.print.position_gain)).group("ribbon.group.axes").label("ribbon.position-gain-y").help("ribbon.position-gain-y.help")
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).setting(),
     number("in-position", member!(Params.in_position)).group("ribbon.group.axes").label("ribbon.in-position").help("ribbon.in-position.help")
         .unit("mm").range(0.001..=10.0).default(0.02).decimals(3).step(0.01).setting(),
@@ -593,81 +614,81 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("Nm").range(0.0..=100000.0).default(0.0).decimals(2).step(0.1).fact(),
     number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.pull-drive").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
         .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
-    number("x-roller-wall", member!(Params.pull.wall)).group("ribbon.group.pull-drive").label("ribbon.x-roller-wall").help("ribbon.x-roller-wall.help")
+    number("x-roller-wall", member!(Params.axes.pull.wall)).group("ribbon.group.pull-drive").label("ribbon.x-roller-wall").help("ribbon.x-roller-wall.help")
         .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
-    number("x-roller-length", member!(Params.pull.length)).group("ribbon.group.pull-drive").label("ribbon.x-roller-length").help("ribbon.x-roller-length.help")
+    number("x-roller-length", member!(Params.axes.pull.length)).group("ribbon.group.pull-drive").label("ribbon.x-roller-length").help("ribbon.x-roller-length.help")
         .unit("mm").range(1.0..=10000.0).default(200.0).decimals(1).step(10.0).fact(),
-    number("pinch-mass", member!(Params.pull.pinch_mass)).group("ribbon.group.pull-drive").label("ribbon.pinch-mass").help("ribbon.pinch-mass.help")
+    number("pinch-mass", member!(Params.pinch.mass)).group("ribbon.group.pull-drive").label("ribbon.pinch-mass").help("ribbon.pinch-mass.help")
         .unit("kg").range(0.0..=10000.0).default(3.0).decimals(3).step(0.1).fact(),
-    number("pinch-diameter", member!(Params.pull.pinch_diameter)).group("ribbon.group.pull-drive").label("ribbon.pinch-diameter").help("ribbon.pinch-diameter.help")
+    number("pinch-diameter", member!(Params.pinch.diameter)).group("ribbon.group.pull-drive").label("ribbon.pinch-diameter").help("ribbon.pinch-diameter.help")
         .unit("mm").range(1.0..=5000.0).default(80.0).decimals(2).step(1.0).fact(),
-    number("pinch-force", member!(Params.pull.pinch_force)).group("ribbon.group.pull-drive").label("ribbon.pinch-force").help("ribbon.pinch-force.help").symbol("N")
+    number("pinch-force", member!(Params.pinch.force)).group("ribbon.group.pull-drive").label("ribbon.pinch-force").help("ribbon.pinch-force.help").symbol("N")
         .unit("N").range(0.1..=1000000.0).default(100.0).decimals(1).step(10.0).fact(),
-    number("pinch-friction", member!(Params.pull.pinch_friction)).group("ribbon.group.pull-drive").label("ribbon.pinch-friction").help("ribbon.pinch-friction.help").symbol("μ")
+    number("pinch-friction", member!(Params.pinch.friction)).group("ribbon.group.pull-drive").label("ribbon.pinch-friction").help("ribbon.pinch-friction.help").symbol("μ")
         .range(0.01..=2.0).default(0.4).decimals(2).step(0.05).fact(),
-    number("friction-x", member!(Params.pull.friction)).group("ribbon.group.pull-drive").label("ribbon.friction-x").help("ribbon.friction-x.help")
+    number("friction-x", member!(Params.axes.pull.friction)).group("ribbon.group.pull-drive").label("ribbon.friction-x").help("ribbon.friction-x.help")
         .unit("Nm").range(0.0..=10000.0).default(0.3).decimals(3).step(0.1).fact(),
-    number("gear-x", member!(Params.gear_x)).group("ribbon.group.pull-drive").label("ribbon.gear-x").help("ribbon.gear-x.help")
+    number("gear-x", member!(Params.axes.pull.gear)).group("ribbon.group.pull-drive").label("ribbon.gear-x").help("ribbon.gear-x.help")
         .unit(": 1").range(0.1..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
-    number("efficiency-x", member!(Params.pull.efficiency)).group("ribbon.group.pull-drive").label("ribbon.efficiency-x").help("ribbon.efficiency-x.help").symbol("η")
+    number("efficiency-x", member!(Params.axes.pull.efficiency)).group("ribbon.group.pull-drive").label("ribbon.efficiency-x").help("ribbon.efficiency-x.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(95.0).decimals(1).step(1.0).fact(),
-    number("gear-inertia-x", member!(Params.pull.gear_inertia)).group("ribbon.group.pull-drive").label("ribbon.gear-inertia-x").help("ribbon.gear-inertia-x.help")
+    number("gear-inertia-x", member!(Params.axes.pull.gear_inertia)).group("ribbon.group.pull-drive").label("ribbon.gear-inertia-x").help("ribbon.gear-inertia-x.help")
         .unit("kg cm²").range(0.0..=100000.0).default(0.6).decimals(4).step(0.1).fact(),
-    text("motor-x", member!(&Params.pull.motor)).group("ribbon.group.pull-drive").label("ribbon.motor-x").help("ribbon.motor-x.help").characters(40),
-    number("motor-rated-torque-x", member!(Params.pull.rated)).group("ribbon.group.pull-drive").label("ribbon.motor-rated-torque-x").help("ribbon.motor-rated-torque-x.help")
+    text("motor-x", member!(&Params.axes.pull.motor.name)).group("ribbon.group.pull-drive").label("ribbon.motor-x").help("ribbon.motor-x.help").characters(40),
+    number("motor-rated-torque-x", member!(Params.axes.pull.motor.rated)).group("ribbon.group.pull-drive").label("ribbon.motor-rated-torque-x").help("ribbon.motor-rated-torque-x.help")
         .unit("Nm").range(0.001..=10000.0).default(1.3).decimals(3).step(0.1).fact(),
-    number("motor-stall-x", member!(Params.pull.stall)).group("ribbon.group.pull-drive").label("ribbon.motor-stall-x").help("ribbon.motor-stall-x.help")
+    number("motor-stall-x", member!(Params.axes.pull.motor.stall)).group("ribbon.group.pull-drive").label("ribbon.motor-stall-x").help("ribbon.motor-stall-x.help")
         .unit("Nm").range(0.001..=10000.0).default(1.3).decimals(3).step(0.1).fact(),
-    number("motor-peak-x", member!(Params.pull.peak)).group("ribbon.group.pull-drive").label("ribbon.motor-peak-x").help("ribbon.motor-peak-x.help")
+    number("motor-peak-x", member!(Params.axes.pull.motor.peak)).group("ribbon.group.pull-drive").label("ribbon.motor-peak-x").help("ribbon.motor-peak-x.help")
         .unit("Nm").range(0.001..=10000.0).default(3.8).decimals(3).step(0.1).fact(),
-    number("motor-rotor-x", member!(Params.pull.rotor)).group("ribbon.group.pull-drive").label("ribbon.motor-rotor-x").help("ribbon.motor-rotor-x.help")
+    number("motor-rotor-x", member!(Params.axes.pull.motor.rotor)).group("ribbon.group.pull-drive").label("ribbon.motor-rotor-x").help("ribbon.motor-rotor-x.help")
         .unit("kg cm²").range(0.001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
-    number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.pull-drive").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
+    number("motor-rated-x", member!(Params.axes.pull.motor.rated_speed)).group("ribbon.group.pull-drive").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.pull-drive").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
+    number("motor-max-x", member!(Params.axes.pull.motor.top_speed)).group("ribbon.group.pull-drive").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
         .unit("r/min").range(1.0..=100000.0).default(5000.0).decimals(1).step(100.0).fact(),
-    number("encoder-resolution-x", member!(Params.encoder_x)).group("ribbon.group.pull-drive").label("ribbon.encoder-resolution-x").help("ribbon.encoder-resolution-x.help")
+    number("encoder-resolution-x", member!(Params.axes.pull.encoder)).group("ribbon.group.pull-drive").label("ribbon.encoder-resolution-x").help("ribbon.encoder-resolution-x.help")
         .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
-    number("inertia-limit-x", member!(Params.pull.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
+    number("inertia-limit-x", member!(Params.axes.pull.motor.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
         .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).setting(),
-    number("effective-limit-x", member!(Params.pull.effective_limit)).group("ribbon.group.pull-drive").label("ribbon.effective-limit-x").help("ribbon.effective-limit-x.help")
+    number("effective-limit-x", member!(Params.axes.pull.motor.effective_limit)).group("ribbon.group.pull-drive").label("ribbon.effective-limit-x").help("ribbon.effective-limit-x.help")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(1).step(1.0).setting(),
-    number("print-roller-wall", member!(Params.print.wall)).group("ribbon.group.print-drive").label("ribbon.print-roller-wall").help("ribbon.print-roller-wall.help")
+    number("print-roller-wall", member!(Params.axes.print.wall)).group("ribbon.group.print-drive").label("ribbon.print-roller-wall").help("ribbon.print-roller-wall.help")
         .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
-    number("print-roller-length", member!(Params.print.length)).group("ribbon.group.print-drive").label("ribbon.print-roller-length").help("ribbon.print-roller-length.help")
+    number("print-roller-length", member!(Params.axes.print.length)).group("ribbon.group.print-drive").label("ribbon.print-roller-length").help("ribbon.print-roller-length.help")
         .unit("mm").range(1.0..=10000.0).default(150.0).decimals(1).step(10.0).fact(),
-    number("head-mass", member!(Params.print.head_mass)).group("ribbon.group.print-drive").label("ribbon.head-mass").help("ribbon.head-mass.help")
+    number("head-mass", member!(Params.head.mass)).group("ribbon.group.print-drive").label("ribbon.head-mass").help("ribbon.head-mass.help")
         .unit("kg").range(0.0..=1000.0).default(0.15).decimals(4).step(0.01).fact(),
-    number("head-length", member!(Params.print.head_length)).group("ribbon.group.print-drive").label("ribbon.head-length").help("ribbon.head-length.help").symbol("l")
+    number("head-length", member!(Params.head.length)).group("ribbon.group.print-drive").label("ribbon.head-length").help("ribbon.head-length.help").symbol("l")
         .unit("mm").range(0.001..=1000.0).default(3.0).decimals(3).step(0.1).fact(),
-    number("printing-force", member!(Params.print.force)).group("ribbon.group.print-drive").label("ribbon.printing-force").help("ribbon.printing-force.help")
+    number("printing-force", member!(Params.head.force)).group("ribbon.group.print-drive").label("ribbon.printing-force").help("ribbon.printing-force.help")
         .unit("N").range(0.0..=100000.0).default(5.0).decimals(2).step(1.0).fact(),
-    number("friction-y", member!(Params.print.friction)).group("ribbon.group.print-drive").label("ribbon.friction-y").help("ribbon.friction-y.help")
+    number("friction-y", member!(Params.axes.print.friction)).group("ribbon.group.print-drive").label("ribbon.friction-y").help("ribbon.friction-y.help")
         .unit("Nm").range(0.0..=10000.0).default(0.4).decimals(3).step(0.1).fact(),
-    number("gear-y", member!(Params.gear_y)).group("ribbon.group.print-drive").label("ribbon.gear-y").help("ribbon.gear-y.help")
+    number("gear-y", member!(Params.axes.print.gear)).group("ribbon.group.print-drive").label("ribbon.gear-y").help("ribbon.gear-y.help")
         .unit(": 1").range(0.1..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
-    number("efficiency-y", member!(Params.print.efficiency)).group("ribbon.group.print-drive").label("ribbon.efficiency-y").help("ribbon.efficiency-y.help").symbol("η")
+    number("efficiency-y", member!(Params.axes.print.efficiency)).group("ribbon.group.print-drive").label("ribbon.efficiency-y").help("ribbon.efficiency-y.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(95.0).decimals(1).step(1.0).fact(),
-    number("gear-inertia-y", member!(Params.print.gear_inertia)).group("ribbon.group.print-drive").label("ribbon.gear-inertia-y").help("ribbon.gear-inertia-y.help")
+    number("gear-inertia-y", member!(Params.axes.print.gear_inertia)).group("ribbon.group.print-drive").label("ribbon.gear-inertia-y").help("ribbon.gear-inertia-y.help")
         .unit("kg cm²").range(0.0..=100000.0).default(0.6).decimals(4).step(0.1).fact(),
-    text("motor-y", member!(&Params.print.motor)).group("ribbon.group.print-drive").label("ribbon.motor-y").help("ribbon.motor-y.help").characters(40),
-    number("motor-rated-torque-y", member!(Params.print.rated)).group("ribbon.group.print-drive").label("ribbon.motor-rated-torque-y").help("ribbon.motor-rated-torque-y.help")
+    text("motor-y", member!(&Params.axes.print.motor.name)).group("ribbon.group.print-drive").label("ribbon.motor-y").help("ribbon.motor-y.help").characters(40),
+    number("motor-rated-torque-y", member!(Params.axes.print.motor.rated)).group("ribbon.group.print-drive").label("ribbon.motor-rated-torque-y").help("ribbon.motor-rated-torque-y.help")
         .unit("Nm").range(0.001..=10000.0).default(1.59).decimals(3).step(0.1).fact(),
-    number("motor-stall-y", member!(Params.print.stall)).group("ribbon.group.print-drive").label("ribbon.motor-stall-y").help("ribbon.motor-stall-y.help")
+    number("motor-stall-y", member!(Params.axes.print.motor.stall)).group("ribbon.group.print-drive").label("ribbon.motor-stall-y").help("ribbon.motor-stall-y.help")
         .unit("Nm").range(0.001..=10000.0).default(2.94).decimals(3).step(0.1).fact(),
-    number("motor-peak-y", member!(Params.print.peak)).group("ribbon.group.print-drive").label("ribbon.motor-peak-y").help("ribbon.motor-peak-y.help")
+    number("motor-peak-y", member!(Params.axes.print.motor.peak)).group("ribbon.group.print-drive").label("ribbon.motor-peak-y").help("ribbon.motor-peak-y.help")
         .unit("Nm").range(0.001..=10000.0).default(8.82).decimals(3).step(0.1).fact(),
-    number("motor-rotor-y", member!(Params.print.rotor)).group("ribbon.group.print-drive").label("ribbon.motor-rotor-y").help("ribbon.motor-rotor-y.help")
+    number("motor-rotor-y", member!(Params.axes.print.motor.rotor)).group("ribbon.group.print-drive").label("ribbon.motor-rotor-y").help("ribbon.motor-rotor-y.help")
         .unit("kg cm²").range(0.001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
-    number("motor-rated-y", member!(Params.motor_rated_y)).group("ribbon.group.print-drive").label("ribbon.motor-rated-y").help("ribbon.motor-rated-y.help")
+    number("motor-rated-y", member!(Params.axes.print.motor.rated_speed)).group("ribbon.group.print-drive").label("ribbon.motor-rated-y").help("ribbon.motor-rated-y.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.print-drive").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
+    number("motor-max-y", member!(Params.axes.print.motor.top_speed)).group("ribbon.group.print-drive").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
-    number("encoder-resolution-y", member!(Params.encoder_y)).group("ribbon.group.print-drive").label("ribbon.encoder-resolution-y").help("ribbon.encoder-resolution-y.help")
+    number("encoder-resolution-y", member!(Params.axes.print.encoder)).group("ribbon.group.print-drive").label("ribbon.encoder-resolution-y").help("ribbon.encoder-resolution-y.help")
         .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
-    number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
+    number("inertia-limit-y", member!(Params.axes.print.motor.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
         .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).setting(),
-    number("effective-limit-y", member!(Params.print.effective_limit)).group("ribbon.group.print-drive").label("ribbon.effective-limit-y").help("ribbon.effective-limit-y.help")
+    number("effective-limit-y", member!(Params.axes.print.motor.effective_limit)).group("ribbon.group.print-drive").label("ribbon.effective-limit-y").help("ribbon.effective-limit-y.help")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(1).step(1.0).setting(),
     choice("cam-law", member!(Params.cam_law: CamLaw)).group("ribbon.group.print-drive").label("ribbon.cam-law").help("ribbon.cam-law.help"),
     number("site-height", member!(Params.site_height)).group("ribbon.group.site").label("ribbon.site-height").help("ribbon.site-height.help")

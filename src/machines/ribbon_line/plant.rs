@@ -1,5 +1,6 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
+use super::axes::PerAxis;
 use super::coasting;
 use super::params::PULL;
 use super::regulator::regulator;
@@ -14,27 +15,27 @@ use crate::motion::{AxisPlant, Plant, SpindlePlant};
 /// The plant with the project's clamps, ramps and slip.
 pub(super) fn plant(line: &RibbonLine) -> Plant {
     let p = &line.params;
-    let [x_endless, y_endless] = line.rolls_over();
+    let (PerAxis { pull, print }, endless) = (&p.axes, line.rolls_over());
     let x = AxisPlant {
         letter: Some(PULL),
         rotary: false,
-        endless: x_endless,
+        endless: endless.pull,
         diameter: line.pull_words() == 2,
-        rapid: p.rapid_x,
-        clamp: p.clamp_x,
-        time_constant: p.time_constant_x / 1000.0,
-        position_gain: p.position_gain_x,
+        rapid: pull.rapid,
+        clamp: pull.clamp,
+        time_constant: pull.time_constant / 1000.0,
+        position_gain: pull.position_gain,
         home: 0.0,
     };
     let y = AxisPlant {
         letter: Some(p.print_axis.address()),
         rotary: line.degrees(),
-        endless: y_endless,
+        endless: endless.print,
         diameter: false,
-        rapid: p.rapid_y,
-        clamp: p.clamp_y,
-        time_constant: p.time_constant_y / 1000.0,
-        position_gain: p.position_gain_y,
+        rapid: print.rapid,
+        clamp: print.clamp,
+        time_constant: print.time_constant / 1000.0,
+        position_gain: print.position_gain,
         home: 0.0,
     };
     Plant {

@@ -40,31 +40,31 @@ pub(super) struct LineState {
     unwound: f64,
     /// Ribbon unwound less ribbon pulled, mm.
     pub(super) slack: f64,
-    /// Degrees per second of the rollers.
-    speeds: [f64; 3],
+    /// Degrees per second of the unwinding roller, of the pull roller and of the print roller.
+    unwinder_speed: f64,
+    pull_speed: f64,
+    print_speed: f64,
 }
 
 impl LineState {
     pub(super) fn new(line: &RibbonLine, now: &Snapshot) -> LineState {
         let p = &line.params;
-        let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
+        let (pull, print) = (&now.axes[line.pull()], &now.axes[line.print()]);
         // The actual position of the axis, which lags its command.
-        let pulled = x.actual;
+        let pulled = pull.actual;
         let turns = now.spindle.turns / p.reduction_ratio;
         let unwound = p.laid_by_turns(now.spindle.turns);
         let degrees = if line.degrees() { 1.0 } else { 360.0 / (PI * p.print_roller_diameter) };
         LineState {
             unwinder_turns: turns,
             pull_turns: pulled / (PI * p.x_roller_diameter),
-            print_angle: y.actual * degrees,
+            print_angle: print.actual * degrees,
             pulled,
             unwound,
             slack: unwound - pulled,
-            speeds: [
-                now.spindle.actual / p.reduction_ratio * 6.0,
-                x.feed / (PI * p.x_roller_diameter) * 6.0,
-                y.feed * degrees / 60.0,
-            ],
+            unwinder_speed: now.spindle.actual / p.reduction_ratio * 6.0,
+            pull_speed: pull.feed / (PI * p.x_roller_diameter) * 6.0,
+            print_speed: print.feed * degrees / 60.0,
         }
     }
 
@@ -121,13 +121,13 @@ fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &LineState, 
     let pinch = 1.0 / scene::layout::PINCH;
     let motor = now.spindle.turns;
     let rows = [
-        (group::UNWINDER, 360.0 * state.unwinder_turns, state.speeds[0], 360.0 * motor, now.spindle.actual * 6.0),
+        (group::UNWINDER, 360.0 * state.unwinder_turns, state.unwinder_speed, 360.0 * motor, now.spindle.actual * 6.0),
         (
             group::PULL,
             360.0 * state.pull_turns,
-            state.speeds[1],
-            360.0 * state.pull_turns * p.gear_x,
-            state.speeds[1] * p.gear_x,
+            state.pull_speed,
+            360.0 * state.pull_turns * p.axes.pull.gear,
+            state.pull_speed * p.axes.pull.gear,
         ),
     ];
     for ((first, turn, speed, motor, motor_speed), (belt, station)) in
@@ -175,7 +175,7 @@ fn print_roller(line: &RibbonLine, frame: Frame, state: &LineState, pose: &mut P
     let head = 360.0 / line.params.heads;
     let angle = state.print_angle + 1e-6;
     let flash = if frame.drawing_option { (angle / head).floor() * head } else { angle };
-    let heads_seen = if frame.drawing_option { 1.0 } else { seen(state.speeds[2] * frame.step) };
+    let heads_seen = if frame.drawing_option { 1.0 } else { seen(state.print_speed * frame.step) };
     for layer in 0..group::LAYERS {
         pose.placements.push(turned(group::PRINT_LAYERS + 2 * layer + 1, -flash, heads_seen));
     }
@@ -232,7 +232,7 @@ fn slack_loop(line: &RibbonLine, state: &LineState, pose: &mut Pose) {
 
 /// A lamp is on while its drive turns.
 fn lamps(now: &Snapshot, state: &LineState, pose: &mut Pose) {
-    for (lamp, speed) in node::LAMPS.into_iter().zip([now.spindle.actual, state.speeds[1]]) {
+    for (lamp, speed) in node::LAMPS.into_iter().zip([now.spindle.actual, state.pull_speed]) {
         pose.fills.push((lamp, if speed.abs() > 1e-6 { Paint::Good } else { Paint::DarkShade }));
     }
 }
@@ -256,7 +256,7 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &LineState) -> Vec<(u16, Stri
         (node::LOOP_STATE, state_of_loop),
         (node::PULL_FEED, units::figure(now.axes[line.pull()].feed, 0, "mm/min")),
         (node::PULL_POSITION, units::figure(state.pulled, 1, "mm")),
-        (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
+        (node::PRINT_SPEED, format!("{} r/min", figure(state.print_speed / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
         (node::DOT_COUNT, sentence(&msg!("ribbon.scene.dots", count = printed))),
     ]

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use super::axes::{LineAxis, PerAxis};
 use super::derive::{Derived, TRIM, greatest};
 use super::knob_turn::KnobTurn;
 use super::mechanics::Mechanics;
@@ -66,7 +67,9 @@ impl RibbonLine {
             params.path_mode = PathMode::Continuous;
         }
         if !form.has_clamp(control) {
-            (params.clamp_x, params.clamp_y) = (form.rapid_x, form.rapid_y);
+            for axis in [&mut params.axes.pull, &mut params.axes.print] {
+                axis.clamp = axis.rapid;
+            }
         }
         params.typed_override = form.types_override(control);
         params.speed_tolerance = dialect.spindle().reached;
@@ -172,6 +175,14 @@ impl RibbonLine {
         self.derived.feeds.line_speed * self.driven_share(&self.derived)
     }
 
+    /// Letter of a servo axis.
+    pub(super) fn letter(&self, axis: LineAxis) -> &'static str {
+        match axis {
+            LineAxis::Pull => PULL_LETTER,
+            LineAxis::Print => self.print_letter(),
+        }
+    }
+
     /// Letter of the print roller's axis.
     pub(super) fn print_letter(&self) -> &'static str {
         self.params.print_axis.letter()
@@ -190,9 +201,9 @@ impl RibbonLine {
     /// Whether the coordinates of the pull axis and of the print roller roll over. The print roller's always do if they count degrees. In
     /// mm they do not where the program looks for a head: the coordinate would lose the phase with each turn, whose length is no whole
     /// number of increments.
-    pub(super) fn rolls_over(&self) -> [bool; 2] {
+    pub(super) fn rolls_over(&self) -> PerAxis<bool> {
         let rolls = self.params.endless == Endless::RollOver;
-        [rolls, self.degrees() || rolls && !self.reads_positions()]
+        PerAxis { pull: rolls, print: self.degrees() || rolls && !self.reads_positions() }
     }
 
     /// Whether a program of the control reads the positions of its axes, and with them brings a head to the ribbon itself.
@@ -202,38 +213,38 @@ impl RibbonLine {
 
     /// Whether the pull axis rolls over, which makes it a rotary axis, while its words count diameters.
     pub(super) fn rolls_in_diameters(&self) -> bool {
-        self.rolls_over()[0] && self.pull_words() > 1
+        self.rolls_over().pull && self.pull_words() > 1
     }
 
     /// Drives of the pull axis and of the print roller.
-    pub(super) fn drives(&self) -> [AxisDrive; 2] {
+    pub(super) fn drives(&self) -> PerAxis<AxisDrive> {
         let params = &self.params;
-        let [pull_rolls, print_rolls] = self.rolls_over();
+        let (axes, rolls) = (&params.axes, self.rolls_over());
         let turn = if self.degrees() { 360.0 } else { PI * params.print_roller_diameter };
-        [
-            AxisDrive {
+        PerAxis {
+            pull: AxisDrive {
                 axis: PULL_LETTER,
                 lead: PI * params.x_roller_diameter,
-                gear: GearTurns { motor: params.gear_x, load: 1.0 },
-                encoder: params.encoder_x,
-                rotary: pull_rolls,
+                gear: GearTurns { motor: axes.pull.gear, load: 1.0 },
+                encoder: axes.pull.encoder,
+                rotary: rolls.pull,
                 words: f64::from(self.pull_words()),
             },
-            AxisDrive {
+            print: AxisDrive {
                 axis: self.print_letter(),
                 lead: turn,
-                gear: GearTurns { motor: params.gear_y, load: 1.0 },
-                encoder: params.encoder_y,
-                rotary: print_rolls,
+                gear: GearTurns { motor: axes.print.gear, load: 1.0 },
+                encoder: axes.print.encoder,
+                rotary: rolls.print,
                 words: 1.0,
             },
-        ]
+        }
     }
 
     /// Speed (r/min) of the motor of X, and of that of the print roller, at rapid traverse.
-    pub(super) fn rapid_speeds(&self) -> [f64; 2] {
-        let [x, y] = self.drives().map(|drive| drive.travel());
-        [self.params.rapid_x / x, self.params.rapid_y / y]
+    pub(super) fn rapid_speeds(&self) -> PerAxis<f64> {
+        let (axes, drives) = (&self.params.axes, self.drives());
+        PerAxis { pull: axes.pull.rapid / drives.pull.travel(), print: axes.print.rapid / drives.print.travel() }
     }
 
     /// Time (s) in which the regulator of a dancer takes 63 % of a slack away while the line runs, `T = range / (limit · v)`; none without
@@ -265,7 +276,7 @@ impl RibbonLine {
 
     /// Length (mm) of a dot along the ribbon.
     pub(super) fn dot_length(&self) -> f64 {
-        web::mark_length(self.params.print.head_length, self.derived.surface.ratio, self.params.contact_length)
+        web::mark_length(self.params.head.length, self.derived.surface.ratio, self.params.contact_length)
     }
 
     /// Ribbon (mm) between two dots; negative where they run into each other.

@@ -1,7 +1,7 @@
 //! Sheets for the machine builder: parameters, registers between PLC and control, and the ladder of figure 1.
 
 use super::ladder::ladder;
-use super::params::PrintAxis;
+use super::params::{AxisParams, PrintAxis};
 use super::resolved::RibbonLine;
 use super::stops::reactions;
 use crate::controls::ParamRole;
@@ -25,15 +25,18 @@ fn parameters(line: &RibbonLine) -> Sheet {
     let p = &line.params;
     let print = p.print_axis.letter();
     let number = |value: f64| ParamValue::Number(value);
-    let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];
+    let per_axis = |value: &dyn Fn(&AxisParams) -> f64| {
+        let values = p.axes.map(value);
+        vec![("X", number(values.pull)), (print, number(values.print))]
+    };
     let one = |setting: ParamValue| vec![("", setting)];
     let both = |on: bool| vec![("X", ParamValue::Answer(on)), (print, ParamValue::Answer(on))];
     // Axes whose coordinates roll over are rotary axes of the control, in mm too.
-    let [pull_rolls, print_rolls] = line.rolls_over();
-    let rolling: Vec<&str> = [("X", pull_rolls), (print, print_rolls)].into_iter().filter_map(rolls).collect();
+    let endless = line.rolls_over();
+    let rolling: Vec<&str> = [("X", endless.pull), (print, endless.print)].into_iter().filter_map(rolls).collect();
     let each = |value: fn() -> ParamValue| rolling.iter().map(|axis| (*axis, value())).collect::<Vec<_>>();
     let mut turning: Vec<_> = each(|| ParamValue::Answer(true));
-    if !print_rolls && p.print_axis != PrintAxis::Z {
+    if !endless.print && p.print_axis != PrintAxis::Z {
         turning.push((print, ParamValue::Answer(false)));
     }
     let yes = |on: bool| one(ParamValue::Answer(on));
@@ -62,22 +65,24 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::AxisRollDisplay, each(|| ParamValue::Answer(true))),
         (ParamRole::AxisShortWay, each(|| ParamValue::Answer(false))),
         (ParamRole::AxisTurn, each(|| ParamValue::Number(360.0))),
-        (ParamRole::AxisRapid, per_axis(p.rapid_x, p.rapid_y)),
-        (ParamRole::AxisClamp, per_axis(p.clamp_x, p.clamp_y)),
+        (ParamRole::AxisRapid, per_axis(&|axis| axis.rapid)),
+        (ParamRole::AxisClamp, per_axis(&|axis| axis.clamp)),
         // Above what both axes reach together: each of them is clamped by itself.
-        (ParamRole::PathClamp, vec![("", ParamValue::Number(math::hypot(p.clamp_x, p.clamp_y).ceil()))]),
+        (
+            ParamRole::PathClamp,
+            vec![("", ParamValue::Number(math::hypot(p.axes.pull.clamp, p.axes.print.clamp).ceil()))],
+        ),
         (ParamRole::AxisAcceleration, both(true)),
-        (ParamRole::RapidTimeConstant, per_axis(p.time_constant_x, p.time_constant_y)),
-        (ParamRole::AxisTimeConstant, per_axis(p.time_constant_x, p.time_constant_y)),
+        (ParamRole::RapidTimeConstant, per_axis(&|axis| axis.time_constant)),
+        (ParamRole::AxisTimeConstant, per_axis(&|axis| axis.time_constant)),
         (
             ParamRole::AxisGreatestAcceleration,
-            per_axis(
-                greatest_acceleration(p.rapid_x, p.clamp_x, ramp(p.time_constant_x / 1e3, p.position_gain_x)),
-                greatest_acceleration(p.rapid_y, p.clamp_y, ramp(p.time_constant_y / 1e3, p.position_gain_y)),
-            ),
+            per_axis(&|axis| {
+                greatest_acceleration(axis.rapid, axis.clamp, ramp(axis.time_constant / 1e3, axis.position_gain))
+            }),
         ),
-        (ParamRole::AxisPositionGain, per_axis(p.position_gain_x, p.position_gain_y)),
-        (ParamRole::AxisInPosition, per_axis(p.in_position, p.in_position)),
+        (ParamRole::AxisPositionGain, per_axis(&|axis| axis.position_gain)),
+        (ParamRole::AxisInPosition, per_axis(&|_| p.in_position)),
         (ParamRole::AxisSoftLimits, both(false)),
         (ParamRole::CommandUnit, yes(true)),
         (ParamRole::FeedOneDigit, yes(false)),
@@ -89,7 +94,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
     if p.spindle_encoder {
         values.extend(p.encoder.parameters(line.control));
     }
-    values.extend(scaling::parameters(line.control, &line.drives()));
+    values.extend(scaling::parameters(line.control, &line.drives().both()));
     let axes = AxisUnits { in_diameters: if line.pull_words() == 2 { &["X"] } else { &[] }, rotary: &rolling };
     sheets::parameters(line.control, &axes, values)
 }

@@ -76,6 +76,6 @@ pub(super) fn with_pinch(line: &RibbonLine, message: Message, missing: f64) -> A
         return message.into();
     }
     let grip = ((allowed - p.web.tension_behind) / (GRIP / 100.0)).max(holds - p.web.tension_behind);
-    let set = at_least(FIELDS, "pinch-force", grip / p.pull.pinch_friction);
+    let set = at_least(FIELDS, "pinch-force", grip / p.pinch.friction);
     Advice::from(message).setting(msg!("advice.set-pinch", force = (set.value, 1)), [set])
 }

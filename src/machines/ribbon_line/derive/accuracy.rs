@@ -2,6 +2,7 @@
 
 use super::feeds::LineFeeds;
 use super::timing::LineTiming;
+use crate::machines::ribbon_line::axes::PerAxis;
 use crate::machines::ribbon_line::params::Params;
 use crate::math::PI;
 
@@ -14,25 +15,26 @@ pub(in crate::machines::ribbon_line) struct Accuracy {
     pub thickness_error: f64,
     /// Lag of Y behind X at full speed.
     pub register_error: f64,
-    /// µm.
-    pub x_resolution: f64,
-    /// µm.
-    pub y_resolution: f64,
+    /// Travel per pulse of the encoder, µm.
+    pub resolutions: PerAxis<f64>,
     /// mm or ° per shift.
     pub y_drift: f64,
 }
 
 impl Accuracy {
     pub(super) fn new(p: &Params, feeds: &LineFeeds, timing: &LineTiming) -> Accuracy {
-        let (tau_x, tau_y) = (p.time_constant_x / 1000.0, p.time_constant_y / 1000.0);
+        let PerAxis { pull, print } = &p.axes;
+        let (tau_x, tau_y) = (pull.time_constant / 1000.0, print.time_constant / 1000.0);
         // e = v · ((τx - τy)/2 + 1/Kx - 1/Ky)  [mm]: difference of ramp and servo lag at full speed.
-        let lag = (tau_x - tau_y) / 2.0 + 1.0 / p.position_gain_x - 1.0 / p.position_gain_y;
+        let lag = (tau_x - tau_y) / 2.0 + 1.0 / pull.position_gain - 1.0 / print.position_gain;
         Accuracy {
             pi_drift: (PI / p.program_pi() - 1.0) * feeds.line_speed,
             thickness_error: thickness_error(p),
             register_error: feeds.mm_per_second() * lag,
-            x_resolution: PI * p.x_roller_diameter / p.gear_x / p.encoder_x * 1000.0,
-            y_resolution: PI * p.print_roller_diameter / p.gear_y / p.encoder_y * 1000.0,
+            resolutions: PerAxis {
+                pull: PI * p.x_roller_diameter / p.axes.pull.gear / p.axes.pull.encoder * 1000.0,
+                print: PI * p.print_roller_diameter / p.axes.print.gear / p.axes.print.encoder * 1000.0,
+            },
             y_drift: y_drift(feeds.y_stroke, timing.pitch),
         }
     }

@@ -1,6 +1,7 @@
 //! Speed of the ribbon, feeds of both axes and travels of their blocks, by equations (2) to (4) of the paper.
 
 use super::unwinder::UnwinderSpeed;
+use crate::machines::ribbon_line::axes::PerAxis;
 use crate::machines::ribbon_line::params::{FeedForm, Params, PiForm, YUnit};
 use crate::math::{self, PI};
 
@@ -21,8 +22,7 @@ pub(in crate::machines::ribbon_line) struct LineFeeds {
     /// The same per revolution of the unwinder's motor.
     pub per_revolution: f64,
     pub y_feed: f64,
-    pub x_motor_speed: f64,
-    pub y_motor_speed: f64,
+    pub motor_speeds: PerAxis<f64>,
     pub print_roller_speed: f64,
     /// Speed of the ribbon in manual operation.
     pub manual_line_speed: f64,
@@ -34,6 +34,11 @@ impl LineFeeds {
     /// Speed of the ribbon, mm/s.
     pub(in crate::machines::ribbon_line) fn mm_per_second(&self) -> f64 {
         self.line_speed / 60.0
+    }
+
+    /// Feed of each axis.
+    pub(in crate::machines::ribbon_line) fn of_axes(&self) -> PerAxis<f64> {
+        PerAxis { pull: self.line_speed, print: self.y_feed }
     }
 
     pub(super) fn new(p: &Params, unwinder: &UnwinderSpeed) -> LineFeeds {
@@ -49,8 +54,10 @@ impl LineFeeds {
             vector_feed: vector_feed(line_speed, p.pitch, y_stroke),
             per_revolution: vector_feed(k, p.pitch, y_stroke),
             y_feed: line_speed * y_stroke / p.pitch,
-            x_motor_speed: line_speed / (PI * p.x_roller_diameter) * p.gear_x * followed,
-            y_motor_speed: print_roller_speed * p.gear_y,
+            motor_speeds: PerAxis {
+                pull: line_speed / (PI * p.x_roller_diameter) * p.axes.pull.gear * followed,
+                print: print_roller_speed * p.axes.print.gear,
+            },
             print_roller_speed,
             manual_line_speed: k * p.manual_speed.min(unwinder.greatest),
             override_step: line_speed / 60.0 * p.knob_step.percent() / 100.0,

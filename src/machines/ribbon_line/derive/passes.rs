@@ -97,7 +97,11 @@ pub(super) fn exact_stop(p: &Params, pitches: f64, pitch_time: f64, y_stroke: f6
         };
         block.exact_stop(p.in_position)
     };
-    axis(p.pitch, p.time_constant_x, p.position_gain_x).max(axis(y_stroke, p.time_constant_y, p.position_gain_y))
+    axis(p.pitch, p.axes.pull.time_constant, p.axes.pull.position_gain).max(axis(
+        y_stroke,
+        p.axes.print.time_constant,
+        p.axes.print.position_gain,
+    ))
 }
 
 /// Time (s) from the start of a block of `pitches` pitches to the start of the next: its motion, with its exact stop, or the time that the

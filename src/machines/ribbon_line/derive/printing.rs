@@ -37,6 +37,6 @@ impl PrintSurface {
 impl Params {
     /// Room (mm) between two heads on the circumference of the print roller; negative where they overlap.
     pub(in crate::machines::ribbon_line) fn head_gap(&self) -> f64 {
-        self.head_spacing() - self.print.head_length
+        self.head_spacing() - self.head.length
     }
 }

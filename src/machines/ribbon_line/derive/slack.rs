@@ -58,10 +58,10 @@ impl Slack {
         let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
         let run = if p.is_regulated() { run.min(kept_by_trim(p, timing, line_speed)) } else { run };
         let speed = feeds.mm_per_second();
-        let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
+        let (feed_ramp, tau) = (ramp(p), p.axes.pull.time_constant / 1000.0);
         let started = unwinder.actual > 0.0;
         // A running axis lags its command by v / K.
-        let lag = speed / p.position_gain_x;
+        let lag = speed / p.axes.pull.position_gain;
         // Each exact stop has its ramps and the lag in its time.
         let stops = p.path_mode == PathMode::ExactStop;
         let (edge, edge_lag, rest) = if stops { (0.0, 0.0, 0.0) } else { (tau, lag, p.slowest()) };

@@ -61,7 +61,7 @@ impl Params {
 
     /// Time (s) at full speed in which X covers its way from a hold to its stop: `τ / 2 + 1 / K`. Source: ribbon line facts, 11.
     pub(in crate::machines::ribbon_line) fn x_stop_time(&self) -> f64 {
-        self.time_constant_x / 2000.0 + 1.0 / self.position_gain_x
+        self.axes.pull.time_constant / 2000.0 + 1.0 / self.axes.pull.position_gain
     }
 }
 

@@ -81,6 +81,6 @@ impl LineTiming {
 impl Params {
     /// The greater time constant of both axes, s.
     pub(in crate::machines::ribbon_line) fn slowest(&self) -> f64 {
-        self.time_constant_x.max(self.time_constant_y) / 1000.0
+        self.axes.pull.time_constant.max(self.axes.print.time_constant) / 1000.0
     }
 }

@@ -1,5 +1,7 @@
 //! Numbers of the alarms of the ribbon line's programs.
 
+use crate::machines::ribbon_line::axes::PerAxis;
+
 /// An F above the limit.
 pub(super) const FEED: u32 = 20;
 
@@ -13,4 +15,4 @@ pub(super) const PART_OF_A_PITCH: u32 = 22;
 pub(super) const BROKEN_OFF: u32 = 23;
 
 /// An axis above its clamp: the pull axis, the print roller.
-pub(super) const CLAMPS: [u32; 2] = [24, 25];
+pub(super) const CLAMPS: PerAxis<u32> = PerAxis { pull: 24, print: 25 };

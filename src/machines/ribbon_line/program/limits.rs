@@ -5,7 +5,7 @@ use super::blocks::codes;
 use super::formulas::feed;
 use crate::controls::Code;
 use crate::machines::program::writing::{self, alarm_block};
-use crate::machines::ribbon_line::params::PULL_LETTER;
+use crate::machines::ribbon_line::axes::{LineAxis, PerAxis};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{FEED_LIMIT, LINE_SPEED, PITCH, STROKE};
 use crate::nc::build::{Builder, real, v};
@@ -15,18 +15,18 @@ pub(super) fn feed_guard(b: &mut Builder, line: &RibbonLine, number: u32) {
     b.n(number).if_goto(v(feed(line)).gt(v(FEED_LIMIT)), alarm_block(alarms::FEED));
 }
 
-/// Jumps to block `of_pull` or `of_print` if the pull axis or the print roller is above the clamp of its feed: the
+/// Jumps to the block of an axis, the pull axis or the print roller, that is above the clamp of its feed: the
 /// control would slow both axes, but not the unwinder.
-pub(super) fn clamp_guards(b: &mut Builder, line: &RibbonLine, [of_pull, of_print]: [u32; 2]) {
-    let [clamp_x, clamp_y] = [line.params.clamp_x, line.params.clamp_y].map(|clamp| real(clamp, 3));
-    b.if_goto(v(LINE_SPEED).gt(clamp_x), of_pull);
-    b.if_goto((v(LINE_SPEED) * v(STROKE)).gt(v(PITCH) * clamp_y), of_print);
+pub(super) fn clamp_guards(b: &mut Builder, line: &RibbonLine, blocks: PerAxis<u32>) {
+    let clamps = line.params.axes.map(|axis| real(axis.clamp, 3));
+    b.if_goto(v(LINE_SPEED).gt(clamps.pull), blocks.pull);
+    b.if_goto((v(LINE_SPEED) * v(STROKE)).gt(v(PITCH) * clamps.print), blocks.print);
 }
 
 /// Jumps to the alarms of an F or an axis above its limit.
 pub(super) fn limit_guards(b: &mut Builder, line: &RibbonLine, number: u32) {
     feed_guard(b, line, number);
-    clamp_guards(b, line, alarms::CLAMPS.map(alarm_block));
+    clamp_guards(b, line, alarms::CLAMPS.map(|number| alarm_block(*number)));
 }
 
 /// The alarm of an F above the limit.
@@ -41,9 +41,9 @@ pub(super) fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
 
 /// The alarms of an axis above its clamp.
 pub(super) fn clamp_alarms(b: &mut Builder, line: &RibbonLine) {
-    let axes = [(PULL_LETTER, line.params.clamp_x), (line.print_letter(), line.params.clamp_y)];
-    for (number, (axis, clamp)) in alarms::CLAMPS.into_iter().zip(axes) {
-        writing::alarm(b, line.control, number, &format!("{axis} FEED ABOVE CLAMP {clamp}"));
+    for axis in LineAxis::BOTH {
+        let (letter, clamp) = (line.letter(axis), line.params.axes[axis].clamp);
+        writing::alarm(b, line.control, alarms::CLAMPS[axis], &format!("{letter} FEED ABOVE CLAMP {clamp}"));
         if writing::has_alarms(line.control) {
             b.words(codes(line, [Code::SubEnd]));
         }

@@ -13,6 +13,7 @@ use super::phase;
 use super::product_length::{compute_again, last_pitch, length_alarms, pitches_left};
 use crate::controls::Code;
 use crate::machines::program::writing::{self, alarm_block};
+use crate::machines::ribbon_line::axes::PerAxis;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{
     ACTUAL_SPEED, BLOCK_PITCHES, BLOCK_SIZE, BLOCK_STROKE, COUNT, FEED_LIMIT, FEED_PER_TURN, HEADS, HEADS_COPY, KNOB,
@@ -125,7 +126,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
         if !line.feeds_per_revolution() {
             b.n(39).if_goto(v(VECTOR_FEED).gt(v(FEED_LIMIT)), 15).note("TOO FAST: ALARM");
         }
-        clamp_guards(b, line, [15, 15]);
+        clamp_guards(b, line, PerAxis { pull: 15, print: 15 });
         b.n(40).if_goto(feed_is_zero(), 15).note("OVERRIDE 0");
     }
     b.n(41).if_goto(changed(second).gt(0), 15);

@@ -100,22 +100,22 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "x-motor-speed", label: "ribbon.readout.x-motor-speed", unit: "r/min", decimals: 1,
         formula: "#105 / (π · Dx) · ix",
-        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| line.derived.feeds.x_motor_speed, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| line.derived.feeds.motor_speeds.pull, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-motor-speed", label: "ribbon.readout.y-motor-speed", unit: "r/min", decimals: 1,
         formula: "print roller · iy",
-        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| line.derived.feeds.y_motor_speed, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| line.derived.feeds.motor_speeds.print, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-rapid-speed", label: "ribbon.readout.x-rapid-speed", unit: "r/min", decimals: 1,
         formula: "rapid traverse / (π · Dx) · ix",
-        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| line.rapid_speeds()[0], ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| line.rapid_speeds().pull, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-rapid-speed", label: "ribbon.readout.y-rapid-speed", unit: "r/min", decimals: 1,
         formula: "rapid traverse / (π · #111) · iy, or / 360° · iy",
-        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| line.rapid_speeds()[1], ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| line.rapid_speeds().print, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "volts-command", label: "ribbon.readout.volts-command", unit: "V", decimals: 5,
@@ -363,32 +363,32 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "x-resolution", label: "ribbon.readout.x-resolution", unit: "µm", decimals: 3,
         formula: "π · Dx / ix / pulses",
-        cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.derived.accuracy.x_resolution, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.derived.accuracy.resolutions.pull, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-resolution", label: "ribbon.readout.y-resolution", unit: "µm", decimals: 3,
         formula: "π · #111 / iy / pulses",
-        cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.derived.accuracy.y_resolution, ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.derived.accuracy.resolutions.print, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-scaling", label: "ribbon.readout.x-scaling", unit: "mm/rev", decimals: 6,
         formula: "π · Dx / ix",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives()[0].travel(), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives().pull.travel(), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "x-scaling-drift", label: "ribbon.readout.x-scaling-drift", unit: "mm/h", decimals: 4,
         formula: "(travel of the motor / travel by the parameters - 1) · v · 60",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| coordinates::scaling_drifts(line)[0].unwrap_or(0.0), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| coordinates::scaling_drifts(line).pull.unwrap_or(0.0), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-scaling", label: "ribbon.readout.y-scaling", unit: "mm/rev", decimals: 6,
         formula: "π · #111 / iy, or 360° / iy",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives()[1].travel(), other_unit: Some((RibbonLine::degrees, "°/rev")), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives().print.travel(), other_unit: Some((RibbonLine::degrees, "°/rev")), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-scaling-drift", label: "ribbon.readout.y-scaling-drift", unit: "mm/h", decimals: 4,
         formula: "(travel of the motor / travel by the parameters - 1) · Fy · 60",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| coordinates::scaling_drifts(line)[1].unwrap_or(0.0), other_unit: Some((RibbonLine::degrees, "°/h")), ..ReadoutRow::BASE
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| coordinates::scaling_drifts(line).print.unwrap_or(0.0), other_unit: Some((RibbonLine::degrees, "°/h")), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "y-drift", label: "ribbon.readout.y-drift", unit: "mm", decimals: 3,

@@ -54,7 +54,7 @@ fn not_written(line: &RibbonLine) -> Option<Judgement> {
 
 fn motor(line: &RibbonLine) -> Option<Judgement> {
     let (now, _) = cam::chosen(line)?;
-    feeds::motor(line, now.motor_speed(), line.params.motor_rated_y, line.params.motor_max_y)
+    feeds::motor(line, now.motor_speed(), &line.params.axes.print.motor)
 }
 
 /// A torque now and with the knob at its highest position against what is allowed there, and the ribbon speed (mm/min) that keeps it.

@@ -3,6 +3,7 @@
 use crate::controls::dialect::CoordinateFrame;
 use crate::controls::{Code, ParamRole};
 use crate::machines::form::entry::at_most;
+use crate::machines::ribbon_line::axes::{LineAxis, PerAxis};
 use crate::machines::ribbon_line::params::{Endless, FIELDS, PULL_LETTER, PrintAxis};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
@@ -32,10 +33,10 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
 /// The axis whose coordinate leaves the control's range first, and its travel per pitch in units of its words; none if
 /// the coordinates of both axes roll over.
 fn farthest(line: &RibbonLine) -> Option<(&'static str, f64)> {
-    let [pull_rolls, print_rolls] = line.rolls_over();
+    let endless = line.rolls_over();
     let pull = (PULL_LETTER, line.params.pitch * f64::from(line.pull_words()));
     let print = (line.print_letter(), line.derived.feeds.y_stroke);
-    match (pull_rolls, print_rolls) {
+    match (endless.pull, endless.print) {
         (true, true) => None,
         (true, false) => Some(print),
         (false, true) => Some(pull),
@@ -61,7 +62,7 @@ fn roll_parameters(line: &RibbonLine) -> String {
 
 /// Remedies of a line whose axes leave the range: parameters, or the program where the control has no such parameters.
 fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
-    if line.rolls_over()[0] {
+    if line.rolls_over().pull {
         // The print roller is left, and counts millimetres.
         let advice = Advice::from(msg!("ribbon.range-degrees"));
         let set = [("y-unit", "degrees")];
@@ -127,37 +128,30 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
 
 /// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors, by the whole numbers of the scaling parameters; none
 /// if the control has no such numbers.
-pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
-    let feeds = [line.derived.feeds.line_speed, line.derived.feeds.y_feed];
-    let drives = line.drives();
-    [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
+pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> PerAxis<Option<f64>> {
+    let (drives, feeds) = (line.drives(), line.derived.feeds.of_axes());
+    let drift = |axis: LineAxis| Some(drives[axis].error(line.control)? * feeds[axis] * 60.0);
+    PerAxis { pull: drift(LineAxis::Pull), print: drift(LineAxis::Print) }
 }
 
 /// Judges the scaling: over a product the dots may drift by the tolerance of a dot.
-fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn scaling(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
     let RibbonLine { params: p, derived: d, .. } = line;
     line.control.scaling?;
-    let axis = if at == 0 { PULL_LETTER } else { line.print_letter() };
-    let Some(drift) = scaling_drifts(line)[at] else {
-        return fail(None, [msg!("scaling.no-ratio", axis).into()]);
+    let (letter, is_print) = (line.letter(axis), axis == LineAxis::Print);
+    let Some(drift) = scaling_drifts(line)[axis] else {
+        return fail(None, [msg!("scaling.no-ratio", axis = letter).into()]);
     };
-    let per_turn = if at == 1 && line.degrees() { 360.0 / (PI * p.print_roller_diameter) } else { 1.0 };
+    let per_turn = if is_print && line.degrees() { 360.0 / (PI * p.print_roller_diameter) } else { 1.0 };
     let limit = p.dot_tolerance * per_turn * 3600.0 / d.product.time;
     if drift.abs() <= limit {
         return ok(AtMost(limit));
     }
-    let unit = if at == 1 && line.degrees() { "°/h" } else { "mm/h" };
-    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, drift = (drift, 4), limit = (limit, 4), unit));
-    if at == 1 && !line.degrees() && p.print_axis == PrintAxis::Y {
+    let unit = if is_print && line.degrees() { "°/h" } else { "mm/h" };
+    let (drift, most) = ((drift, 4), (limit, 4));
+    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis = letter, drift, limit = most, unit));
+    if is_print && !line.degrees() && p.print_axis == PrintAxis::Y {
         advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees")]);
     }
     warn(AtMost(limit), [advice])
-}
-
-pub(in crate::machines::ribbon_line) fn scaling_x(line: &RibbonLine) -> Option<Judgement> {
-    scaling(line, 0)
-}
-
-pub(in crate::machines::ribbon_line) fn scaling_y(line: &RibbonLine) -> Option<Judgement> {
-    scaling(line, 1)
 }

@@ -2,8 +2,9 @@
 
 use super::slack::equal_entries;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most};
+use crate::machines::ribbon_line::axes::LineAxis;
 use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource};
-use crate::machines::ribbon_line::params::FIELDS;
+use crate::machines::ribbon_line::params::{AXIS_FIELDS, FIELDS};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
@@ -43,8 +44,8 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
             at_most(FIELDS, "roller-run-out", p.roller_run_out * share),
         ),
         ErrorSource::Encoders => {
-            let both = [("encoder-resolution-x", p.encoder_x), ("encoder-resolution-y", p.encoder_y)];
-            let entries = both.map(|(id, pulses)| at_least(FIELDS, id, pulses / share)).to_vec();
+            let finer = |axis: LineAxis| at_least(FIELDS, AXIS_FIELDS[axis].encoder, p.axes[axis].encoder / share);
+            let entries = LineAxis::BOTH.map(finer).to_vec();
             (msg!("advice.set-encoders"), entries)
         }
         ErrorSource::Backlash => one(
@@ -83,8 +84,8 @@ fn head_gap(line: &RibbonLine) -> Option<Judgement> {
     if p.head_gap() >= 0.0 {
         return ok(limit);
     }
-    let room = p.head_gap() + p.print.head_length;
-    let advice = msg!("ribbon.heads-do-not-fit", length = (p.print.head_length, 3), room = (room, 3));
+    let room = p.head_gap() + p.head.length;
+    let advice = msg!("ribbon.heads-do-not-fit", length = (p.head.length, 3), room = (room, 3));
     fail(limit, [with_head(advice, room)])
 }
 

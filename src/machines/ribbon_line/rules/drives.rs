@@ -7,8 +7,9 @@ use crate::drives::cage_motor::RATED_FREQUENCY;
 use crate::drives::servo::DYNAMIC_BRAKE_RATIO;
 use crate::machines::driven::devices::forced_cooling_advice;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max, nearest};
+use crate::machines::ribbon_line::axes::{LineAxis, PerAxis};
 use crate::machines::ribbon_line::mechanics::{GRIP, ServoAxis};
-use crate::machines::ribbon_line::params::FIELDS;
+use crate::machines::ribbon_line::params::{AXIS_FIELDS, FIELDS};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::unwinder_motor::SHORT_TIME;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
@@ -19,14 +20,34 @@ use crate::view::Limit::AtMost;
 
 /// All rules about the drives.
 pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
-    Rule::new("x-peak-torque", peak_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("y-peak-torque", peak_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("x-rapid-torque", rapid_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("y-rapid-torque", rapid_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("x-effective-torque", effective_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("y-effective-torque", effective_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("x-inertia-ratio", inertia_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
-    Rule::new("y-inertia-ratio", inertia_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("x-peak-torque", pull_peak, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("y-peak-torque", |line| peak(line, LineAxis::Print), Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("x-rapid-torque", |line| rapid(line, LineAxis::Pull), Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new(
+        "y-rapid-torque",
+        |line| rapid(line, LineAxis::Print),
+        Citation::new("sizing facts 2.3", Grade::Inferred),
+    ),
+    Rule::new(
+        "x-effective-torque",
+        |line| effective(line, LineAxis::Pull),
+        Citation::new("sizing facts 2.3", Grade::Inferred),
+    ),
+    Rule::new(
+        "y-effective-torque",
+        |line| effective(line, LineAxis::Print),
+        Citation::new("sizing facts 2.3", Grade::Inferred),
+    ),
+    Rule::new(
+        "x-inertia-ratio",
+        |line| inertia(line, LineAxis::Pull),
+        Citation::new("sizing facts 2.3", Grade::Inferred),
+    ),
+    Rule::new(
+        "y-inertia-ratio",
+        |line| inertia(line, LineAxis::Print),
+        Citation::new("sizing facts 2.3", Grade::Inferred),
+    ),
     Rule::new("nip-use", grip, Citation::new("sizing facts 2.2, from memory", Grade::Open)),
     Rule::new("unwinder-torque", unwinder, Citation::new("data sheet of the motor", Grade::Inferred)),
     Rule::new("unwinder-ramp-torque", unwinder_ramp, Citation::new("FR-E800: 150 % for 60 s", Grade::Inferred)),
@@ -43,33 +64,40 @@ pub(in crate::machines::ribbon_line) fn here(limit: f64, now: f64, fast: f64) ->
     if fast > 0.0 { limit * now / fast } else { limit }
 }
 
-fn peak(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
+/// A servo axis with the knob as it is, and at its highest position.
+fn servo(line: &RibbonLine, axis: LineAxis) -> (&ServoAxis, &ServoAxis) {
+    (&line.mechanics.axes[axis], &line.fast_mechanics.axes[axis])
+}
+
+fn peak(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    let (now, fast) = servo(line, axis);
     let most = fast.fitted.short_time_limit(fast.demand.speed);
     let limit = AtMost(here(most, now.demand.peak, fast.demand.peak));
     if limit.holds(now.demand.peak) {
         return ok(limit);
     }
     let ramp = fast.shortest_ramp() * 1e3;
-    if ramp > field_max(FIELDS, "time-constant-x") {
+    if ramp > field_max(FIELDS, AXIS_FIELDS.pull.time_constant) {
         return fail(
             limit,
             [Advice::from(msg!("ribbon.peak-torque-motor", torque = (fast.demand.peak / fast.fitted.limits.peak, 2)))],
         );
     }
     // Both axes must have the same ramp, otherwise their ratio is wrong on every ramp.
-    let set = at_least(FIELDS, "time-constant-x", ramp);
+    let set = at_least(FIELDS, AXIS_FIELDS.pull.time_constant, ramp);
     let milliseconds = set.value;
-    let both = [set.clone(), NumberEntry { field: "time-constant-y", ..set }];
+    let both = [set.clone(), NumberEntry { field: AXIS_FIELDS.print.time_constant, ..set }];
     let sentence =
         msg!("ribbon.peak-torque", torque = (fast.demand.peak, 2), limit = (most, 2), time = (milliseconds, 1));
     fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", time = (milliseconds, 1)), both)])
 }
 
-fn peak_x(line: &RibbonLine) -> Option<Judgement> {
-    let (now, fast) = (&line.mechanics.pull, &line.fast_mechanics.pull);
+/// Judges the peak torque of the pull roller, which a taut ribbon loads too.
+fn pull_peak(line: &RibbonLine) -> Option<Judgement> {
+    let (now, fast) = servo(line, LineAxis::Pull);
     let most = fast.fitted.short_time_limit(fast.demand.speed);
     if fast.taut.abs() <= most {
-        return peak(now, fast);
+        return peak(line, LineAxis::Pull);
     }
     // No ramp takes the tension from a taut ribbon.
     let tension = (line.mechanics.tautest, 0);
@@ -77,41 +105,31 @@ fn peak_x(line: &RibbonLine) -> Option<Judgement> {
     fail(AtMost(here(most, now.demand.peak, fast.demand.peak)), [slack::advice_against_taut(line, message)])
 }
 
-fn peak_y(line: &RibbonLine) -> Option<Judgement> {
-    peak(&line.mechanics.print, &line.fast_mechanics.print)
-}
-
 /// Torque (Nm) of the ramp to rapid traverse, of the motors of X and of the print roller.
-pub(in crate::machines::ribbon_line) fn rapid_torques(line: &RibbonLine) -> [f64; 2] {
-    let [x, y] = line.rapid_speeds();
-    [line.mechanics.pull.ramp_torque(x), line.mechanics.print.ramp_torque(y)]
+pub(in crate::machines::ribbon_line) fn rapid_torques(line: &RibbonLine) -> PerAxis<f64> {
+    let (axes, speeds) = (&line.mechanics.axes, line.rapid_speeds());
+    PerAxis { pull: axes.pull.ramp_torque(speeds.pull), print: axes.print.ramp_torque(speeds.print) }
 }
 
 /// Judges the ramp to rapid traverse, which lasts as long as that to a feed: the print roller turns to its next head at rapid traverse, both
 /// rollers turn by hand. A steady torque that is too great by itself is left to the rule of the peak torque.
-fn rapid(axis: &ServoAxis, speed: f64, field: &'static str, entered: f64) -> Option<Judgement> {
-    let (torque, most) = (axis.ramp_torque(speed), axis.fitted.short_time_limit(speed));
-    let (limit, share) = (AtMost(most), axis.allowed_share(speed));
+fn rapid(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    let (servo, speed) = (&line.mechanics.axes[axis], line.rapid_speeds()[axis]);
+    let (torque, most) = (servo.ramp_torque(speed), servo.fitted.short_time_limit(speed));
+    let (limit, share) = (AtMost(most), servo.allowed_share(speed));
     if limit.holds(torque) {
         return ok(limit);
     }
     if share <= 0.0 {
         return None;
     }
-    let set = at_most(FIELDS, field, entered * share);
+    let set = at_most(FIELDS, AXIS_FIELDS[axis].rapid, line.params.axes[axis].rapid * share);
     let advice = Advice::from(msg!("ribbon.rapid-torque", torque = (torque, 2), limit = (most, 2)));
     fail(limit, [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
 }
 
-fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
-    rapid(&line.mechanics.pull, line.rapid_speeds()[0], "rapid-x", line.params.rapid_x)
-}
-
-fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
-    rapid(&line.mechanics.print, line.rapid_speeds()[1], "rapid-y", line.params.rapid_y)
-}
-
-fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
+fn effective(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    let (now, fast) = servo(line, axis);
     let most = fast.fitted.continuous_limit(fast.mean_speed);
     let limit = AtMost(here(most, now.demand.effective, fast.demand.effective));
     if limit.holds(now.demand.effective) {
@@ -135,16 +153,9 @@ fn effective(now: &ServoAxis, fast: &ServoAxis) -> Option<Judgement> {
     )
 }
 
-fn effective_x(line: &RibbonLine) -> Option<Judgement> {
-    effective(&line.mechanics.pull, &line.fast_mechanics.pull)
-}
-
-fn effective_y(line: &RibbonLine) -> Option<Judgement> {
-    effective(&line.mechanics.print, &line.fast_mechanics.print)
-}
-
-fn inertia(axis: &ServoAxis) -> Option<Judgement> {
-    let (most, ratio) = (axis.fitted.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO), axis.shares().inertia_ratio);
+fn inertia(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    let servo = &line.mechanics.axes[axis];
+    let (most, ratio) = (servo.fitted.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO), servo.shares().inertia_ratio);
     let limit = AtMost(most);
     if limit.holds(ratio) {
         return ok(limit);
@@ -156,21 +167,13 @@ fn inertia(axis: &ServoAxis) -> Option<Judgement> {
     warn(limit, [Advice::from(msg!("ribbon.inertia-ratio", ratio = (ratio, 1), limit = (most, 1)))])
 }
 
-fn inertia_x(line: &RibbonLine) -> Option<Judgement> {
-    inertia(&line.mechanics.pull)
-}
-
-fn inertia_y(line: &RibbonLine) -> Option<Judgement> {
-    inertia(&line.mechanics.print)
-}
-
 fn grip(line: &RibbonLine) -> Option<Judgement> {
     let (now, fast) = (100.0 * line.mechanics.nip_use, 100.0 * line.fast_mechanics.nip_use);
     let limit = AtMost(here(GRIP, now, fast));
     if limit.holds(now) {
         return ok(limit);
     }
-    let set = at_least(FIELDS, "pinch-force", line.params.pull.pinch_force * fast / GRIP);
+    let set = at_least(FIELDS, "pinch-force", line.params.pinch.force * fast / GRIP);
     let force = set.value;
     let tautest = line.mechanics.tautest;
     let is_taut = 100.0 * line.fast_mechanics.taut_nip_use >= fast && tautest > line.params.web.tension_before;

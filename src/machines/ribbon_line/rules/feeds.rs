@@ -5,7 +5,8 @@ use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
 use crate::drives::induction::Induction;
 use crate::machines::form::entry::{at_least, at_most};
-use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant};
+use crate::machines::ribbon_line::axes::LineAxis;
+use crate::machines::ribbon_line::params::{AXIS_FIELDS, FIELDS, Params, PathMode, ServoParams, Variant};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
@@ -44,7 +45,9 @@ fn fastest(line: &RibbonLine) -> f64 {
 fn share_of_feeds(line: &RibbonLine) -> f64 {
     let RibbonLine { params: p, fast, .. } = line;
     let driven = line.driven_share(fast);
-    let clamps = (p.clamp_x / (fast.feeds.line_speed * driven)).min(p.clamp_y / (fast.feeds.y_feed * driven));
+    let feeds = fast.feeds.of_axes();
+    let [pull, print] = LineAxis::BOTH.map(|axis| p.axes[axis].clamp / (feeds[axis] * driven));
+    let clamps = pull.min(print);
     if line.feeds_per_revolution() { clamps } else { clamps.min(line.feed_max() / fast.feeds.vector_feed) }
 }
 
@@ -106,8 +109,9 @@ fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement
     if feed > limit { fail(AtMost(limit), [slower_advice(line)]) } else { ok(AtMost(limit)) }
 }
 
-pub(in crate::machines::ribbon_line) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(line.derived.feeds.line_speed, line.params.clamp_x, line)
+/// Judges the feed of an axis by its clamp.
+pub(in crate::machines::ribbon_line) fn clamp(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    within_or_error(line.derived.feeds.of_axes()[axis], line.params.axes[axis].clamp, line)
 }
 
 /// Judges the speed of the line by the axis that reaches its clamp first: beyond it the control slows both.
@@ -116,14 +120,12 @@ pub(in crate::machines::ribbon_line) fn clamped_line_speed(line: &RibbonLine) ->
     if d.feeds.line_speed == 0.0 {
         return ok(None);
     }
-    let clamped = d.feeds.line_speed * (p.clamp_x / d.feeds.line_speed).min(p.clamp_y / d.feeds.y_feed);
+    let feeds = d.feeds.of_axes();
+    let [pull, print] = LineAxis::BOTH.map(|axis| p.axes[axis].clamp / feeds[axis]);
+    let clamped = d.feeds.line_speed * pull.min(print);
     // The speed of the line is the driven one.
     let driven = line.driven_share(d);
     within_or_error(driven * d.feeds.line_speed, driven * clamped, line)
-}
-
-pub(in crate::machines::ribbon_line) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(line.derived.feeds.y_feed, line.params.clamp_y, line)
 }
 
 pub(in crate::machines::ribbon_line) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
@@ -171,12 +173,8 @@ pub(in crate::machines::ribbon_line) fn revolution_feed(line: &RibbonLine) -> Op
 }
 
 /// The highest speed of the motor is judged over the whole range of the knob, its rated speed at the present position.
-pub(in crate::machines::ribbon_line) fn motor(
-    line: &RibbonLine,
-    speed: f64,
-    rated: f64,
-    max: f64,
-) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn motor(line: &RibbonLine, speed: f64, motor: &ServoParams) -> Option<Judgement> {
+    let (rated, max) = (motor.rated_speed, motor.top_speed);
     let limit = AtMost(max * line.knob_share());
     if !limit.holds(speed) {
         let slower = line.derived.unwinder.actual * rated.min(max) / speed;
@@ -189,31 +187,22 @@ pub(in crate::machines::ribbon_line) fn motor(
     }
 }
 
-pub(in crate::machines::ribbon_line) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
-    motor(line, line.derived.feeds.x_motor_speed, line.params.motor_rated_x, line.params.motor_max_x)
-}
-
-pub(in crate::machines::ribbon_line) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
-    motor(line, line.derived.feeds.y_motor_speed, line.params.motor_rated_y, line.params.motor_max_y)
+/// Judges the speed of an axis's motor while the line runs.
+pub(in crate::machines::ribbon_line) fn axis_motor(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    motor(line, line.derived.feeds.motor_speeds[axis], &line.params.axes[axis].motor)
 }
 
 /// Rapid traverse turns the print roller to its next head after a break, and both rollers by hand.
-fn rapid(speed: f64, most: f64, field: &'static str, rapid: f64) -> Option<Judgement> {
+pub(in crate::machines::ribbon_line) fn rapid(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    let (entered, speed) = (&line.params.axes[axis], line.rapid_speeds()[axis]);
+    let most = entered.motor.top_speed;
     let limit = AtMost(most);
     if limit.holds(speed) {
         return ok(limit);
     }
-    let set = at_most(FIELDS, field, rapid * most / speed);
+    let set = at_most(FIELDS, AXIS_FIELDS[axis].rapid, entered.rapid * most / speed);
     let advice = Advice::from(msg!("ribbon.rapid-too-fast", speed = (speed, 0), limit = (most, 0)));
     fail(limit, [advice.setting(msg!("advice.set-rapid", speed = set.text.as_str()), [set])])
-}
-
-pub(in crate::machines::ribbon_line) fn rapid_x(line: &RibbonLine) -> Option<Judgement> {
-    rapid(line.rapid_speeds()[0], line.params.motor_max_x, "rapid-x", line.params.rapid_x)
-}
-
-pub(in crate::machines::ribbon_line) fn rapid_y(line: &RibbonLine) -> Option<Judgement> {
-    rapid(line.rapid_speeds()[1], line.params.motor_max_y, "rapid-y", line.params.rapid_y)
 }
 
 /// Slip of the motor at a load (fraction of the rated torque), and its speed, r/min, each with its decimals for a

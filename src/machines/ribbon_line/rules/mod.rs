@@ -15,10 +15,11 @@ mod product;
 pub(super) mod reel;
 pub(super) mod slack;
 
+use super::axes::LineAxis;
 use super::cam::has_no_time;
 use super::coasting;
 use super::contacts::CONTACTS;
-use super::params::PULL_LETTER;
+use super::params::AXIS_FIELDS;
 use super::program;
 use super::resolved::RibbonLine;
 use super::tension_switch;
@@ -40,17 +41,41 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
         product::smear,
         Citation::new("sizing facts 3.2 and 3.4, engineering choice; rule 2", Grade::Inferred),
     ),
-    Rule::new("x-motor-speed", feeds::motor_x, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
-    Rule::new("y-motor-speed", feeds::motor_y, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
-    Rule::new("x-rapid-speed", feeds::rapid_x, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
-    Rule::new("y-rapid-speed", feeds::rapid_y, Citation::new("data sheet of the motor; rule 3", Grade::Manual)),
+    Rule::new(
+        "x-motor-speed",
+        |line| feeds::axis_motor(line, LineAxis::Pull),
+        Citation::new("data sheet of the motor; rule 3", Grade::Manual),
+    ),
+    Rule::new(
+        "y-motor-speed",
+        |line| feeds::axis_motor(line, LineAxis::Print),
+        Citation::new("data sheet of the motor; rule 3", Grade::Manual),
+    ),
+    Rule::new(
+        "x-rapid-speed",
+        |line| feeds::rapid(line, LineAxis::Pull),
+        Citation::new("data sheet of the motor; rule 3", Grade::Manual),
+    ),
+    Rule::new(
+        "y-rapid-speed",
+        |line| feeds::rapid(line, LineAxis::Print),
+        Citation::new("data sheet of the motor; rule 3", Grade::Manual),
+    ),
     Rule::new(
         "line-speed",
         feeds::clamped_line_speed,
         Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister),
     ),
-    Rule::new("x-feed", feeds::clamp_x, Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister)),
-    Rule::new("y-feed", feeds::clamp_y, Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister)),
+    Rule::new(
+        "x-feed",
+        |line| feeds::clamp(line, LineAxis::Pull),
+        Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister),
+    ),
+    Rule::new(
+        "y-feed",
+        |line| feeds::clamp(line, LineAxis::Print),
+        Citation::new("cutting feed clamp, a parameter; rule 4", Grade::Sister),
+    ),
     Rule::new("vector-feed", feeds::feed_limit, Citation::new("ranges of the control; rule 4", Grade::Open)),
     Rule::new(
         "feed-per-revolution",
@@ -103,12 +128,12 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     ),
     Rule::new(
         "x-resolution",
-        product::resolution_x,
+        |line| product::resolution(line, LineAxis::Pull),
         Citation::new("sizing facts 2.5, from memory; rule 17", Grade::Open),
     ),
     Rule::new(
         "y-resolution",
-        product::resolution_y,
+        |line| product::resolution(line, LineAxis::Print),
         Citation::new("sizing facts 2.5, from memory; rule 17", Grade::Open),
     ),
     Rule::new(
@@ -116,8 +141,16 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
         coordinates::range,
         Citation::new("ribbon line facts, 9; ranges of the control", Grade::Inferred),
     ),
-    Rule::new("x-scaling-drift", coordinates::scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
-    Rule::new("y-scaling-drift", coordinates::scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new(
+        "x-scaling-drift",
+        |line| coordinates::scaling(line, LineAxis::Pull),
+        Citation::new("ribbon line facts, 10", Grade::Inferred),
+    ),
+    Rule::new(
+        "y-scaling-drift",
+        |line| coordinates::scaling(line, LineAxis::Print),
+        Citation::new("ribbon line facts, 10", Grade::Inferred),
+    ),
     Rule::new("length-error", product::length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
     Rule::new("missing-turned", slack::turn_starves, Citation::new("ribbon line facts, 5", Grade::Inferred)),
     Rule::new("loop-turned", slack::turn_up, Citation::new("ribbon line facts, 5", Grade::Inferred)),
@@ -132,15 +165,14 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
     let RibbonLine { params: p, derived: d, .. } = line;
     let limits = &line.control.limits;
     let mut found = Vec::new();
-    let print = line.print_letter();
-    for (axis, feed, clamp, field) in
-        [(PULL_LETTER, d.feeds.line_speed, p.clamp_x, "clamp-x"), (print, d.feeds.y_feed, p.clamp_y, "clamp-y")]
-    {
-        let feed = feeds::followed(line, feed);
+    for axis in LineAxis::BOTH {
+        let (feed, clamp) = (feeds::followed(line, d.feeds.of_axes()[axis]), p.axes[axis].clamp);
         if feed > clamp {
-            let unit = if field == "clamp-y" && line.degrees() { "°/min" } else { "mm/min" };
-            let message = msg!("ribbon.above-clamp", axis, feed, clamp, unit);
-            found.push(Diagnostic::error(message).about(field).hint(feeds::slower_advice(line).message));
+            let unit = if axis == LineAxis::Print && line.degrees() { "°/min" } else { "mm/min" };
+            let message = msg!("ribbon.above-clamp", axis = line.letter(axis), feed, clamp, unit);
+            found.push(
+                Diagnostic::error(message).about(AXIS_FIELDS[axis].clamp).hint(feeds::slower_advice(line).message),
+            );
         }
     }
     if let Some((message, advice)) = feeds::too_fast(line) {
@@ -161,8 +193,9 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         found.push(Diagnostic::error(msg!("ribbon.rolls-in-diameters")).about("endless"));
     }
     let constant = line.control.param(ParamRole::AxisTimeConstant).and_then(|row| row.range);
-    for (field, value) in [("time-constant-x", p.time_constant_x), ("time-constant-y", p.time_constant_y)] {
-        found.extend(sheets::beyond_range(field, value, "ms", constant));
+    for axis in LineAxis::BOTH {
+        let field = AXIS_FIELDS[axis].time_constant;
+        found.extend(sheets::beyond_range(field, p.axes[axis].time_constant, "ms", constant));
     }
     if p.no_load_speed < p.rated_load_speed {
         let (no_load, rated) = ((p.no_load_speed, 1), (p.rated_load_speed, 1));

@@ -3,7 +3,8 @@
 use super::cam;
 use crate::drives::web;
 use crate::machines::form::entry::{at_least, nearest};
-use crate::machines::ribbon_line::params::{FIELDS, Params, PiForm, Rest};
+use crate::machines::ribbon_line::axes::LineAxis;
+use crate::machines::ribbon_line::params::{AXIS_FIELDS, FIELDS, Params, PiForm, Rest};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
@@ -55,7 +56,7 @@ pub(in crate::machines::ribbon_line) fn ratio(line: &RibbonLine) -> Option<Judge
             |advice: Message| Advice::from(advice).setting(msg!("advice.set-heads", count = heads), [count.clone()]);
         let heads_matched =
             more_heads(msg!("ribbon.match-heads", heads = (heads, 0), ratio = (with_heads, 5), smear = (smear, 3)));
-        let (walls, matching) = (2.0 * p.print.wall, (d.surface.matching_diameter, 2));
+        let (walls, matching) = (2.0 * p.axes.print.wall, (d.surface.matching_diameter, 2));
         let other_roller = if d.surface.matching_diameter > walls {
             diameter(msg!("ribbon.match-diameter", diameter = matching, heads = (p.heads, 0)))
         } else {
@@ -134,23 +135,16 @@ pub(super) fn with_effective_diameters(p: &Params, advice: Advice) -> Advice {
     advice.setting(button, entries)
 }
 
-fn resolution(line: &RibbonLine, micrometres: f64, (field, pulses): (&'static str, f64)) -> Option<Judgement> {
-    let p = &line.params;
+/// Judges the travel per pulse of an encoder.
+pub(in crate::machines::ribbon_line) fn resolution(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
+    let (p, micrometres) = (&line.params, line.derived.accuracy.resolutions[axis]);
     let limit = p.dot_tolerance * 1000.0 / 10.0;
     if micrometres <= limit {
         return ok(AtMost(limit));
     }
-    let set = at_least(FIELDS, field, pulses * micrometres / limit);
+    let set = at_least(FIELDS, AXIS_FIELDS[axis].encoder, p.axes[axis].encoder * micrometres / limit);
     let advice = Advice::from(msg!("ribbon.coarse-encoder", error = (limit, 3)));
     warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", pulses = set.text.as_str()), [set])])
-}
-
-pub(in crate::machines::ribbon_line) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line, line.derived.accuracy.x_resolution, ("encoder-resolution-x", line.params.encoder_x))
-}
-
-pub(in crate::machines::ribbon_line) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
-    resolution(line, line.derived.accuracy.y_resolution, ("encoder-resolution-y", line.params.encoder_y))
 }
 
 /// Judges a wanted length against the length that the program makes by the rule for its rest.

@@ -2,8 +2,9 @@
 
 use crate::controls::Code;
 use crate::machines::form::entry::{NumberEntry, at_least, nearest};
+use crate::machines::ribbon_line::axes::{LineAxis, PerAxis};
 use crate::machines::ribbon_line::derive::{Derived, greatest, least_dwell};
-use crate::machines::ribbon_line::params::{FIELDS, Params, PathMode, Variant, Wait};
+use crate::machines::ribbon_line::params::{AXIS_FIELDS, FIELDS, Params, PathMode, Variant, Wait};
 use crate::machines::ribbon_line::regulated_loop;
 use crate::machines::ribbon_line::regulator::set_point;
 use crate::machines::ribbon_line::resolved::RibbonLine;
@@ -19,42 +20,36 @@ use crate::view::Limit::{AtMost, Equal, Within};
 
 /// Entries that give both axes the greater time constant and the lower gain.
 pub(in crate::machines::ribbon_line) fn equal_entries(p: &Params) -> Vec<NumberEntry> {
-    let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
-    let mut sets = Vec::new();
-    for (id, value, same) in [
-        ("time-constant-x", p.time_constant_x, slow),
-        ("time-constant-y", p.time_constant_y, slow),
-        ("position-gain-x", p.position_gain_x, soft),
-        ("position-gain-y", p.position_gain_y, soft),
-    ] {
-        if value != same {
-            sets.push(nearest(FIELDS, id, same));
-        }
-    }
-    sets
+    let PerAxis { pull, print } = &p.axes;
+    let slow = pull.time_constant.max(print.time_constant);
+    let soft = pull.position_gain.min(print.position_gain);
+    let slower = LineAxis::BOTH.map(|axis| (AXIS_FIELDS[axis].time_constant, p.axes[axis].time_constant, slow));
+    let softer = LineAxis::BOTH.map(|axis| (AXIS_FIELDS[axis].position_gain, p.axes[axis].position_gain, soft));
+    let unequal = slower.into_iter().chain(softer).filter(|(_, value, same)| value != same);
+    unequal.map(|(id, _, same)| nearest(FIELDS, id, same)).collect()
 }
 
 /// Both axes with the greater time constant and the lower gain.
 pub(in crate::machines::ribbon_line) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { params: p, derived: d, .. } = line;
-    let sets = equal_entries(p);
+    let (sets, PerAxis { pull, print }) = (equal_entries(p), &p.axes);
     let mut advice = Vec::new();
     let mut say =
         |message: Message| advice.push(Advice::from(message).setting(msg!("advice.make-equal"), sets.clone()));
-    if p.time_constant_x != p.time_constant_y {
+    if pull.time_constant != print.time_constant {
         say(msg!(
             "ribbon.unequal-time-constants",
-            time_x = (p.time_constant_x, 1),
+            time_x = (pull.time_constant, 1),
             axis = line.print_letter(),
-            time = (p.time_constant_y, 1)
+            time = (print.time_constant, 1)
         ));
     }
-    if p.position_gain_x != p.position_gain_y {
+    if pull.position_gain != print.position_gain {
         say(msg!(
             "ribbon.unequal-gains",
-            gain_x = (p.position_gain_x, 2),
+            gain_x = (pull.position_gain, 2),
             axis = line.print_letter(),
-            gain = (p.position_gain_y, 2),
+            gain = (print.position_gain, 2),
             error = (d.accuracy.register_error, 3)
         ));
     }

@@ -86,7 +86,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     end += wide(&text) + gap;
     for (station, id, field, ratio) in [
         (&layout.unwinder, "ribbon.scene.inverter", "reduction-ratio", p.reduction_ratio),
-        (&layout.pull, "ribbon.scene.servo", "gear-x", p.gear_x),
+        (&layout.pull, "ribbon.scene.servo", "gear-x", p.axes.pull.gear),
     ] {
         let text = format!("{}, {} : 1", say(id), show(ratio, 2));
         // In the middle below the cabinet, or beside the text before.
