@@ -43,8 +43,8 @@ impl Analog {
     /// `V = c₀ + (V_rated + c₁ - c₀) · n / n_rated`; on a bipolar output everything but c₀ has the sign of n.
     /// At speed 0 it is 0 V where the output [rests at zero](Analog::rests_at_zero).
     ///
-    /// Source: `reference/gsk-980tdc.md` section 1.1 (c₀ is No.036, c₁ No.021), `reference/mitsubishi-e60.md` section 3.1 (10 V at
-    /// `slimt`), `reference/sinumerik-802d.md` section 4 (rated volts: RATED_OUTVAL, rated speed: RATED_VELO).
+    /// Source: `docs/reference/gsk-980tdc.md` section 1.1 (c₀ is No.036, c₁ No.021), `docs/reference/mitsubishi-e60.md` section 3.1 (10 V at
+    /// `slimt`), `docs/reference/sinumerik-802d.md` section 4 (rated volts: RATED_OUTVAL, rated speed: RATED_VELO).
     pub fn command(&self, rpm: f64) -> f64 {
         if self.rests_at_zero && rpm == 0.0 {
             return 0.0;

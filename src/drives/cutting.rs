@@ -27,7 +27,7 @@ impl Cut {
     /// `t = 60 π L d / (1000 v f)` with the mean diameter d, on a face `60 π (r₁² - r₂²) / (1000 v f)`; the parts under a limit take
     /// `60 L / (f n)`.
     ///
-    /// Source: `reference/sinumerik-802d.md` section 7 (10.019832 s for the face there).
+    /// Source: `docs/reference/sinumerik-802d.md` section 7 (10.019832 s for the face there).
     pub fn surface_time(&self, speed: f64, (low, high): (f64, f64)) -> f64 {
         let (from, to) = self.diameters;
         if from * to < 0.0 {
@@ -84,7 +84,7 @@ pub struct CuttingEdge {
 impl Kienzle {
     /// Cutting force in N after Kienzle: `F = k_c1.1 · b · h^(1 - m_c) · (1 - γ / 100)` with `h = f sin κ`, `b = a_p / sin κ`.
     ///
-    /// Source: `reference/turning-spindle.md` section 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
+    /// Source: `docs/reference/turning-spindle.md` section 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
     pub fn force(&self, chip: Chip, edge: CuttingEdge) -> f64 {
         let sine = math::sin(edge.angle.to_radians());
         self.unit_force * chip.depth / sine

@@ -18,7 +18,7 @@ pub enum Approach {
 /// Degrees from the angle `from` to the target, positive in the direction of M3, less than a whole turn (except for
 /// [`Approach::Incremental`]). Half a turn from standstill goes clockwise.
 ///
-/// Source: `reference/sinumerik-802d.md` section 3.6.
+/// Source: `docs/reference/sinumerik-802d.md` section 3.6.
 pub fn travel(from: f64, target: f64, approach: Approach, rotation: Rotation) -> f64 {
     if approach == Approach::Incremental {
         return target;

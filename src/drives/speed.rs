@@ -4,7 +4,7 @@ use crate::math::PI;
 
 /// Spindle speed in r/min for a surface speed in m/min at a diameter in mm: `n = 1000 v / (π d)`. Infinite at the centre.
 ///
-/// Source: `reference/gsk-980tdc.md` section 1.3, `reference/sinumerik-802d.md` section 3.4.
+/// Source: `docs/reference/gsk-980tdc.md` section 1.3, `docs/reference/sinumerik-802d.md` section 3.4.
 pub fn surface_rpm(speed: f64, diameter: f64) -> f64 {
     if speed > 0.0 { 1000.0 * speed / (PI * diameter.abs()) } else { 0.0 }
 }
@@ -104,7 +104,7 @@ impl SpeedLimits {
     /// Limited speed and the active limit: the smallest of the upper limits, the largest of the lower ones; if they cross, the upper limit.
     /// Standstill is below no limit.
     ///
-    /// Source: `reference/sinumerik-802d.md` section 3.4, `reference/gsk-980tdc.md` section 1.3 (the upper one wins).
+    /// Source: `docs/reference/sinumerik-802d.md` section 3.4, `docs/reference/gsk-980tdc.md` section 1.3 (the upper one wins).
     pub fn limit(&self, rpm: f64) -> (f64, Bound) {
         if rpm <= 0.0 {
             return (0.0, Bound::None);
@@ -162,7 +162,7 @@ impl Stage {
 /// Stage, from 1, of automatic gear selection for a speed: the present one if it fits, otherwise the first that does. `None` if no stage
 /// fits; the present one stays engaged.
 ///
-/// Source: `reference/sinumerik-802d.md` sections 3.4 and 4.
+/// Source: `docs/reference/sinumerik-802d.md` sections 3.4 and 4.
 pub fn stage_for(stages: &[Stage], present: u8, rpm: f64) -> Option<u8> {
     let fits = |stage: &Stage| (stage.automatic.low..=stage.automatic.high).contains(&rpm);
     if stages.get(usize::from(present).wrapping_sub(1)).is_some_and(fits) {

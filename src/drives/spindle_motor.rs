@@ -39,7 +39,7 @@ impl MotorCurve {
     /// Curve of a motor through its gear: `P = P_m η`, `n_b = n_bm · n_top / n_mtop`, with the speeds of motor and spindle at the top speed
     /// of the motor. With a base speed above the top speed the torque is constant up to the top speed, and the motor never reaches its power.
     ///
-    /// Source: `reference/turning-spindle.md` section 4.
+    /// Source: `docs/reference/turning-spindle.md` section 4.
     pub fn through_gear(motor: GearedMotor) -> MotorCurve {
         let GearedMotor { power, base, top, spindle_top, efficiency } = motor;
         MotorCurve { power: power * efficiency, base: spindle_top * base / top, has_shaft_fan: false }
@@ -66,7 +66,7 @@ impl MotorCurve {
     }
 
     /// Torque in Nm at a spindle speed in r/min: `M = 9549.3 P / max(n, n_b)`, with a fan on the motor's shaft `M · (0.5 + 0.5 n / n_b)`
-    /// below base speed. Source: `reference/turning-spindle.md` section 4.
+    /// below base speed. Source: `docs/reference/turning-spindle.md` section 4.
     pub fn torque(&self, rpm: f64) -> f64 {
         let speed = rpm.abs();
         let cooled = if self.has_shaft_fan { shaft_fan_torque_share(speed / self.base) } else { 1.0 };
@@ -77,7 +77,7 @@ impl MotorCurve {
     /// `mean of (T / M(n))²`, with `M` inversely proportional to `max(n, n_b)`; with a fan on the motor's shaft
     /// `∫ (T / M(n))² dn = (T / M_b)² · 4 (n_2 - n_1) / ((1 + n_1 / n_b) (1 + n_2 / n_b))` below base speed.
     ///
-    /// Source: `reference/turning-spindle.md` section 4.
+    /// Source: `docs/reference/turning-spindle.md` section 4.
     pub fn mean_square(&self, torque: f64, (from, to): (f64, f64)) -> f64 {
         let (low, high) = (from.abs().min(to.abs()), from.abs().max(to.abs()));
         let share = torque / self.base_torque();
@@ -101,7 +101,7 @@ impl MotorCurve {
     /// (negative if it helps, as in braking): `J ω_b / (M - T)` up to base speed, above it `J ∫ ω / (P - T ω) dω` =
     /// `J / T² · (P ln((P - T ω_b) / (P - T ω)) - T (ω - ω_b))`. Infinite if the load uses the full torque.
     ///
-    /// Source: `reference/turning-spindle.md` section 5.
+    /// Source: `docs/reference/turning-spindle.md` section 5.
     pub fn seconds_to(&self, rpm: f64, inertia: f64, load: f64) -> f64 {
         let (speed, power) = (rpm.abs() * RPM, 1000.0 * self.power);
         let base = (self.base * RPM).min(speed);
@@ -133,7 +133,7 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
 /// by the position loop of gain `gain` 1/s, `J · 2π n / 60 · K`. The lag of the servo takes a little off on a short ramp; it is left out, as in
 /// the run.
 ///
-/// Source: `reference/turning-spindle.md` section 5, run-up by a ramp.
+/// Source: `docs/reference/turning-spindle.md` section 5, run-up by a ramp.
 pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
     inertia * rpm.abs() * RPM * if tau > 0.0 { 1.0 / tau } else { gain }
 }

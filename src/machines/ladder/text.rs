@@ -164,7 +164,7 @@ impl Ladder {
         }
     }
 
-    /// Contacts that close while a number is smaller than a constant. Source: `reference/plc.md`, section 4.
+    /// Contacts that close while a number is smaller than a constant. Source: `docs/reference/plc.md`, section 4.
     fn compared(&self, number: PlcNumber, than: i32) -> Vec<String> {
         let (left, right) = (self.operand(number), self.operand(PlcNumber::Constant(than)));
         match self.language {

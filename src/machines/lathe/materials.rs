@@ -52,7 +52,7 @@ impl Material {
 
     /// The row of a material; `None` where the force is entered.
     ///
-    /// Source: ISCAR turning catalogue 2017, p.558, read from the text of the page (`reference/turning-spindle.md` section 4).
+    /// Source: ISCAR turning catalogue 2017, p.558, read from the text of the page (`docs/reference/turning-spindle.md` section 4).
     pub(crate) fn kienzle(self) -> Option<Kienzle> {
         let (unit_force, exponent) = match self {
             Material::None => return None,

@@ -9,7 +9,7 @@ use macroline::project::Project;
 use super::{RUNS, at_rest, forms_and_examples, is_held, ladder, put_out, reset, settle, sheet};
 use crate::machines::every_machine::restart::within;
 
-/// Codes of 50 to 120 % in steps of 10, by the setting of the switch. Source: reference/gsk-980tdc.md, section 6.
+/// Codes of 50 to 120 % in steps of 10, by the setting of the switch. Source: docs/reference/gsk-980tdc.md, section 6.
 const CODES: [(&str, [f64; 8]); 2] =
     [("980mdi", [7.0, 6.0, 2.0, 3.0, 1.0, 0.0, 4.0, 5.0]), ("988ta", [5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0])];
 
