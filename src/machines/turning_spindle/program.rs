@@ -158,6 +158,25 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     b.comment("CHANGED VARIABLES ACT FROM THE NEXT START");
     guards(b, lathe);
+    prepare(b, lathe);
+    approach(b, lathe);
+    // A reset at the angle leaves the spindle locked.
+    release_spindle(b, lathe);
+    start(b, lathe);
+    if has_flag(lathe) {
+        b.assign(BEGUN, 1).note("A PART IS BEGUN");
+    }
+    passes(b, lathe);
+    retract(b, lathe);
+    if lathe.positions() {
+        stop_at_angle(b, lathe);
+    }
+    end(b, lathe);
+    alarms(b, lathe);
+}
+
+/// Offsets, tool, speed limits, modal codes and gear: what the control has to know before the first way.
+fn prepare(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     call_tool(b, lathe);
     // Setting data of the control, in force beyond the program's end; each takes a block of its own.
@@ -171,13 +190,10 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(gear) = gear(lathe) {
         b.n(22).words(gear);
     }
-    approach(b, lathe);
-    // A reset at the angle leaves the spindle locked.
-    release_spindle(b, lathe);
-    start(b, lathe);
-    if has_flag(lathe) {
-        b.assign(BEGUN, 1).note("A PART IS BEGUN");
-    }
+}
+
+/// The cut, pass by pass from what is left to cut.
+fn passes(b: &mut Builder, lathe: &TurningSpindle) {
     let face = lathe.params.path == Path::Facing;
     let whole = if face { entry(way(lathe)) } else { entry(STOCK) - entry(FINISHED) };
     let step = || if face { entry(DEPTH) } else { entry(DEPTH) * 2 };
@@ -201,6 +217,10 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.n(34).assign(LEFT, 0).note("LAST PASS TAKES LESS");
     pass(b, lathe);
     b.n(44).end_do(1);
+}
+
+/// The way back to the start, and the stop of the spindle.
+fn retract(b: &mut Builder, lathe: &TurningSpindle) {
     if lathe.params.tailstock {
         b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, entry(START_X))]));
         b.words([z(entry(START_Z))]);
@@ -211,19 +231,25 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if lathe.surface() {
         b.n(52).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]));
     }
-    if lathe.positions() {
-        b.n(53).words([word(Address::Spos, entry(ANGLE))]).note("FOR THE KEYWAY");
-        if let Some(CodePair { on, .. }) = lathe.lock_codes() {
-            b.words([m(on)]).note("LOCKS THE SPINDLE");
-        }
-        match lathe.keyway() {
-            Some(_) => keyway(b, lathe),
-            None => {
-                b.n(54).words([m(0)]).note(no_keyway(lathe));
-                release_spindle(b, lathe);
-            }
+}
+
+/// The stop at the angle of the keyway, with the keyway or with a stop of the program for the operator.
+fn stop_at_angle(b: &mut Builder, lathe: &TurningSpindle) {
+    b.n(53).words([word(Address::Spos, entry(ANGLE))]).note("FOR THE KEYWAY");
+    if let Some(CodePair { on, .. }) = lathe.lock_codes() {
+        b.words([m(on)]).note("LOCKS THE SPINDLE");
+    }
+    match lathe.keyway() {
+        Some(_) => keyway(b, lathe),
+        None => {
+            b.n(54).words([m(0)]).note(no_keyway(lathe));
+            release_spindle(b, lathe);
         }
     }
+}
+
+/// The end of a whole part.
+fn end(b: &mut Builder, lathe: &TurningSpindle) {
     if has_flag(lathe) {
         // The spindle stops only after the tool is back.
         let waits = codes(lathe, [Code::StopReading]);
@@ -233,6 +259,10 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         b.assign(BEGUN, 0).note("THE PART IS WHOLE");
     }
     b.n(if lathe.keyway().is_some() { 70 } else { 55 }).words([m(30)]);
+}
+
+/// The alarms of entries, of a tool that is not clear of the work, and of values that the operator must not set.
+fn alarms(b: &mut Builder, lathe: &TurningSpindle) {
     writing::alarms(b, lathe.control, &entries(lathe));
     // Reset is required first: after an M0, cycle start would move jogged axes back into the work.
     let text = match begun(lathe) {

@@ -26,94 +26,87 @@ pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReacti
     }
 }
 
-/// The table.
+/// The table: the interruptions of every lathe, then those of gears, tailstock and keyway where the lathe has them.
 pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
-    let row = |at, axes: Message, material: Message, operator: Message| Reaction {
-        at,
-        cause: None,
-        spindle: spindle(lathe, at),
-        axes,
-        material,
-        operator,
-        cite: DESIGN,
-    };
-    let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
-    let block = msg!("lathe.stops.axes-block");
-    let reset = if off { msg!("lathe.stops.work-slows") } else { msg!("lathe.stops.work-turns") };
-    let coasts = (run_up::coasting(lathe), 1);
     let sinks = slides::axes(lathe).iter().find_map(DrivenAxis::sinks);
-    let anew = anew(lathe);
-    let mut rows = vec![
-        row(
-            Interruption::Hold,
-            msg!("lathe.stops.axes-hold"),
-            msg!("turning.stops.work-rubs"),
-            msg!("lathe.stops.start"),
-        ),
-        row(Interruption::BlockStop, block.clone(), msg!("lathe.stops.work-turns"), msg!("lathe.stops.start")),
-        row(Interruption::Alarm, block, msg!("turning.stops.work-rubs"), anew(Interruption::Alarm)),
-        row(Interruption::Reset, msg!("lathe.stops.axes-reset"), reset, anew(Interruption::Reset)),
-        row(
-            Interruption::EmergencyStop,
-            slides_at_emergency_stop(sinks),
-            msg!("lathe.stops.work-slows"),
-            anew(Interruption::EmergencyStop),
-        ),
-        row(
-            Interruption::InverterFault,
-            msg!("lathe.stops.axes-reset"),
-            msg!("lathe.stops.work-coasts", time = coasts),
-            anew(Interruption::InverterFault),
-        ),
-    ];
-    let unpowered = if lathe.params.has_several_stages() {
-        msg!("turning.stops.coasts-in-gear", time = coasts)
-    } else {
-        msg!("lathe.stops.work-coasts", time = coasts)
-    };
-    rows.push(Reaction {
-        cite: if sinks.is_some() { CLOSING } else { DESIGN },
-        ..row(Interruption::PowerFailure, slides_without_supply(sinks), unpowered, anew(Interruption::PowerFailure))
-    });
-    if let Some(patience) = gears::gear_times(lathe).patience.filter(|_| lathe.params.has_several_stages()) {
-        rows.push(Reaction {
-            cause: Some("turning.stops.gear-late"),
-            spindle: SpindleReaction::Off,
-            ..row(
-                Interruption::Alarm,
-                msg!("lathe.stops.axes-block"),
-                msg!("turning.stops.gear-late-work", time = (patience, 1)),
-                msg!("turning.stops.gear-late-mend"),
-            )
-        });
-    }
-    if lathe.params.has_several_stages() {
-        rows.push(Reaction {
-            cause: Some("turning.stops.gear-lost"),
-            spindle: SpindleReaction::OutputOff,
-            ..row(
-                Interruption::Hold,
-                msg!("lathe.stops.axes-hold"),
-                msg!("turning.stops.gear-lost-work"),
-                msg!("turning.stops.gear-lost-mend"),
-            )
-        });
-    }
-    if lathe.params.tailstock {
-        rows.push(Reaction {
-            cause: Some("turning.stops.let-go"),
-            ..row(
-                Interruption::InverterFault,
-                msg!("lathe.stops.axes-hold"),
-                msg!("turning.stops.let-go-work"),
-                msg!("turning.stops.let-go-mend"),
-            )
-        });
-    }
+    let mut rows = Vec::from(in_the_cut(lathe));
+    rows.extend(without_control(lathe, sinks));
+    rows.extend(late_gear(lathe));
+    rows.extend(lost_gear(lathe));
+    rows.extend(open_tailstock(lathe));
     if lathe.keyway().is_some() {
         rows.extend(in_keyway(lathe, sinks));
     }
     rows
+}
+
+/// An interruption with the usual reaction of the spindle: effects on the axes and on the work, steps of the operator.
+fn row(lathe: &TurningSpindle, at: Interruption, axes: Message, material: Message, operator: Message) -> Reaction {
+    Reaction { at, cause: None, spindle: spindle(lathe, at), axes, material, operator, cite: DESIGN }
+}
+
+/// Rows of the interruptions by operator or program while the tool cuts.
+fn in_the_cut(lathe: &TurningSpindle) -> [Reaction; 4] {
+    let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
+    let block = msg!("lathe.stops.axes-block");
+    let reset = if off { msg!("lathe.stops.work-slows") } else { msg!("lathe.stops.work-turns") };
+    let (rubs, start, anew) = (msg!("turning.stops.work-rubs"), msg!("lathe.stops.start"), anew(lathe));
+    [
+        row(lathe, Interruption::Hold, msg!("lathe.stops.axes-hold"), rubs.clone(), start.clone()),
+        row(lathe, Interruption::BlockStop, block.clone(), msg!("lathe.stops.work-turns"), start),
+        row(lathe, Interruption::Alarm, block, rubs, anew(Interruption::Alarm)),
+        row(lathe, Interruption::Reset, msg!("lathe.stops.axes-reset"), reset, anew(Interruption::Reset)),
+    ]
+}
+
+/// Rows of the interruptions in which drives are without control or without supply. `sinks`: mm by which a slide sinks before its brake holds.
+fn without_control(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 3] {
+    let (time, anew) = ((run_up::coasting(lathe), 1), anew(lathe));
+    let coasts = msg!("lathe.stops.work-coasts", time);
+    let slows = msg!("lathe.stops.work-slows");
+    let unpowered =
+        if lathe.params.has_several_stages() { msg!("turning.stops.coasts-in-gear", time) } else { coasts.clone() };
+    let [emergency, fault, failure] =
+        [Interruption::EmergencyStop, Interruption::InverterFault, Interruption::PowerFailure];
+    [
+        row(lathe, emergency, slides_at_emergency_stop(sinks), slows, anew(emergency)),
+        row(lathe, fault, msg!("lathe.stops.axes-reset"), coasts, anew(fault)),
+        Reaction {
+            cite: if sinks.is_some() { CLOSING } else { DESIGN },
+            ..row(lathe, failure, slides_without_supply(sinks), unpowered, anew(failure))
+        },
+    ]
+}
+
+/// Row of a gear that is not in position in time, where the PLC supervises it.
+fn late_gear(lathe: &TurningSpindle) -> Option<Reaction> {
+    let patience = gears::gear_times(lathe).patience.filter(|_| lathe.params.has_several_stages())?;
+    let work = msg!("turning.stops.gear-late-work", time = (patience, 1));
+    let mend = msg!("turning.stops.gear-late-mend");
+    Some(Reaction {
+        cause: Some("turning.stops.gear-late"),
+        spindle: SpindleReaction::Off,
+        ..row(lathe, Interruption::Alarm, msg!("lathe.stops.axes-block"), work, mend)
+    })
+}
+
+/// Row of a gear that leaves its position while the spindle turns.
+fn lost_gear(lathe: &TurningSpindle) -> Option<Reaction> {
+    let (work, mend) = (msg!("turning.stops.gear-lost-work"), msg!("turning.stops.gear-lost-mend"));
+    lathe.params.has_several_stages().then(|| Reaction {
+        cause: Some("turning.stops.gear-lost"),
+        spindle: SpindleReaction::OutputOff,
+        ..row(lathe, Interruption::Hold, msg!("lathe.stops.axes-hold"), work, mend)
+    })
+}
+
+/// Row of a tailstock that lets the work go.
+fn open_tailstock(lathe: &TurningSpindle) -> Option<Reaction> {
+    let (work, mend) = (msg!("turning.stops.let-go-work"), msg!("turning.stops.let-go-mend"));
+    lathe.params.tailstock.then(|| Reaction {
+        cause: Some("turning.stops.let-go"),
+        ..row(lathe, Interruption::InverterFault, msg!("lathe.stops.axes-hold"), work, mend)
+    })
 }
 
 /// Steps of the operator before a restart; a variable that marks a begun part is set back.
@@ -133,57 +126,33 @@ fn anew(lathe: &TurningSpindle) -> impl Fn(Interruption) -> Message {
     }
 }
 
-/// Rows of the keyway: the spindle is locked at its angle, and the driven tool turns in the work.
-fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 4] {
+/// Reactions of the locked spindle to a reset and to an emergency stop.
+fn of_locked_spindle(lathe: &TurningSpindle) -> [SpindleReaction; 2] {
     // A clamp without a release code is opened by the ladder at reset; without any code the operator locks the spindle.
     let opens = matches!(lathe.lock_codes(), Some(CodePair { off: None, .. }));
     // Where the PLC reads the reset key, an emergency stop is no reset to it.
     let reads_key = lathe.dialect.device(lathe.control, SignalRole::ResetRequest).is_some();
-    let [at_reset, at_emergency] = [opens, opens && !reads_key]
-        .map(|opens| if opens { SpindleReaction::Unlocks } else { SpindleReaction::StaysLocked });
-    let anew = anew(lathe);
-    let row = |at, cause, spindle, axes: Message, material: Message, operator: Message| Reaction {
-        at,
-        cause: Some(cause),
-        spindle,
-        axes,
-        material,
-        operator,
-        cite: DESIGN,
-    };
+    [opens, opens && !reads_key]
+        .map(|opens| if opens { SpindleReaction::Unlocks } else { SpindleReaction::StaysLocked })
+}
+
+/// Rows of the keyway: the spindle is locked at its angle, and the driven tool turns in the work.
+fn in_keyway(lathe: &TurningSpindle, sinks: Option<f64>) -> [Reaction; 4] {
+    let [at_reset, at_emergency] = of_locked_spindle(lathe);
+    let (locked, anew) = (SpindleReaction::StaysLocked, anew(lathe));
+    let locked_row = |cause, spindle, of: Reaction| Reaction { cause: Some(cause), spindle, ..of };
     let (turns, stops) = (msg!("turning.stops.driven-turns"), msg!("turning.stops.driven-stops"));
+    let [hold, reset, emergency, failure] =
+        [Interruption::Hold, Interruption::Reset, Interruption::EmergencyStop, Interruption::PowerFailure];
+    let of_hold = row(lathe, hold, msg!("lathe.stops.axes-hold"), turns, msg!("lathe.stops.start"));
+    let of_reset = row(lathe, reset, msg!("lathe.stops.axes-reset"), stops.clone(), anew(reset));
+    let of_emergency = row(lathe, emergency, slides_at_emergency_stop(sinks), stops, anew(emergency));
+    let unpowered = msg!("turning.stops.clamp-unpowered");
+    let of_failure = row(lathe, failure, slides_without_supply(sinks), unpowered, anew(failure));
     [
-        row(
-            Interruption::Hold,
-            "turning.stops.keyway-hold",
-            SpindleReaction::StaysLocked,
-            msg!("lathe.stops.axes-hold"),
-            turns,
-            msg!("lathe.stops.start"),
-        ),
-        row(
-            Interruption::Reset,
-            "turning.stops.keyway-reset",
-            at_reset,
-            msg!("lathe.stops.axes-reset"),
-            stops.clone(),
-            anew(Interruption::Reset),
-        ),
-        row(
-            Interruption::EmergencyStop,
-            "turning.stops.keyway-emergency",
-            at_emergency,
-            slides_at_emergency_stop(sinks),
-            stops,
-            anew(Interruption::EmergencyStop),
-        ),
-        row(
-            Interruption::PowerFailure,
-            "turning.stops.keyway-power",
-            SpindleReaction::StaysLocked,
-            slides_without_supply(sinks),
-            msg!("turning.stops.clamp-unpowered"),
-            anew(Interruption::PowerFailure),
-        ),
+        locked_row("turning.stops.keyway-hold", locked, of_hold),
+        locked_row("turning.stops.keyway-reset", at_reset, of_reset),
+        locked_row("turning.stops.keyway-emergency", at_emergency, of_emergency),
+        locked_row("turning.stops.keyway-power", locked, of_failure),
     ]
 }
