@@ -1,7 +1,7 @@
 //! Advice with less feed or less depth, and the greatest feed at which a condition holds.
 
 use crate::drives::cutting::LEAST_DEPTH;
-use crate::machines::form::entry::at_most;
+use crate::machines::form::entry::{NumberEntry, at_most};
 use crate::machines::lathe::materials::Material;
 use crate::machines::turning_spindle::derive::PASSES;
 use crate::machines::turning_spindle::params::{FIELDS, Params};
@@ -32,30 +32,25 @@ pub(super) fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -
     advice.setting(msg!("advice.set-depth", depth = set.text.as_str()), [set])
 }
 
-/// Advice with a button for the change with which a condition holds and the cut is the shorter one: a lower limit of constant surface speed,
-/// or less feed. No button where neither helps.
-pub(super) fn with_slower_cut(
+/// Button and entry of the change with which a condition holds and the cut is the shorter one: a lower limit of constant surface speed, or less
+/// feed. None where neither helps.
+pub(super) fn slower_cut(
     lathe: &TurningSpindle,
-    holds: impl Fn(&TurningSpindle) -> bool,
-    message: Message,
-) -> Advice {
+    holds: &dyn Fn(&TurningSpindle) -> bool,
+) -> Option<(Message, NumberEntry)> {
     let seconds = |form: Params| lathe.with(form).derived.times.cutting;
-    let feed = slower_feed(lathe, &holds).map(|share| {
+    let feed = slower_feed(lathe, holds).map(|share| {
         let set = at_most(FIELDS, "feed", lathe.params.feed * share);
         let after = seconds(Params { feed: set.value, ..lathe.form.clone() });
         (after, msg!("advice.set-feed", feed = set.text.as_str()), set)
     });
-    let limit = slower_limit(lathe, &holds).map(|limit| {
+    let limit = slower_limit(lathe, holds).map(|limit| {
         let set = at_most(FIELDS, "upper-limit", limit);
         let after = seconds(Params { upper_limit: set.value, ..lathe.form.clone() });
         (after, msg!("advice.limit-speed", speed = set.text.as_str()), set)
     });
-    let advice = Advice::from(message);
     let shorter = [limit, feed].into_iter().flatten().reduce(|best, next| if next.0 < best.0 { next } else { best });
-    match shorter {
-        Some((_, button, set)) => advice.setting(button, [set]),
-        None => advice,
-    }
+    shorter.map(|(_, button, set)| (button, set))
 }
 
 /// Least share of the present speed limit that an advice offers.

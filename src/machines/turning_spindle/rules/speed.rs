@@ -1,7 +1,7 @@
 //! The rules of the spindle's speed: the chuck's limit, the diameter at which the limit binds, and the acceleration needed in the cut.
 
 use super::knob_positions::at_knobs;
-use super::remedies::{with_feed, with_slower_cut};
+use super::remedies::{slower_cut, with_feed};
 use crate::drives::speed::{surface_rpm, surface_speed};
 use crate::machines::form::entry::at_most;
 use crate::machines::lathe::knobs;
@@ -58,9 +58,10 @@ pub(super) fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
         let everywhere = |slower: &TurningSpindle| {
             follows(slower) && knobs::worst(slower.cuts_at_knobs(), acceleration_demand).is_none()
         };
-        let slower = with_slower_cut(lathe, everywhere, advice.clone());
-        let share = d.acceleration.ramp / d.acceleration.needed;
-        let advice = if slower.button.is_some() { slower } else { with_feed(lathe, share, advice) };
+        let advice = match slower_cut(lathe, &everywhere) {
+            Some((button, set)) => Advice::from(advice).setting(button, [set]),
+            None => with_feed(lathe, d.acceleration.ramp / d.acceleration.needed, advice),
+        };
         return warn(AtMost(d.acceleration.ramp), [advice]);
     }
     if d.acceleration.ramp.is_infinite() {

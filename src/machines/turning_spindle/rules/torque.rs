@@ -2,7 +2,7 @@
 
 use super::knob_positions::{at_knobs, with_slower_feed};
 use super::overload::{overload_without_pause, overloaded};
-use super::remedies::{with_depth, with_slower_cut};
+use super::remedies::{slower_cut, with_depth};
 use super::stages::stronger_stage;
 use crate::drives::spindle_motor::shortest_ramp;
 use crate::machines::form::entry::{at_least, field_max};
@@ -100,8 +100,13 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
     };
     let everywhere =
         |slower: &TurningSpindle| holds(slower) && knobs::worst(slower.cuts_at_knobs(), peak_demand).is_none();
-    let advice = with_slower_cut(lathe, everywhere, message.clone());
-    let advice = if advice.button.is_some() { advice } else { with_slower_cut(lathe, holds, message) };
+    // Where no slower cut holds at every position of the knobs, one that holds as they are.
+    let wanted: [&dyn Fn(&TurningSpindle) -> bool; 2] = [&everywhere, &holds];
+    let advice = Advice::from(message);
+    let advice = match wanted.into_iter().find_map(|condition| slower_cut(lathe, condition)) {
+        Some((button, set)) => advice.setting(button, [set]),
+        None => advice,
+    };
     fail(AtMost(most), [advice])
 }
 
