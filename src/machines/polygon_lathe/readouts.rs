@@ -148,7 +148,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
         lathe.polygons().map(|lathe| lathe.params.milling_time()).sum::<f64>() / turning
     }, cuts),
     row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force(), cuts_by_force),
-    row!("bending", "polygon.readout.bending", "mm", 3, false, "u' = c (d + u) / (1 + c) per pass; c d = F / 3E · Σ (b³ - a³) / I, I = π D⁴ / 64, from the cut to the jaws", BENDING, PolygonLathe::bending, cuts_by_force),
+    row!("bending", "polygon.readout.bending", "mm", 3, false, "u → c (d + u) / (1 + c) per pass; c d = F / 3E · Σ (b³ - a³) / I, I = π D⁴ / 64, from the cut to the jaws", BENDING, PolygonLathe::bending, cuts_by_force),
     row!("at-once", "polygon.readout.at-once", "", 0, false, "1 + ⌊n σ / π⌋", GEOMETRY, |lathe| lathe.polygons().map(|lathe| lathe.derived.load.at_once).fold(0.0, f64::max), cuts_by_force),
     row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Peak).0, cuts_by_force),
     row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(PolygonAxis::Tool, DemandKind::Mean).0, cuts_by_force),

@@ -555,7 +555,7 @@ fn design_readouts_match_their_golden() {
         Warn slowest-cut: The inserts cut more slowly than they should: from 523 r/min for B on they do not.
         Fail distance: The axes would be nearer to each other than 20 mm.
         Fail reach: The body of the cutter touches the stock beside the polygon and overlaps it by 18 mm: the tips need an overhang of at least 20 mm, or the stock a diameter of at most 24 mm.
-        Warn work-torque-effective: The strikes of the cut heat the drive of the work’s axis like 33.06 Nm without a pause, and its drive gives 31.51 Nm continuously at this speed: reduce feed or depth.
+        Warn work-torque-effective: The strikes of the cut heat the drive of the work’s axis like 33.36 Nm without a pause, and its drive gives 31.51 Nm continuously at this speed: reduce feed or depth.
     "#]].assert_eq(&verdicts(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
     expect![[r#"
         Warn relief: Less than 2° of relief are left.

@@ -132,14 +132,16 @@ fn orientation_lost_by_a_phase_gets_no_start_angle() {
 }
 
 #[test]
-fn allowance_covers_the_bending_of_roughing() {
-    let bent = |allowance: &str| {
+fn last_pass_takes_off_what_roughing_leaves() {
+    let bent = |allowance: &str, finish: &str| {
         let cut = [("material", "none"), ("specific-force", "1750"), ("rake", "0"), ("free-length", "115")];
-        value(&project(&[&cut[..], &[("allowance", allowance)]].concat()), "bending")
+        value(&project(&[&cut[..], &[("allowance", allowance), ("finish-feed", finish)]].concat()), "bending")
     };
-    // Roughing deflects by 0.11 mm, which an allowance of 0.2 mm covers; the last pass by a tenth of it.
-    assert!(bent("0.2") < 0.02, "{}", bent("0.2"));
-    assert!(bent("0.02") > 0.05, "{}", bent("0.02"));
+    // Roughing springs back by 0.1 mm; a last pass at a tenth of its feed by a tenth of that and of the allowance.
+    for allowance in ["0.2", "0.02"] {
+        assert!(bent(allowance, "0.05") < 0.005, "{}", bent(allowance, "0.05"));
+    }
+    assert!(bent("0.2", "0.5") > 0.02, "{}", bent("0.2", "0.5"));
 }
 
 #[test]

@@ -67,7 +67,8 @@ fn feed_knob_that_overloads_the_tool_drive_warns() {
 #[test]
 fn feed_knob_that_bends_the_work_warns() {
     let key = Project::named("polygon-lathe", None, Some("hexagon-key")).unwrap();
-    let key = key.with_entries(&[("allowance", "0.02")]).unwrap();
+    let tolerance = macroline::text::number::figure(1.1 * readout(&key, "bending").value, 6);
+    let key = key.with_entries(&[("flatness", tolerance.as_str())]).unwrap();
     let bends = readout(&key, "bending");
     let message = &bends.advice[0].message;
     assert_eq!((bends.verdict, message.id), (Verdict::Warn, "polygon.bends-at-feed-knob"));

@@ -256,6 +256,8 @@ fn slender_work_that_bends_is_red_and_mended() {
         ("free-length", "160"),
         ("material", "c45"),
         ("overhang", "30"),
+        ("feed", "0.2"),
+        ("finish-feed", "0.2"),
     ];
     let slender = key.with_entries(&slender).unwrap();
     let bends = readout(&slender, "bending");
