@@ -35,6 +35,7 @@ pub static CONTROL: Control = Control {
         modulo: false,
         atan: ArcTangent::OfOne,
         threads_per_inch: Some(Address::E),
+        dwell_addresses: AddressSet::letters("PX"),
         do_max: 127,
         do_depth: 27,
         functions: joined![(&str, Function): &fanuc::FUNCTIONS, &fanuc::SHORT_FUNCTIONS, &[("ATN", Function::Atan)]],

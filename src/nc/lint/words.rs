@@ -128,8 +128,8 @@ impl Survey<'_> {
         }
         here.data = bits & DATA != 0 && lint.parsed.codes().opens_data(words);
         self.facts.surface |= bits & SURFACE != 0;
-        if bits & (DWELL | CALL) == DWELL && letters.and(lint.control.syntax.dwell_addresses).is_empty() {
-            lint.dwell_without_time(self.roles, (at, block), words);
+        if bits & (DWELL | CALL) == DWELL {
+            lint.dwell_times(self.roles, (at, block), words);
         }
         if bits & CALL != 0 {
             lint.call_words(self.roles, (at, block), words);
@@ -163,18 +163,31 @@ impl Survey<'_> {
 }
 
 impl Lint<'_> {
-    /// Reports a dwell without its time. The reader reports it in a language with names.
+    /// Reports a dwell without its time, or with times of two addresses, of which the last one counts here. The reader reports both in a
+    /// language with names.
     #[cold]
-    fn dwell_without_time(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
+    fn dwell_times(&mut self, roles: &Roles, (at, block): (u32, &Block), words: &[Word]) {
         let syntax = &self.control.syntax;
-        let Some(word) = words.iter().find(|word| word.letter == Address::G && roles.word(word) & DWELL != 0) else {
+        let Some(code) = words.iter().find(|word| word.letter == Address::G && roles.word(word) & DWELL != 0) else {
             return;
         };
-        if syntax.names().is_none() {
+        if syntax.names().is_some() {
+            return;
+        }
+        let mut times = words.iter().filter(|word| syntax.dwell_addresses.contains(word.letter)).rev();
+        let Some(last) = times.next() else {
             let letters = LETTERS.into_iter().filter(|letter| syntax.dwell_addresses.contains(*letter));
             let letters: Vec<String> = letters.map(|letter| letter.to_string()).collect();
-            let (place, code) = self.written(at, word.span(block));
+            let (place, code) = self.written(at, code.span(block));
             self.warn(place, msg!("lint.dwell-without-time", code, addresses = either(&letters)));
+            return;
+        };
+        // A block with a `/` in its middle may have two times on purpose.
+        let skips = words.iter().any(|word| word.letter == Address::Skip);
+        if let Some(lost) = times.find(|word| word.letter != last.letter && !skips) {
+            let lost = self.written(at, lost.span(block)).1;
+            let (place, word) = self.written(at, last.span(block));
+            self.warn(place, msg!("lint.dwell-again", word, lost));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use super::{E60, GSK, KND};
+use super::{Case, E60, GSK, KND};
 
 #[test]
 fn two_words_for_one_axis_are_a_warning() {
@@ -92,4 +92,30 @@ fn vacant_word_is_named_with_all_of_its_brackets() {
         3:12 “#101” info lint.unset-common
             To be set on the screen before the start, as no program here does: #101. What is not set is vacant, and counts as 0 in formulas.
     "#]]);
+}
+
+/// The last time counts in the run; the time that a control takes is not known.
+#[test]
+fn two_times_of_a_dwell_are_a_warning() {
+    let tf = Case { control: "fanuc-0i-tf", ..E60 };
+    tf.check("O1\nG04 X1. P500\nG04 U1. X3.\nM30", expect![[r#"
+        3:9 “P500” warning lint.dwell-again
+            P500 is the second time of this dwell: X1. in front of it counts for nothing here, and on the control it may be the other way round. Write one of them.
+        4:9 “X3.” warning lint.dwell-again
+            X3. is the second time of this dwell: U1. in front of it counts for nothing here, and on the control it may be the other way round. Write one of them.
+    "#]]);
+    // What a block skip leaves out, and arguments.
+    tf.quiet("O1\nG04 X1.\nG04 P500 /X3.\nG65 P2 X1. U2.\nM30\nO2\n#100=#24+#21\nM99");
+}
+
+/// U is no address of the E60.
+#[test]
+fn dwell_without_time_names_addresses_of_the_control() {
+    E60.check(
+        "O1\nG04\nM30",
+        expect![[r#"
+        3:1 “G04” warning lint.dwell-without-time
+            G04 has no time, so that nothing waits here. Write the time after P or X.
+    "#]],
+    );
 }

@@ -43,6 +43,7 @@ const ROWS: &[Row] = &[
     row("lint.calls-itself", "M98", ""),
     row("lint.calls-own-program", "M98 P1", ""),
     row("lint.cut-decimal", "#1=FIX[0.29*100]", "R1=TRUNC(0.29*100)"),
+    row("lint.dwell-again", "G04 X1. P500", ""),
     row("lint.dwell-without-time", "G04 F2.", ""),
     row("lint.endless-loop", "#1=1\nWHILE[#1EQ1]DO1\nG00 X1.\nEND1", "R1=1\nAB: G0 X1\nIF R1==1 GOTOB AB"),
     row(
@@ -206,6 +207,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.call-not-alone
         sinumerik-802d lint.no-argument
         sinumerik-802d lint.calls-itself
+        sinumerik-802d lint.dwell-again
         sinumerik-802d lint.dwell-without-time
         sinumerik-802d lint.equal-decimals
         sinumerik-802d lint.feed-per-minute
@@ -231,6 +233,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.call-not-alone
         sinumerik-808d lint.no-argument
         sinumerik-808d lint.calls-itself
+        sinumerik-808d lint.dwell-again
         sinumerik-808d lint.dwell-without-time
         sinumerik-808d lint.equal-decimals
         sinumerik-808d lint.feed-per-minute
