@@ -3,6 +3,7 @@
 mod again;
 mod each;
 mod feed_and_calls;
+mod vacant_divisors;
 
 use std::rc::Rc;
 

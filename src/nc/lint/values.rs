@@ -18,6 +18,9 @@ use crate::text::Severity;
 /// Maximum rounds of propagating kinds through assignments; each round visits every assignment.
 const ROUNDS: usize = 8;
 
+/// Maximum copies of copies followed to a variable that can be vacant.
+const COPIES: u32 = 8;
+
 /// Maximum variables named in one remark.
 const NAMES: usize = 20;
 
@@ -95,9 +98,15 @@ impl Vars<'_> {
         }
     }
 
-    /// Whether the variable was compared before a block of its program, or in another program; without a block, anywhere.
+    /// Whether the variable was compared before a block, by a comparison that holds back a vacant one too where it can be vacant.
     fn guarded(&self, var: &Var, block: Option<u32>) -> bool {
-        let Some((first, last)) = var.compared else { return false };
+        let vacant = self.may_be_vacant(var, COPIES);
+        self.reaches(if vacant { var.compared_if_vacant } else { var.compared }, block)
+    }
+
+    /// Whether comparisons, by their first and last block, are before a block of its program, or in another program; without a block, anywhere.
+    fn reaches(&self, compared: Option<(u32, u32)>, block: Option<u32>) -> bool {
+        let Some((first, last)) = compared else { return false };
         let Some(block) = block else { return true };
         let program = self.deck.programs.partition_point(|program| program.end <= block);
         first < block || self.deck.programs.get(program).is_some_and(|program| last >= program.end)
@@ -119,7 +128,7 @@ impl Vars<'_> {
             Expr::Binary(Op::Subtract, left, right) => {
                 let open = |id| match self.deck.expr(id) {
                     Expr::Var(number) => Some(
-                        !self.guarded(self.get(site.group, number)?, Some(site.block))
+                        !self.reaches(self.get(site.group, number)?.compared, Some(site.block))
                             && !self.unset(site.group, number),
                     ),
                     Expr::Number(_) => Some(true),
@@ -174,8 +183,15 @@ impl Vars<'_> {
                 (_, Some(_)) => (None, msg!("nc.hint.difference-named", divisor)),
             };
             let program = self.deck.programs.partition_point(|program| program.end <= site.block);
+            // The comparison with 0 lets a vacant variable pass.
+            let compared = variable.and_then(|number| self.get(site.group, number)?.compared);
+            let message = if self.reaches(compared, Some(site.block)) {
+                msg!("lint.vacant-divisor", divisor, alarm)
+            } else {
+                msg!("lint.zero-divisor", divisor, alarm)
+            };
             if variable.is_none_or(|number| reported.insert((program, number)))
-                && let Some(finding) = lint.warn(place, msg!("lint.zero-divisor", divisor, alarm))
+                && let Some(finding) = lint.warn(place, message)
             {
                 finding.hints.push(hint);
             }

@@ -64,8 +64,12 @@ pub(super) struct Var {
     /// Number of calls that pass it as an argument.
     pub(super) given: u32,
     pub(super) copies: CopySource,
+    /// Group of programs with this variable, for a local one.
+    pub(super) group: u32,
     /// First and last block of a comparison.
     pub(super) compared: Option<(u32, u32)>,
+    /// The same without comparisons for equality with 0 where vacant is not equal to 0: a vacant variable passes those.
+    pub(super) compared_if_vacant: Option<(u32, u32)>,
     /// The variable is compared with the vacant variable.
     pub(super) vacancy: bool,
     /// First read, comparisons with the vacant variable excepted.
@@ -124,6 +128,8 @@ pub(super) struct Vars<'a> {
     pub(super) wild: bool,
     /// Number of variables, from 1, local to each level.
     pub(super) local_count: u32,
+    /// Variables set by the operator.
+    operator_set: &'a [u32],
 }
 
 impl<'a> Vars<'a> {
@@ -146,6 +152,7 @@ impl<'a> Vars<'a> {
             loose: Vec::new(),
             cuts: Vec::new(),
             wild: false,
+            operator_set: lint.set,
             local_count: if lint.control.vars.iter().any(|row| row.kind == VarKind::Local) { LOCALS } else { 0 },
         };
         // Subprograms share the local variables of their callers.
@@ -183,7 +190,7 @@ impl<'a> Vars<'a> {
         for number in numbers {
             if let Some(var) = self.make(self.group[program as usize], number) {
                 var.sets += 1;
-                var.compared = Some((0, u32::MAX));
+                (var.compared, var.compared_if_vacant) = (Some((0, u32::MAX)), Some((0, u32::MAX)));
                 var.nonzero = false;
             }
         }
@@ -229,7 +236,9 @@ impl<'a> Vars<'a> {
                     sets: 0,
                     given: 0,
                     copies: CopySource::Nothing,
+                    group,
                     compared: None,
+                    compared_if_vacant: None,
                     vacancy: false,
                     read: None,
                     word: None,
@@ -382,12 +391,22 @@ impl<'a> Vars<'a> {
         let equal = matches!(op, Op::Equal | Op::NotEqual);
         let vacant = self.control.var(0).is_some_and(|row| row.kind == VarKind::Vacant);
         let vacancy = equal && vacant && (deck.expr(left) == Expr::Var(0) || deck.expr(right) == Expr::Var(0));
+        let zero = |id| matches!(deck.expr(id), Expr::Number(number) if number.mantissa == 0);
+        let variable = |id| matches!(deck.expr(id), Expr::Var(_));
+        let with_zero = zero(left) && variable(right) || variable(left) && zero(right);
+        let misses_vacant = equal && with_zero && !self.control.macros.vacant_equals_zero;
+        let and_here = |range: Option<(u32, u32)>| {
+            let (first, last) = range.unwrap_or((site.block, site.block));
+            Some((first.min(site.block), last.max(site.block)))
+        };
         visit(deck, site.id, &mut |_, expr| {
             let Expr::Var(number) = expr else { return };
             if let Some(var) = self.make(site.group, number) {
                 var.vacancy |= vacancy;
-                let (first, last) = var.compared.unwrap_or((site.block, site.block));
-                var.compared = Some((first.min(site.block), last.max(site.block)));
+                var.compared = and_here(var.compared);
+                if !misses_vacant {
+                    var.compared_if_vacant = and_here(var.compared_if_vacant);
+                }
             }
         });
         if !vacancy {
@@ -434,6 +453,27 @@ impl<'a> Vars<'a> {
             matches!(op, Op::And | Op::Or | Op::Xor) || op.opposite() != op
         };
         !truth(left) || !truth(right)
+    }
+
+    /// Whether a variable can be vacant: no program sets it, or a call does not pass it, or it copies such a variable; `rounds` limits the
+    /// copies of copies.
+    pub(super) fn may_be_vacant(&self, var: &Var, rounds: u32) -> bool {
+        if self.wild || var.vacancy {
+            return false;
+        }
+        let group = var.group as usize;
+        let never_set = if (1..=self.local_count).contains(&var.number) {
+            var.sets == var.given && (self.open[group] || var.given < self.calls[group])
+        } else {
+            var.sets == 0 && self.is_common(var.number) && !self.operator_set.contains(&var.number)
+        };
+        never_set
+            || match var.copies {
+                CopySource::Variable(slot) if rounds > 0 => {
+                    self.list.get(slot as usize).is_some_and(|other| self.may_be_vacant(other, rounds - 1))
+                }
+                _ => false,
+            }
     }
 
     /// Whether a variable keeps values written by programs and operators.

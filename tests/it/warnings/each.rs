@@ -96,6 +96,7 @@ const ROWS: &[Row] = &[
     row("lint.unset-common", "G00 Z[#100+1]", ""),
     row("lint.unset-local", "G00 Z[#1+1]", ""),
     row("lint.unset-parameter", "", "G0 Z=R1+1"),
+    row("lint.vacant-divisor", "IF[#100 EQ 0]GOTO9\n#102=5/#100\nG00 Z#102\nN9", ""),
     row("lint.vacant-word", "G00 Z#100", ""),
     row("lint.word-again", "G00 X1. X2.", ""),
     row("lint.zero-divisor", "#100=#101-5\n#102=5/#100\nG00 Z#102", "R1=R1-5\nR2=5/R1\nG0 Z=R2"),
@@ -164,6 +165,7 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.small-offset
         gsk-980tdc lint.suppression-stays
         gsk-980tdc lint.unset-parameter
+        gsk-980tdc lint.vacant-divisor
         gsk-980tdc lint.vacant-word
         gsk-980tdc lint.word-again
         knd-k2000t lint.no-argument
@@ -223,6 +225,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.suppression-stays
         sinumerik-802d lint.unset-common
         sinumerik-802d lint.unset-local
+        sinumerik-802d lint.vacant-divisor
         sinumerik-802d lint.vacant-word
         sinumerik-802d lint.word-again
         sinumerik-808d lint.argument-before-call
@@ -249,6 +252,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.suppression-stays
         sinumerik-808d lint.unset-common
         sinumerik-808d lint.unset-local
+        sinumerik-808d lint.vacant-divisor
         sinumerik-808d lint.vacant-word
         sinumerik-808d lint.word-again"#]]
     .assert_eq(&missing.join("\n"));
