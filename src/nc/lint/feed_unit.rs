@@ -1,9 +1,9 @@
-//! Cuts behind a change of the unit of F without a new F, on a control that keeps the number of the feed.
+//! Cuts behind a change of the unit of F without a new F: by a feed in the other unit where the control keeps its number, else without feed.
 
 use super::super::ast::{Block, Stmt, Word};
 use super::context::Lint;
 use super::roles::{CALL, CURVED, DWELL, END, LINEAR, OTHER_FEED, PER_MINUTE, RAPID, RETURN, SPECIAL, SUB};
-use crate::controls::{Address, Code};
+use crate::controls::{Address, Alarm, Code};
 use crate::msg;
 use crate::text::Span;
 
@@ -28,6 +28,8 @@ pub(super) struct FeedUnit {
     per_revolution: Option<bool>,
     /// The last F, with its block, and whether it was per revolution.
     feed: Option<(u32, Span, bool)>,
+    /// The last F, lost by a change of its unit on a control that does not keep it.
+    lost: Option<(u32, Span, bool)>,
     motion: FeedUse,
     /// The program has its warning.
     reported: bool,
@@ -53,29 +55,31 @@ impl FeedUnit {
     }
 
     fn forget(&mut self) {
-        (self.per_revolution, self.feed, self.motion) = (None, None, FeedUse::Unknown);
+        *self = FeedUnit { reported: self.reported, ..FeedUnit::default() };
     }
 
-    /// Follows a block of words and reports the first cut of the program with a feed in the other unit.
+    /// Sets the unit of F, `None` where unknown. A known change loses F on a control that does not keep it.
+    fn set_unit(&mut self, now: Option<bool>, kept: bool) {
+        if now != self.per_revolution && !kept {
+            let known = now.is_some() && self.per_revolution.is_some();
+            self.lost = self.feed.or(self.lost).filter(|_| known);
+            self.feed = None;
+        }
+        self.per_revolution = now;
+    }
+
+    /// Follows a block of words and reports the first cut of the program with a feed in the other unit, or with a lost one.
     #[inline]
     pub(super) fn block(&mut self, lint: &mut Lint, (at, block): (u32, &Block), words: &[Word], bits: u32) {
-        if lint.control.limits.feed_kept {
-            self.follow(lint, (at, block), words, bits);
-        }
-    }
-
-    #[cold]
-    fn follow(&mut self, lint: &mut Lint, (at, block): (u32, &Block), words: &[Word], bits: u32) {
         if bits & (CALL | SUB | RETURN | END) != 0 {
             return self.forget();
         }
-        let codes = lint.parsed.codes();
-        let mut rows = words.iter().filter_map(|word| codes.row_of(word)).map(|row| row.code);
         if bits & (PER_MINUTE | OTHER_FEED) != 0 {
-            self.per_revolution = rows.clone().filter_map(unit_of).next_back();
+            self.units(lint, block, words);
         }
         if bits & (RAPID | LINEAR | CURVED) != 0 {
-            let arc = rows.any(|code| matches!(code, Code::ArcCw | Code::ArcCcw));
+            let mut rows = words.iter().filter_map(|word| lint.parsed.codes().row_of(word));
+            let arc = rows.any(|row| matches!(row.code, Code::ArcCw | Code::ArcCcw));
             self.motion = if arc || bits & LINEAR != 0 {
                 FeedUse::Cut
             } else if bits & CURVED != 0 {
@@ -84,28 +88,50 @@ impl FeedUnit {
                 FeedUse::Rapid
             };
         }
-        if bits & (DWELL | SPECIAL) != 0 {
+        if bits & DWELL != 0 {
             return;
         }
         let feed = words.iter().find(|word| word.letter == Address::F);
         if let Some(word) = feed.filter(|_| self.motion != FeedUse::Thread) {
-            self.feed = self.per_revolution.map(|unit| (at, word.span(block), unit));
+            self.feed = self.per_revolution.map(|unit| (at, word.span(block), unit)).filter(|_| bits & SPECIAL == 0);
+            self.lost = None;
         }
-        let axis = words.iter().find(|word| lint.control.is_axis(word.letter));
-        if let (Some((given, span, before)), Some(now), Some(axis)) = (self.feed, self.per_revolution, axis)
-            && self.motion == FeedUse::Cut
-            && before != now
-            && !self.reported
-        {
-            self.reported = true;
-            let code = |unit: bool| {
-                let row = lint.control.codes.iter().find(|row| unit_of(row.code) == Some(unit));
-                row.map_or_else(String::new, |row| lint.control.code_name(row.id))
-            };
-            let (place, word) = lint.written(at, axis.span(block));
-            let feed = lint.written(given, span).1;
-            lint.warn(place, msg!("lint.feed-unit-changed", word, feed, before = code(before), now = code(now)));
+        if self.motion == FeedUse::Cut && bits & SPECIAL == 0 && !self.reported {
+            self.cut(lint, (at, block), words);
         }
+    }
+
+    /// Follows the codes of the unit of F. One that a block skip may leave out makes the unit unknown.
+    #[cold]
+    fn units(&mut self, lint: &Lint, block: &Block, words: &[Word]) {
+        let rows = words.iter().filter_map(|word| lint.parsed.codes().row_of(word));
+        let skips = block.skip > 0 || words.iter().any(|word| word.letter == Address::Skip);
+        let now = rows.filter_map(|row| unit_of(row.code)).next_back().filter(|_| !skips);
+        self.set_unit(now, lint.control.limits.feed_kept);
+    }
+
+    /// Reports a cut with a feed in another unit than the one in force, or with a lost one.
+    fn cut(&mut self, lint: &mut Lint, (at, block): (u32, &Block), words: &[Word]) {
+        let Some(now) = self.per_revolution else { return };
+        let kept = self.feed.filter(|feed| feed.2 != now);
+        let Some((given, span, before)) = kept.or(self.lost) else { return };
+        let Some(axis) = words.iter().find(|word| lint.control.is_axis(word.letter)) else { return };
+        self.reported = true;
+        let code = |unit: bool| {
+            let row = lint.control.codes.iter().find(|row| unit_of(row.code) == Some(unit));
+            row.map_or_else(String::new, |row| lint.control.code_name(row.id))
+        };
+        let (before, now) = (code(before), code(now));
+        let (place, word) = lint.written(at, axis.span(block));
+        let feed = lint.written(given, span).1;
+        let message = match kept {
+            Some(_) => msg!("lint.feed-unit-changed", word, feed, before, now),
+            None => {
+                let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
+                msg!("lint.feed-lost", word, feed, now, alarm)
+            }
+        };
+        lint.warn(place, message);
     }
 }
 

@@ -58,6 +58,7 @@ const ROWS: &[Row] = &[
         named: "G1 Z-20 F200",
         switches: &[("startup-feed", "G99")],
     },
+    row("lint.feed-lost", "G98 G00 X5. F100\nG99 G01 X8.", "G94 G0 X5 F100\nG95 G1 X8"),
     row("lint.feed-unit-changed", "G98 G00 X5. F100\nG99 G01 X8.", ""),
     row("lint.feed-zero", "G01 X1. F0", "G1 X1 F0"),
     row("lint.feed-zero-digit", "G01 X1. F0", ""),
@@ -145,6 +146,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.axis-again
         mitsubishi-e60 lint.call-not-alone
         mitsubishi-e60 lint.feed-per-revolution
+        mitsubishi-e60 lint.feed-lost
         mitsubishi-e60 lint.feed-unit-changed
         mitsubishi-e60 lint.feed-zero
         mitsubishi-e60 lint.centre-unlimited
@@ -158,6 +160,7 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.call-not-alone
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.calls-own-program
+        gsk-980tdc lint.feed-lost
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid
         gsk-980tdc lint.loose-comparison
@@ -193,6 +196,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.no-argument
         fanuc-0i-mf lint.calls-itself
         fanuc-0i-mf lint.feed-per-revolution
+        fanuc-0i-mf lint.feed-lost
         fanuc-0i-mf lint.feed-unit-changed
         fanuc-0i-mf lint.feed-zero-digit
         fanuc-0i-mf lint.feed-zero-rapid

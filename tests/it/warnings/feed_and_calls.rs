@@ -2,9 +2,9 @@
 
 use expect_test::expect;
 
-use super::{GSK, KND};
+use super::{E60, GSK, KND};
 
-/// The GSK keeps the number of F at a change of its unit; other controls raise an alarm for the missing F.
+/// The GSK keeps the number of F at a change of its unit.
 #[test]
 fn feed_kept_in_another_unit_is_a_warning() {
     let text = "O1\nG98 G00 X20. Z2. F100\nG01 Z0\nG99\nG00 X22.\nG01 Z-5.\nX24.\nM30";
@@ -23,7 +23,31 @@ fn feed_kept_in_another_unit_is_a_warning() {
     // A lead is no feed, and behind a jump the unit is not known.
     GSK.quiet("O1\nG98 G01 X20. F100\nG99 G32 Z-20. F1.5\nM30");
     GSK.quiet("O1\nG98 G01 X20. F100\nG99\nIF[#1032 GT 0]GOTO10\nG01 F.1 Z1.\nN10 G01 Z-5.\nM30");
-    KND.quiet(text);
+}
+
+/// The other controls lose F at a change of its unit, and the next cut is an alarm.
+#[test]
+fn cut_behind_a_lost_feed_is_a_warning() {
+    let text = "O1\nG98 G00 X20. Z2. F100\nG01 Z0\nG99\nG00 X22.\nG01 Z-5.\nX24.\nM30";
+    KND.check(text, expect![[r#"
+        7:5 “Z-5.” warning lint.feed-lost
+            Z-5. cuts without feed: G99 changed the unit of F, so that F100 in front of it no longer counts. The motion stops with 011. Write F behind G99.
+    "#]]);
+    // A change back does not bring F back.
+    KND.check(&text.replace("G99\n", "G99\nG98\n"), expect![[r#"
+        8:5 “Z-5.” warning lint.feed-lost
+            Z-5. cuts without feed: G98 changed the unit of F, so that F100 in front of it no longer counts. The motion stops with 011. Write F behind G98.
+    "#]]);
+    E60.check("O1\nG91 G94 G01 X20. F100\nG95\nX5.\nM30", expect![[r#"
+        5:1 “X5.” warning lint.feed-lost
+            X5. cuts without feed: G95 changed the unit of F, so that F100 in front of it no longer counts. The motion stops with P62. Write F behind G95.
+    "#]]);
+    KND.quiet(&text.replace("G01 Z-5.", "G01 Z-5. F.1"));
+    KND.quiet(&text.replace("G99\n", "G99 F.1\n"));
+    KND.quiet(&text.replace("G01 Z-5.\nX24.", "G04 X1."));
+    // What a block skip leaves out, and a jump.
+    KND.quiet(&text.replace("G99\n", "/G99\n"));
+    KND.quiet(&text.replace("G99\n", "G99\nIF[#1032 GT 0]GOTO10\nN10\n"));
 }
 
 /// The KND's calls by code stand alone in their blocks; S would become a variable, M would not act.
