@@ -611,6 +611,8 @@ impl<'a> Reader<'a> {
             Code::TakesAxisWords => msg!("nc.takes-axis-words", code),
             Code::ReplacesPositions => msg!("nc.replaces-positions", code),
             Code::CancelForAxes => msg!("nc.cancel-for-axes", code),
+            // The control would take S as a cutting speed; the run goes on with the unit that it had.
+            Code::NotSimulated if row.group == Group::SurfaceSpeed => msg!("nc.no-surface-speed", code),
             _ => msg!("nc.not-simulated", code),
         };
         self.report_once(key, start, self.cursor.at, message);

@@ -264,3 +264,14 @@ fn comma_behind_a_number_without_a_point_is_a_choice() {
     "#]],
     );
 }
+
+#[test]
+fn surface_speed_that_is_not_simulated_names_the_unit_of_s() {
+    check_on(
+        "mitsubishi-e60",
+        "G96 S150 M3\nG97 S300",
+        expect![[r#"
+        1:1 warning - G96 (constant surface speed) is read, but not simulated: in the run here S counts as r/min, not as a surface speed.
+    "#]],
+    );
+}

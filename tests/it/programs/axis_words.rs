@@ -30,7 +30,11 @@ fn run(control: &'static Control, block: &str, behind: &str) -> Does {
     let is_reported = interp.parsed().diagnostics().iter().any(|finding| {
         matches!(
             finding.message.id,
-            "nc.not-simulated" | "nc.takes-axis-words" | "nc.replaces-positions" | "nc.cancel-for-axes"
+            "nc.not-simulated"
+                | "nc.no-surface-speed"
+                | "nc.takes-axis-words"
+                | "nc.replaces-positions"
+                | "nc.cancel-for-axes"
         )
     });
     let mut moved = false;
