@@ -275,3 +275,16 @@ fn surface_speed_that_is_not_simulated_names_the_unit_of_s() {
     "#]],
     );
 }
+
+#[test]
+fn dwell_with_two_times_or_an_axis_has_its_own_message() {
+    check_on(
+        "sinumerik-808d",
+        "G4 F2 S3\nG4 F2 X3\nG4 F2 M3\nG4 F2",
+        expect![[r#"
+        1:1 error 12120 G4 waits one time, F seconds or S turns of the spindle, and no axis moves with it.
+        2:1 error 12120 G4 waits one time, F seconds or S turns of the spindle, and no axis moves with it.
+        3:1 error 12120 G4 needs a block of its own.
+    "#]],
+    );
+}

@@ -351,8 +351,8 @@ fn words_of_other_controls_beside_an_arc_or_g4_are_named() {
     check_802d(
         "G4 F1 X5",
         expect![[r#"
-        1:1 error 12120 G4 needs a block of its own.
-    "#]],
+            1:1 error 12120 G4 waits one time, F seconds or S turns of the spindle, and no axis moves with it.
+        "#]],
     );
     check_802d(
         "IF R1>0 THEN GOTOF AB\nAB: M5",

@@ -748,8 +748,14 @@ impl Reader<'_> {
                 return true;
             }
             let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
-            if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
-                self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", code = name));
+            let others = || words.iter().filter(|other| other.offset != word.offset);
+            if both || others().any(|word| !fits(word)) {
+                let of_dwell = |word: &Word| fits(word) || self.control.axis(word.letter).is_some();
+                let message = match row.code {
+                    Code::Dwell if others().all(of_dwell) => msg!("nc.dwell-one-time", code = name),
+                    _ => msg!("nc.not-alone", code = name),
+                };
+                self.report(Alarm::NotAlone, start, end, message);
                 return true;
             }
         } else if row.defines_syntax() {
