@@ -48,6 +48,14 @@ impl Reader<'_> {
         {
             return self.report_word(Alarm::NoCallProgram, word, msg!("interp.call-program-next"));
         }
+        // The number of the program is no argument: it takes no point here either.
+        let program = after.iter().find(|word| word.letter == Address::P && code.is_some());
+        if let Some(Word { value: WordValue::Number(number @ Dec { point: true, .. }), offset, len, .. }) = program
+            && self.tables.whole.contains(Address::P)
+        {
+            let start = *offset as usize;
+            self.needless_point((Address::P, *number), start, start + *len as usize, false);
+        }
         if self.control.raises(Alarm::ArgumentAddress) {
             let forbidden = AddressSet::letters(if code.is_some() { "GNO" } else { "GNOP" });
             if let Some(word) = after.iter().find(|word| forbidden.contains(word.letter)) {

@@ -276,7 +276,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reports a decimal point in the number of an integer address; `guess`: the number may be another than the one without the point.
-    fn needless_point(&mut self, (letter, number): (Address, Dec), start: usize, end: usize, guess: bool) {
+    pub(super) fn needless_point(&mut self, (letter, number): (Address, Dec), start: usize, end: usize, guess: bool) {
         let message = msg!("nc.point-not-allowed", address = letter.to_string());
         let mut finding = self.finding(Alarm::PointNotAllowed, start, end, message);
         if guess {

@@ -288,3 +288,17 @@ fn dwell_with_two_times_or_an_axis_has_its_own_message() {
     "#]],
     );
 }
+
+#[test]
+fn point_behind_the_program_of_a_macro_call_is_an_alarm() {
+    check_on(
+        "fanuc-0i-tf",
+        "G65P9010.A1.\nM98 P9010.\nG65 P9010 A1.",
+        expect![[r#"
+        1:4 error PS0007 P takes a whole number, written without a point.
+            Drop “.”: 1:9 "."→""
+        2:5 error PS0007 P takes a whole number, written without a point.
+            Drop “.”: 2:10 "."→""
+    "#]],
+    );
+}
