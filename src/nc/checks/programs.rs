@@ -10,6 +10,8 @@ use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use crate::nc::codes::{Codes, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::files::Files;
+use crate::nc::lex::keywords::KEYWORDS;
+use crate::nc::lex::spelling::{holds_macro, holds_word, keyword_in_prose, prose};
 use crate::nc::parsed::PartPlaces;
 use crate::nc::program_names::{ProgramNames, split_repeats};
 use crate::nc::unread;
@@ -165,7 +167,11 @@ impl Check<'_> {
     /// Reports a program that runs out of blocks.
     fn end(&mut self) {
         let blocks = self.blocks;
-        let comment = |block: &&Block| block.stmt == Stmt::Empty && block.number.is_none();
+        let comment = |block: &&Block| {
+            let empty = block.stmt == Stmt::Empty && block.number.is_none();
+            // A remark without brackets is reported as such, and is no block behind the end.
+            empty || matches!(block.stmt, Stmt::Bad(_)) && is_remark(block.span.of(self.text).as_bytes())
+        };
         let mut last = blocks.iter().rev().find(|block| !comment(block));
         // A sequence number alone behind M30, and no jump to it.
         if last.is_some_and(|block| block.stmt == Stmt::Empty)
@@ -267,4 +273,9 @@ impl Check<'_> {
             _ => true,
         }
     }
+}
+
+/// Whether the text of a block that does not parse is a remark without brackets, with no word or statement in it.
+fn is_remark(text: &[u8]) -> bool {
+    (prose(text) || keyword_in_prose(text, &KEYWORDS)) && !holds_macro(text) && !holds_word(text)
 }

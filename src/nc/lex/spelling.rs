@@ -76,6 +76,17 @@ pub(in crate::nc) fn holds_word(rest: &[u8]) -> bool {
     pieces(rest).any(|piece| is_words(piece) && !plain(piece))
 }
 
+/// Whether a text is letters, spaces and punctuation alone and begins with one of these keywords: no statement, for every one has a number, a
+/// variable or a bracket behind its keyword.
+pub(in crate::nc) fn keyword_in_prose(rest: &[u8], keywords: &[&str]) -> bool {
+    let first = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let first = rest.get(..first).unwrap_or_default();
+    keywords.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(first))
+        && rest.iter().all(|b| b.is_ascii_alphabetic() || b" .,:!?'-".contains(b))
+        && !holds_macro(rest)
+        && !holds_word(rest)
+}
+
 /// Whether a text holds a part of a macro statement outside round brackets: a variable and a square bracket, `DO1`, `END1` or `GOTO`.
 pub(in crate::nc) fn holds_macro(rest: &[u8]) -> bool {
     let numbered = |piece: &[u8], word: &str| {

@@ -302,3 +302,33 @@ fn point_behind_the_program_of_a_macro_call_is_an_alarm() {
     "#]],
     );
 }
+
+/// A statement behind a `;` is none, and `END` in a loop may lack its number.
+#[test]
+fn remark_behind_a_semicolon_may_begin_with_a_keyword() {
+    check_on(
+        "fanuc-0i-tf",
+        "G00 X1. ; if needed\nG00 X2. ; IF[#1EQ1]GOTO5\nN5 G00 X3.; Do it\nM0 ; end",
+        expect![[r#"
+            1:11 error PS1137 “if needed” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:8 " ; if needed"→" (IF NEEDED)"
+            3:13 error PS0126 “Do it” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 3:13 "Do it"→"(DO IT)"
+            4:6 error PS0126 “end” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 4:6 "end"→"(END)"
+        "#]],
+    );
+    check_on(
+        "fanuc-0i-tf",
+        "WHILE[#1LT5]DO1; #1=#1+1; END",
+        expect![[r#"
+        1:27 error PS0126 END needs a loop number from 1 to 3.
+    "#]],
+    );
+    for behind in ["M30 ; end", "M30 ; program end", "M30\nThe end of the program"] {
+        let text = format!("%\nO1\nG00 X1.\n{behind}\n%\n");
+        let parsed = read_on(find("fanuc-0i-tf").unwrap(), &text);
+        let ids: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
+        assert_eq!(ids, ["nc.bare-comment"], "{behind}");
+    }
+}

@@ -5,8 +5,9 @@
 
 use crate::controls::Alarm;
 use crate::msg;
+use crate::nc::ast::{Block, Stmt};
 use crate::nc::lex::keywords::KEYWORDS;
-use crate::nc::lex::spelling::{arithmetic, holds_macro, holds_word, prose, states};
+use crate::nc::lex::spelling::{arithmetic, holds_macro, holds_word, keyword_in_prose, prose, states};
 use crate::nc::parse::failure::{ParseFailure, Read};
 use crate::nc::parse::reader::{Mark, Reader};
 use crate::text::escape::shortened;
@@ -105,7 +106,22 @@ impl Reader<'_> {
             rest.starts_with(word) && after.first() == Some(&b'[')
         });
         let remark = prose(rest) && !holds_macro(rest) || other_script(rest);
-        (failure.at_word && !condition && remark).then_some(failure.from)
+        let behind_semicolon = failure.from == 0 && self.is_keyword_remark(rest);
+        (failure.at_word && !condition && remark || behind_semicolon).then_some(failure.from)
+    }
+
+    /// Whether the block is words of plain language behind a `;`, the first of them a keyword: `; end`, `; if needed`. `; END` may lack its
+    /// number where a loop is open.
+    fn is_keyword_remark(&self, block: &[u8]) -> bool {
+        let before = self.file.text.get(..self.cursor.base as usize).unwrap_or("");
+        let loops = |block: &Block| match block.stmt {
+            Stmt::While { .. } => 1,
+            Stmt::End { .. } => -1,
+            _ => 0,
+        };
+        before.trim_end_matches([' ', '\t']).ends_with(';')
+            && keyword_in_prose(block, &KEYWORDS)
+            && (!block.eq_ignore_ascii_case(b"END") || self.deck.blocks.iter().map(loops).sum::<i32>() <= 0)
     }
 
     /// Reports an unbracketed comment from `from` on, with a fix that puts it in brackets; the kept part of the block ends at `cut`.
