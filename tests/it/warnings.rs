@@ -4,6 +4,7 @@ mod again;
 mod each;
 mod feed_and_calls;
 mod vacant_divisors;
+mod word_formulas;
 
 use std::rc::Rc;
 

@@ -76,6 +76,18 @@ pub(in crate::nc) fn holds_word(rest: &[u8]) -> bool {
     pieces(rest).any(|piece| is_words(piece) && !plain(piece))
 }
 
+/// Whether the text of a formula with an operator is not in one pair of square brackets.
+pub(in crate::nc) fn needs_brackets(formula: &[u8]) -> bool {
+    let mut depth = 0_i32;
+    let closed = formula.iter().position(|&byte| {
+        depth += i32::from(byte == b'[') - i32::from(byte == b']');
+        depth <= 0
+    });
+    // Behind the closing bracket a round one is that of a comment, on a control that calculates with round ones, too.
+    let rest = closed.map(|at| formula.get(at + 1..).unwrap_or_default().trim_ascii_start());
+    rest.is_none_or(|rest| !rest.is_empty() && !rest.starts_with(b"("))
+}
+
 /// Whether a text is letters, spaces and punctuation alone and begins with one of these keywords: no statement, for every one has a number, a
 /// variable or a bracket behind its keyword.
 pub(in crate::nc) fn keyword_in_prose(rest: &[u8], keywords: &[&str]) -> bool {

@@ -23,6 +23,7 @@ mod short;
 mod surface_speed;
 mod values;
 mod vars;
+mod word_formula;
 mod words;
 
 use super::parsed::Parsed;
@@ -40,6 +41,7 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     settings::idle_texts(&mut lint);
     let facts = words::survey(&mut lint, &roles);
     retract::retracts(&mut lint, &roles);
+    word_formula::without_brackets(&mut lint);
     if facts.surface {
         surface_speed::surface_speed(&mut lint, &roles, &facts);
     }

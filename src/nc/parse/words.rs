@@ -9,6 +9,7 @@ use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use crate::nc::codes::{g_number, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::lex::cursor::Digits;
+use crate::nc::lex::spelling::needs_brackets;
 use crate::nc::parse::failure::{IgnoredFeature, LineFix, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, DiagnosticKind, Message, either};
@@ -496,14 +497,7 @@ impl<'a> Reader<'a> {
         // The reader has passed a comment behind the formula, looking for an operator.
         let comment = read.iter().position(|&byte| byte == b'(').filter(|_| !self.formulas.rounds);
         let text = read.get(..comment.unwrap_or(read.len())).unwrap_or_default().trim_ascii_end();
-        let mut depth = 0_i32;
-        let closed = text.iter().position(|&byte| {
-            depth += i32::from(byte == b'[') - i32::from(byte == b']');
-            depth <= 0
-        });
-        // Behind the closing bracket a round one is that of a comment, on a control that calculates with round ones, too.
-        let rest = closed.map(|at| text.get(at + 1..).unwrap_or_default().trim_ascii_start());
-        if rest.is_none_or(|rest| !rest.is_empty() && !rest.starts_with(b"(")) {
+        if needs_brackets(text) {
             let to = from + text.len();
             let finding = self.finding(Alarm::Format, from, to, msg!("nc.formula-brackets"));
             self.report_enclosing(Alarm::Format, finding, from, to);

@@ -99,6 +99,7 @@ const ROWS: &[Row] = &[
     row("lint.unset-parameter", "", "G0 Z=R1+1"),
     row("lint.vacant-divisor", "IF[#100 EQ 0]GOTO9\n#102=5/#100\nG00 Z#102\nN9", ""),
     row("lint.vacant-word", "G00 Z#100", ""),
+    row("lint.word-formula", "G00 X#100+1.", ""),
     row("lint.word-again", "G00 X1. X2.", ""),
     row("lint.zero-divisor", "#100=#101-5\n#102=5/#100\nG00 Z#102", "R1=R1-5\nR2=5/R1\nG0 Z=R2"),
 ];
@@ -156,6 +157,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.slow-retract
         mitsubishi-e60 lint.small-offset
         mitsubishi-e60 lint.unset-parameter
+        mitsubishi-e60 lint.word-formula
         gsk-980tdc lint.argument-before-call
         gsk-980tdc lint.call-not-alone
         gsk-980tdc lint.calls-itself
@@ -231,6 +233,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.unset-local
         sinumerik-802d lint.vacant-divisor
         sinumerik-802d lint.vacant-word
+        sinumerik-802d lint.word-formula
         sinumerik-802d lint.word-again
         sinumerik-808d lint.argument-before-call
         sinumerik-808d lint.axis-again
@@ -258,6 +261,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.unset-local
         sinumerik-808d lint.vacant-divisor
         sinumerik-808d lint.vacant-word
+        sinumerik-808d lint.word-formula
         sinumerik-808d lint.word-again"#]]
     .assert_eq(&missing.join("\n"));
 }
