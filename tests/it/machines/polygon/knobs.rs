@@ -67,7 +67,7 @@ fn feed_knob_that_overloads_the_tool_drive_warns() {
 #[test]
 fn feed_knob_that_bends_the_work_warns() {
     let key = Project::named("polygon-lathe", None, Some("hexagon-key")).unwrap();
-    let tolerance = macroline::text::number::figure(1.1 * readout(&key, "bending").value, 6);
+    let tolerance = macroline::text::number::figure(1.2 * readout(&key, "bending").value, 3);
     let key = key.with_entries(&[("flatness", tolerance.as_str())]).unwrap();
     let bends = readout(&key, "bending");
     let message = &bends.advice[0].message;

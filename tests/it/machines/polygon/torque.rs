@@ -268,12 +268,12 @@ fn slender_work_that_bends_is_red_and_mended() {
     let compliance = give * readout(&slender, "cutting-force").value / 0.8;
     let left = |left: f64, depth: f64| compliance * (depth + left) / (1.0 + compliance);
     near_share(bends.value, left(left(0.0, 0.8), 0.2), 1e-9);
-    assert!(compliance > 9.0, "{compliance}");
+    assert!(compliance > 5.0, "{compliance}");
     assert_eq!(bends.verdict, Verdict::Fail);
     let shorter = bends.advice.iter().find(|advice| !advice.entries.is_empty()).expect("a remedy");
     assert_eq!(readout(&slender.with_entries(&shorter.entries).unwrap(), "bending").verdict, Verdict::Ok);
-    // Nearer to the jaws a smaller depth, or an even shorter bar helps where the allowance does not cover it.
-    let longer = slender.with_entries(&[("free-length", "40"), ("allowance", "0.05")]).unwrap();
+    // Nearer to the jaws a smaller depth, or an even shorter bar helps.
+    let longer = slender.with_entries(&[("free-length", "40"), ("flatness", "0.01")]).unwrap();
     let bends = readout(&longer, "bending");
     assert!(bends.advice.iter().any(|advice| !advice.entries.is_empty()));
     for advice in bends.advice.iter().filter(|advice| !advice.entries.is_empty()) {
