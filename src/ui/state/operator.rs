@@ -3,7 +3,6 @@
 use leptos::prelude::*;
 
 use super::{EditKey, Page};
-use crate::controls::VarKind;
 use crate::machines::MachineVariable;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
@@ -39,11 +38,10 @@ pub(crate) fn act(page: Page, action: Action) {
                 changes.push(sentence(&crate::msg!("page.changed-value", name, value = new, without = old)));
             }
         }
-        let holding = matches!(event.action, Action::FeedOverride(_)).then(|| override_held_by(page, later)).flatten();
-        let effect = match (changes.is_empty(), holding) {
-            (true, Some(variable)) => sentence(&crate::msg!("page.no-change-held", variable)),
-            (true, None) => t("page.no-change").to_owned(),
-            (false, _) => sentence(&crate::msg!("page.changed-values", values = listed(changes))),
+        let effect = if changes.is_empty() {
+            t("page.no-change").to_owned()
+        } else {
+            sentence(&crate::msg!("page.changed-values", values = listed(changes)))
         };
         let done = page.project.with_untracked(|project| name(&event.action, project.control));
         player.changed.set(format!("{} s: {done} · {effect}", clock(event.t)));
@@ -162,16 +160,6 @@ fn watched(page: Page, t: f64, places: bool) -> Vec<(String, String)> {
     out
 }
 
-/// The variable by which the program holds the feed override at 100 % at a time (s); `None` where it does not.
-fn override_held_by(page: Page, t: f64) -> Option<String> {
-    /// Bit of the variable that holds the override.
-    const HELD: i64 = 2;
-    let control = page.project.with_untracked(|project| project.control);
-    let number = control.vars.iter().find(|row| row.kind == VarKind::SuppressOverride)?.first;
-    let value = page.player.ask_planner(|planner| run::shown(planner, control, number, t)).flatten()?;
-    (value as i64 & HELD != 0).then(|| control.variable(number))
-}
-
 #[cfg(test)]
 mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
@@ -203,17 +191,6 @@ mod tests {
         page.undo();
         settled().await;
         assert!(page.project.with_untracked(|project| project.panel.events().is_empty()));
-    }
-
-    #[wasm_bindgen_test]
-    async fn knob_that_the_program_holds_names_the_variable() {
-        let bench = mount(|| ()).await;
-        let page = bench.page;
-        page.player.plan_to(2.0);
-        page.player.seek(2.0);
-        act(page, Action::FeedOverride(50.0));
-        settled().await;
-        assert!(page.player.changed.get_untracked().contains("#3004"), "{}", page.player.changed.get_untracked());
     }
 
     #[wasm_bindgen_test]
