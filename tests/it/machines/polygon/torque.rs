@@ -107,7 +107,7 @@ fn energy_of_a_pass_is_that_of_the_removed_area() {
             let area = |size: f64| Section::new(&CutterSetup::even(size, r, ratio, inserts), stock).unwrap().area();
             // Over a turn of the work, 2π: every side is cut equally often.
             let energy = 2.0 * PI * (pass.work.mean + ratio.value() * pass.tool.mean);
-            near_share(energy, (area(sizes[0]) - area(sizes[1])) * ratio.passes_per_turn(inserts), 5e-3);
+            near_share(energy, (area(sizes[0]) - area(sizes[1])) * ratio.passes_per_turn(inserts), 2e-3);
         }
     }
 }
