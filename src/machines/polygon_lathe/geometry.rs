@@ -45,16 +45,19 @@ impl Params {
     pub(super) fn setup(&self, across_flats: f64) -> Option<CutterSetup> {
         let mut setup = CutterSetup::even(across_flats, self.tip_radius, self.ratio()?, self.inserts as u32);
         (setup.work_start, setup.tool_start) = (self.work_start * RADIANS, self.tool_start * RADIANS);
-        let deviations = |text: &str, most: f64| insert_deviations(text, setup.tips.len(), most).unwrap_or_default();
-        let (radii, angles) =
-            (deviations(&self.radius_errors, RADIUS_ERROR), deviations(&self.angle_errors, ANGLE_ERROR));
-        for (tip, error) in setup.tips.iter_mut().zip(radii) {
+        let angles = insert_deviations(&self.angle_errors, setup.tips.len(), ANGLE_ERROR).unwrap_or_default();
+        for (tip, error) in setup.tips.iter_mut().zip(self.insert_radius_errors()) {
             tip.radius += error;
         }
         for (tip, error) in setup.tips.iter_mut().zip(angles) {
             tip.angle += error * RADIANS;
         }
         Some(setup)
+    }
+
+    /// Radial errors (mm) of the inserts, in their order; none for those behind the last entry, or where an entry is wrong.
+    pub(super) fn insert_radius_errors(&self) -> Vec<f64> {
+        insert_deviations(&self.radius_errors, self.inserts as usize, RADIUS_ERROR).unwrap_or_default()
     }
 
     /// Number (from 1) of every pass, with its needed relief and its cutting speeds. `sizes`: across flats of the

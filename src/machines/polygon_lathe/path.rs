@@ -4,7 +4,6 @@
 //! insert goes down into the stock at feed, from its clearance over the stock, where all of it is beyond the near end of the polygon; from
 //! the far end it comes out at feed.
 
-use super::geometry::{RADIUS_ERROR, insert_deviations};
 use super::params::Params;
 use crate::math;
 
@@ -51,8 +50,7 @@ const MAX_DWELL: f64 = 9_999.0;
 impl Params {
     /// Diameter at which the cutter is clear of the stock, mm: also an insert that stands out of the tip circle.
     pub(super) fn clear_diameter(&self) -> f64 {
-        let errors = insert_deviations(&self.radius_errors, self.inserts as usize, RADIUS_ERROR).unwrap_or_default();
-        let standing_out = errors.into_iter().fold(0.0, f64::max);
+        let standing_out = self.insert_radius_errors().into_iter().fold(0.0, f64::max);
         self.stock_diameter + 2.0 * (self.clearance + standing_out)
     }
 
