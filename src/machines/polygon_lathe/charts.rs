@@ -17,7 +17,7 @@ pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
     ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "polygon.chart.work", tone: 0, address: |_| None, value: |_, now| now.pmc[WORK].feed / 360.0 },
         ChartLine { label: |_| "polygon.chart.tool", tone: 1, address: |_| None, value: |_, now| now.pmc[TOOL].feed / 360.0 },
-    ], limits: |lathe| vec![ChartLimit { label: "polygon.tool-limit", value: lathe.params.tool_limit }] },
+    ], limits: |lathe| vec![ChartLimit { label: "polygon.tool-limit", value: lathe.params.axes.tool.limit }] },
     ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.ahead", tone: 3, address: |_| None, value: |lathe, now| lathe.phase(now) },
     ], limits: unlimited },

@@ -1,6 +1,7 @@
 //! Demand of the whole part on the drives of work and tool, and their limits: the worst case over all polygons and feeds.
 
-use super::load::{PolygonAxis, PolygonFeed};
+use super::axes::PolygonAxis;
+use super::load::PolygonFeed;
 use super::resolved::PolygonLathe;
 use super::turned_end_form::TurnedEnd;
 use crate::drives::cutting::{Chip, CuttingEdge};

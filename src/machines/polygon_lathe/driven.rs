@@ -1,7 +1,8 @@
 //! The drives of the polygon lathe for the sizing: motors of work, tool and slides, and the phase between work and tool as a gauge.
 
+use super::axes::PolygonAxis;
 use super::demand::DemandKind;
-use super::load::{ForceLimits, PolygonAxis};
+use super::load::ForceLimits;
 use super::params::Params;
 use super::path::{self, PassStep, time};
 use super::resolved::{PolygonLathe, TOOL, WORK};
@@ -21,10 +22,10 @@ const NO_RESERVE: Acceptance = Acceptance { inertia_ratio: f64::INFINITY, peak: 
 /// The motors of work and tool, under the mean torque of all cuts and the greatest strike while the slide is in the stock, and those of the
 /// slides.
 pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
-    let driven = |id, name, at, axis: PolygonAxis, (motor_teeth, teeth): (f64, f64)| {
+    let driven = |id, name, at, axis: PolygonAxis| {
         let p = &lathe.params;
         // Motor speed over that of the axis.
-        let (gear, efficiency) = (teeth / motor_teeth, p.drive_efficiency / 100.0);
+        let (gear, efficiency) = (p.axes[axis].turns_per_motor_turn().recip(), p.drive_efficiency / 100.0);
         let drive = p.drive(axis);
         let rated = drive.motor.torque(0.0) / (gear * efficiency);
         let at_motor = |torque| through_gear(torque, gear, efficiency);
@@ -36,8 +37,8 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             rated,
             stall: rated,
             peak: rated * p.drive_peak / 100.0,
-            rated_speed: drive.motor.base * gear,
-            top_speed: drive.speed.max(drive.motor.base) * gear,
+            rated_speed: p.axes[axis].base,
+            top_speed: p.axes[axis].top,
             rotor: 0.0,
         };
         DrivenAxis {
@@ -60,10 +61,9 @@ pub(super) fn axes(lathe: &PolygonLathe) -> Vec<DrivenAxis> {
             fields: None,
         }
     };
-    let p = &lathe.params;
     let in_ratio = [
-        driven("work", "polygon.drive.work", WORK, PolygonAxis::Work, (p.work_motor_teeth, p.work_teeth)),
-        driven("tool", "polygon.drive.tool", TOOL, PolygonAxis::Tool, (p.tool_motor_teeth, p.tool_teeth)),
+        driven("work", "polygon.drive.work", WORK, PolygonAxis::Work),
+        driven("tool", "polygon.drive.tool", TOOL, PolygonAxis::Tool),
     ];
     in_ratio.into_iter().chain(slides::axes(lathe)).collect()
 }

@@ -222,9 +222,19 @@ fn next_cutter_in_stock(lathe: &PolygonLathe) -> Option<Diagnostic> {
 /// Error of a speed to the start angles that an axis may not have.
 fn index_too_fast(lathe: &PolygonLathe) -> Option<Diagnostic> {
     let p = &lathe.params;
-    let limit = lathe.limit_at_full_feed(p.work_limit.min(p.tool_limit));
+    let limit = lathe.limit_at_full_feed(p.axes.work.limit.min(p.axes.tool.limit));
     let message = msg!("polygon.index-too-fast", speed = (p.index_speed, 0), limit = (limit, 0));
     (p.index_speed > limit).then(|| Diagnostic::error(message).about("index-speed").mended_by(limit.floor()))
+}
+
+/// Errors of greatest speeds that the motors of work and tool do not reach.
+fn beyond_motors(lathe: &PolygonLathe) -> impl Iterator<Item = Diagnostic> {
+    let axes = &lathe.params.axes;
+    [(&axes.work, "work-limit"), (&axes.tool, "tool-limit")].into_iter().filter_map(|(axis, field)| {
+        let (limit, reach) = (axis.limit, axis.reach());
+        let message = msg!("polygon.limit-beyond-motor", limit = (limit, 0), reach = (reach, 1));
+        (limit > reach).then(|| Diagnostic::error(message).about(field).mended_by(reach.floor()))
+    })
 }
 
 /// Note about the dwell in which every insert passes the last cut: it is in seconds, and the work turns slower below 100 % of a feed override
@@ -270,6 +280,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     found.extend(start_beyond_slide(lathe));
     found.extend(next_cutter_in_stock(lathe));
     found.extend(index_too_fast(lathe));
+    found.extend(beyond_motors(lathe));
     found.extend(beyond_ramp_range(lathe));
     found.extend(turned_corners(lathe));
     let bends = bending::of_ends(lathe).into_iter().zip(&TURNED_ENDS);

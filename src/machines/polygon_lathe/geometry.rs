@@ -2,10 +2,12 @@
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
+use std::rc::Rc;
 
 use super::params::Params;
 use crate::drives::polygon::choose::{Cutter, LatheLimits, PolygonSpec};
 use crate::drives::polygon::cut::{self, InsertLoad};
+use crate::drives::polygon::load::{self, PassLoad};
 use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::PI;
 use crate::text::catalog::number_text as show;
@@ -19,20 +21,32 @@ const RADIANS: f64 = PI / 180.0;
 pub(super) const RADIUS_ERROR: f64 = 1.0;
 pub(super) const ANGLE_ERROR: f64 = 10.0;
 
-/// Number of sections kept: enough for the three polygons of a part and one changed value of each.
-const KEPT_SECTIONS: usize = 6;
+/// Number of results kept: enough for the three polygons of a part and one changed value of each.
+const KEPT: usize = 6;
 
-/// Cache entry: a section with its inputs.
-struct KeptSection {
-    setup: CutterSetup,
-    /// Radius of the stock, mm.
-    stock: f64,
-    section: Option<Section>,
-}
+/// Results with their inputs, the newest first.
+type Kept<K, V> = RefCell<VecDeque<(K, V)>>;
+
+/// Inputs of the loads of all passes: sizes across flats, tip radius, ratio, number of inserts, and radius of the stock.
+type PassInputs = (Vec<f64>, f64, Ratio, u32, f64);
 
 thread_local! {
-    /// Cache of sections, the newest first.
-    static LAST_SECTIONS: RefCell<VecDeque<KeptSection>> = const { RefCell::new(VecDeque::new()) };
+    /// Sections by cutter and radius of the stock. The search for repairs and sensitivities needs the same ones hundreds of times with
+    /// other machine data; the loads of many passes too.
+    static LAST_SECTIONS: Kept<(CutterSetup, f64), Option<Section>> = const { RefCell::new(VecDeque::new()) };
+    static LAST_LOADS: Kept<PassInputs, Rc<[PassLoad]>> = const { RefCell::new(VecDeque::new()) };
+}
+
+/// The kept result of these inputs, or a new one, which is kept.
+fn kept<K: PartialEq, V: Clone>(all: &Kept<K, V>, inputs: K, new: impl FnOnce(&K) -> V) -> V {
+    let mut all = all.borrow_mut();
+    if let Some((_, result)) = all.iter().find(|(of, _)| *of == inputs) {
+        return result.clone();
+    }
+    let result = new(&inputs);
+    all.truncate(KEPT - 1);
+    all.push_front((inputs, result.clone()));
+    result
 }
 
 impl Params {
@@ -67,8 +81,17 @@ impl Params {
         (1_u32..).map(f64::from).zip(cuts).collect()
     }
 
-    /// The finished section. The newest ones are cached, because the search for repairs and sensitivities needs the
-    /// same sections hundreds of times with other machine data.
+    /// The loads of passes of these `sizes` across flats.
+    pub(super) fn pass_loads(&self, sizes: &[f64], ratio: Ratio) -> Rc<[PassLoad]> {
+        let inputs = (sizes.to_vec(), self.tip_radius, ratio, self.inserts as u32, 0.5 * self.blank());
+        LAST_LOADS.with(|last| {
+            kept(last, inputs, |(sizes, radius, ratio, inserts, stock)| {
+                load::passes(sizes, *radius, *ratio, *inserts, *stock).collect()
+            })
+        })
+    }
+
+    /// The finished section.
     pub(super) fn section(&self) -> Option<Section> {
         self.section_in(0.5 * self.blank())
     }
@@ -76,15 +99,7 @@ impl Params {
     /// The section cut out of stock of this radius, mm.
     pub(super) fn section_in(&self, stock: f64) -> Option<Section> {
         let setup = self.setup(self.across_flats)?;
-        LAST_SECTIONS.with_borrow_mut(|last| {
-            if let Some(kept) = last.iter().find(|kept| kept.setup == setup && kept.stock == stock) {
-                return kept.section.clone();
-            }
-            let section = Section::new(&setup, stock);
-            last.truncate(KEPT_SECTIONS - 1);
-            last.push_front(KeptSection { setup, stock, section: section.clone() });
-            section
-        })
+        LAST_SECTIONS.with(|last| kept(last, (setup, stock), |(setup, stock)| Section::new(setup, *stock)))
     }
 
     /// The polygon to be turned, in passes of these `sizes` across flats.
@@ -107,8 +122,8 @@ impl Params {
             cutters: (1..=self.most_inserts as u32).map(cutter).collect(),
             terms: (self.most_tool_turns as u32, self.most_work_turns as u32),
             against: self.against,
-            work_speed: at_full_feed(self.work_limit),
-            tool_speed: at_full_feed(self.tool_limit),
+            work_speed: at_full_feed(self.axes.work.limit),
+            tool_speed: at_full_feed(self.axes.tool.limit),
             distance: (self.least_distance, self.greatest_distance),
             cutting_speed: (self.slowest_cut, at_full_feed(self.fastest_cut)),
         }

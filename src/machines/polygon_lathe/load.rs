@@ -1,16 +1,10 @@
 //! Torque of work and tool: the interrupted cut, the run-up, and the ratings of the drives.
 
+use super::axes::PolygonAxis;
 use super::params::Params;
 use crate::drives::cutting::{Chip, CuttingEdge, Kienzle};
 use crate::drives::polygon::{cut, load};
 use crate::drives::spindle_motor::{GearedMotor, MotorCurve, shortest_ramp};
-
-/// Work axis or tool axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum PolygonAxis {
-    Work,
-    Tool,
-}
 
 /// A feed of the cutter, with which its cuts are made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -159,8 +153,7 @@ impl Params {
         };
         let down = if self.is_behind_face() { force(self.insert_width, self.infeed, 90.0) } else { 0.0 };
         let mut all = PolygonLoad::default();
-        let loads = load::passes(sizes, self.tip_radius, ratio, inserts, 0.5 * self.blank());
-        for (at, pass) in loads.enumerate() {
+        for (at, pass) in self.pass_loads(sizes, ratio).iter().enumerate() {
             let last = at + 1 == sizes.len();
             let along = force(1.0, if last { self.finish_feed } else { self.feed }, self.edge_angle);
             let torque = |moment: load::Moment| Torque {
@@ -216,32 +209,27 @@ impl Params {
 
     /// Moment of inertia (kg m²) that the work axis turns: the main motor, where there is one, stays on the spindle.
     pub(super) fn spindle_inertia(&self) -> f64 {
-        self.work_inertia + if self.turns_ends() { self.main_rotor_at_spindle() } else { 0.0 }
+        self.axes.work.inertia + if self.turns_ends() { self.main_rotor_at_spindle() } else { 0.0 }
     }
 
     /// The motor of an axis, through the gear.
     pub(super) fn drive(&self, axis: PolygonAxis) -> AxisMotor {
-        let (kilowatts, base, ratio, speed) = match axis {
+        let form = &self.axes[axis];
+        let (speed, inertia, friction) = match axis {
             PolygonAxis::Work => {
-                (self.work_power, self.work_base, self.work_motor_teeth / self.work_teeth, self.work_speed())
+                let friction = if self.turns_ends() { self.main.friction } else { 0.0 };
+                (self.work_speed(), self.spindle_inertia(), friction)
             }
-            PolygonAxis::Tool => {
-                (self.tool_power, self.tool_base, self.tool_motor_teeth / self.tool_teeth, self.tool_speed())
-            }
+            PolygonAxis::Tool => (self.tool_speed(), form.inertia, 0.0),
         };
-        let (inertia, milliseconds, gain) = match axis {
-            PolygonAxis::Work => (self.spindle_inertia(), self.work_time_constant, self.work_gain),
-            PolygonAxis::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
-        };
-        let friction = if axis == PolygonAxis::Work && self.turns_ends() { self.main.friction } else { 0.0 };
         let motor = MotorCurve::through_gear(GearedMotor {
-            power: kilowatts,
-            base,
-            top: base,
-            spindle_top: base * ratio,
+            power: form.power,
+            base: form.base,
+            top: form.top,
+            spindle_top: form.reach(),
             efficiency: self.drive_efficiency / 100.0,
         });
-        AxisMotor { speed, motor, inertia, ramp: milliseconds / 1000.0, gain, friction }
+        AxisMotor { speed, motor, inertia, ramp: form.time_constant / 1000.0, gain: form.gain, friction }
     }
 
     /// The motor of an axis at its greatest speed, that of the cut or of the way to its start angle: from the second part on every G512 turns

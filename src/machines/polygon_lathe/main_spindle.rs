@@ -30,7 +30,7 @@ pub(super) const NAME: &str = "polygon.drive.main";
 impl Params {
     /// The spindle with its motor. The work's motor stays on the spindle, so that its inertia includes that of the work axis.
     pub(super) fn main_spindle(&self) -> MainSpindle {
-        self.main.main_spindle(self.main_spindle_gear(), self.work_inertia)
+        self.main.main_spindle(self.main_spindle_gear(), self.axes.work.inertia)
     }
 
     /// Continuous curve of its motor at the spindle, derated for the site and, without forced cooling, for a fan on its shaft.
@@ -45,7 +45,7 @@ impl Params {
     /// Clamp (r/min) of the control for the spindle: its speed at 10 V, at most the highest speed of the work axis,
     /// whose motor and chuck turn with it.
     pub(super) fn main_clamp(&self) -> f64 {
-        self.main_speed.min(self.work_limit)
+        self.main_speed.min(self.axes.work.limit)
     }
 
     /// Speed of its motor over that of the spindle.
@@ -205,7 +205,7 @@ fn judge_torque_at_knobs(lathe: &PolygonLathe, limit: f64) -> Option<Judgement> 
 /// Judges the greatest speed of the turned ends, with the knob at any position, against the highest speed of the work
 /// axis, whose motor and chuck turn with it.
 pub(super) fn judge_speed(lathe: &PolygonLathe) -> Option<Judgement> {
-    let (speed, most) = (greatest_speed(lathe), lathe.params.work_limit);
+    let (speed, most) = (greatest_speed(lathe), lathe.params.axes.work.limit);
     if speed <= most {
         return ok(AtMost(most));
     }
@@ -251,7 +251,7 @@ pub(super) fn inverter(lathe: &PolygonLathe) -> Option<InverterDrive> {
 
 /// Chuck, work and the work's motor at the shaft of the main motor, against the friction of the spindle.
 fn load_at_motor(p: &Params) -> Load {
-    p.main.load_at_motor(p.main_spindle_gear(), p.work_inertia)
+    p.main.load_at_motor(p.main_spindle_gear(), p.axes.work.inertia)
 }
 
 /// The main motor in a part of a run: friction always, and the greatest cut while the slide is in the stock and the

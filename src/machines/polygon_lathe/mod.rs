@@ -1,5 +1,6 @@
 //! The polygon lathe: a cutter disc and the work turn in a fixed ratio, started and stopped by G512 and G502, and flats appear.
 
+mod axes;
 mod bending;
 mod charts;
 mod citations;

@@ -1,5 +1,6 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
+use super::axes::RatioAxes;
 use super::further_form::{self, Further, FurtherForm};
 use super::shape::Shape;
 use super::turned_end_form::{self, TurnedEnd, TurnedEndForm, TurnedEnds};
@@ -68,33 +69,14 @@ pub(crate) struct Params {
     pub main: SpindleDrive,
     pub encoder: EncoderParams,
     pub main_speed: f64,
-    pub work_limit: f64,
-    pub tool_limit: f64,
-    pub work_time_constant: f64,
-    pub tool_time_constant: f64,
-    pub work_gain: f64,
-    pub tool_gain: f64,
-    pub work_motor_teeth: f64,
-    pub work_teeth: f64,
-    pub tool_motor_teeth: f64,
-    pub tool_teeth: f64,
-    pub work_encoder: f64,
-    pub tool_encoder: f64,
+    pub axes: RatioAxes,
     pub index_speed: f64,
     pub emergency: Emergency,
-    pub work_coast: f64,
-    pub tool_coast: f64,
     pub material: Material,
     pub specific_force: f64,
     pub edge_angle: f64,
     pub rake: f64,
     pub edge_wear: f64,
-    pub work_power: f64,
-    pub work_base: f64,
-    pub work_inertia: f64,
-    pub tool_power: f64,
-    pub tool_base: f64,
-    pub tool_inertia: f64,
     pub drive_peak: f64,
     pub drive_efficiency: f64,
     pub site_share: f64,
@@ -283,30 +265,30 @@ const ROWS: &[&[Field<Params>]] = &[
     main_spindle::friction("main-friction", "polygon.main.friction", "polygon.main.friction.help", member!(Params.main.friction)).group("polygon.group.main").when(Params::turns),
     number("main-ramp", member!(Params.main.ramp)).group("polygon.group.main").label("polygon.main.ramp").help("polygon.main.ramp.help")
         .unit("s").range(0.1..=600.0).default(2.0).decimals(2).step(0.1).fact().when(Params::turns),
-    number("work-limit", member!(Params.work_limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
+    number("work-limit", member!(Params.axes.work.limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
         .unit("r/min").range(1.0..=20000.0).default(1000.0).decimals(0).step(100.0).fact(),
-    number("tool-limit", member!(Params.tool_limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")
+    number("tool-limit", member!(Params.axes.tool.limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")
         .unit("r/min").range(1.0..=20000.0).default(2000.0).decimals(0).step(100.0).fact(),
-    number("work-time-constant", member!(Params.work_time_constant)).group("polygon.group.drives").label("polygon.work-time-constant").help("polygon.work-time-constant.help").symbol("τ")
+    number("work-time-constant", member!(Params.axes.work.time_constant)).group("polygon.group.drives").label("polygon.work-time-constant").help("polygon.work-time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).setting(),
-    number("tool-time-constant", member!(Params.tool_time_constant)).group("polygon.group.drives").label("polygon.tool-time-constant").help("polygon.tool-time-constant.help").symbol("τ")
+    number("tool-time-constant", member!(Params.axes.tool.time_constant)).group("polygon.group.drives").label("polygon.tool-time-constant").help("polygon.tool-time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).setting(),
-    number("work-gain", member!(Params.work_gain)).group("polygon.group.drives").label("polygon.work-gain").help("polygon.work-gain.help").symbol("K")
+    number("work-gain", member!(Params.axes.work.gain)).group("polygon.group.drives").label("polygon.work-gain").help("polygon.work-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).setting(),
-    number("tool-gain", member!(Params.tool_gain)).group("polygon.group.drives").label("polygon.tool-gain").help("polygon.tool-gain.help").symbol("K")
+    number("tool-gain", member!(Params.axes.tool.gain)).group("polygon.group.drives").label("polygon.tool-gain").help("polygon.tool-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).setting(),
-    scaling::teeth("work-motor-teeth", "polygon.group.drives", "scaling.work-motor-teeth", member!(Params.work_motor_teeth)),
-    scaling::teeth("work-teeth", "polygon.group.drives", "scaling.work-teeth", member!(Params.work_teeth)),
-    scaling::teeth("tool-motor-teeth", "polygon.group.drives", "scaling.tool-motor-teeth", member!(Params.tool_motor_teeth)),
-    scaling::teeth("tool-teeth", "polygon.group.drives", "scaling.tool-teeth", member!(Params.tool_teeth)),
-    scaling::encoder("encoder-counts-work", "polygon.group.drives", "scaling.encoder-work", member!(Params.work_encoder)),
-    scaling::encoder("encoder-counts-tool", "polygon.group.drives", "scaling.encoder-tool", member!(Params.tool_encoder)),
+    scaling::teeth("work-motor-teeth", "polygon.group.drives", "scaling.work-motor-teeth", member!(Params.axes.work.motor_teeth)),
+    scaling::teeth("work-teeth", "polygon.group.drives", "scaling.work-teeth", member!(Params.axes.work.teeth)),
+    scaling::teeth("tool-motor-teeth", "polygon.group.drives", "scaling.tool-motor-teeth", member!(Params.axes.tool.motor_teeth)),
+    scaling::teeth("tool-teeth", "polygon.group.drives", "scaling.tool-teeth", member!(Params.axes.tool.teeth)),
+    scaling::encoder("encoder-counts-work", "polygon.group.drives", "scaling.encoder-work", member!(Params.axes.work.encoder)),
+    scaling::encoder("encoder-counts-tool", "polygon.group.drives", "scaling.encoder-tool", member!(Params.axes.tool.encoder)),
     number("index-speed", member!(Params.index_speed)).group("polygon.group.drives").label("polygon.index-speed").help("polygon.index-speed.help")
         .unit("r/min").range(0.1..=1000.0).default(20.0).decimals(1).step(1.0),
     choice("emergency", member!(Params.emergency: Emergency)).group("polygon.group.drives").label("polygon.emergency").help("polygon.emergency.help"),
-    number("work-coast", member!(Params.work_coast)).group("polygon.group.drives").label("polygon.work-coast").help("polygon.work-coast.help")
+    number("work-coast", member!(Params.axes.work.coast)).group("polygon.group.drives").label("polygon.work-coast").help("polygon.work-coast.help")
         .unit("s").range(0.1..=600.0).default(4.0).decimals(1).step(0.5),
-    number("tool-coast", member!(Params.tool_coast)).group("polygon.group.drives").label("polygon.tool-coast").help("polygon.tool-coast.help")
+    number("tool-coast", member!(Params.axes.tool.coast)).group("polygon.group.drives").label("polygon.tool-coast").help("polygon.tool-coast.help")
         .unit("s").range(0.1..=600.0).default(2.0).decimals(1).step(0.5),
     choice("material", member!(Params.material: Material)).group("polygon.group.power").label("polygon.material").help("polygon.material.help"),
     number("specific-force", member!(Params.specific_force)).group("polygon.group.power").label("polygon.specific-force").help("polygon.specific-force.help").symbol("kc")
@@ -317,17 +299,21 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("°").range(-30.0..=30.0).default(0.0).decimals(1).step(1.0).fact(),
     number("edge-wear", member!(Params.edge_wear)).group("polygon.group.power").label("lathe.edge-wear").help("lathe.edge-wear.help")
         .range(1.0..=3.0).default(1.0).decimals(2).step(0.1).fact(),
-    number("work-power", member!(Params.work_power)).group("polygon.group.power").label("polygon.work-power").help("polygon.work-power.help").symbol("P")
+    number("work-power", member!(Params.axes.work.power)).group("polygon.group.power").label("polygon.work-power").help("polygon.work-power.help").symbol("P")
         .unit("kW").range(0.01..=1000.0).default(5.5).decimals(2).step(0.5).fact(),
-    number("work-base", member!(Params.work_base)).group("polygon.group.power").label("polygon.work-base").help("polygon.base.help").symbol("n b")
+    number("work-base", member!(Params.axes.work.base)).group("polygon.group.power").label("polygon.work-base").help("polygon.base.help").symbol("n b")
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
-    number("work-inertia", member!(Params.work_inertia)).group("polygon.group.power").label("polygon.work-inertia").help("polygon.work-inertia.help").symbol("J")
+    number("work-top", member!(Params.axes.work.top)).group("polygon.group.power").label("polygon.work-top").help("polygon.top.help").symbol("n max")
+        .unit("r/min").range(1.0..=100000.0).default(6000.0).decimals(0).step(100.0).fact(),
+    number("work-inertia", member!(Params.axes.work.inertia)).group("polygon.group.power").label("polygon.work-inertia").help("polygon.work-inertia.help").symbol("J")
         .unit("kg·m²").range(0.0..=1000.0).default(0.2).decimals(5).step(0.01).fact(),
-    number("tool-power", member!(Params.tool_power)).group("polygon.group.power").label("polygon.tool-power").help("polygon.tool-power.help").symbol("P")
+    number("tool-power", member!(Params.axes.tool.power)).group("polygon.group.power").label("polygon.tool-power").help("polygon.tool-power.help").symbol("P")
         .unit("kW").range(0.01..=1000.0).default(5.5).decimals(2).step(0.5).fact(),
-    number("tool-base", member!(Params.tool_base)).group("polygon.group.power").label("polygon.tool-base").help("polygon.base.help").symbol("n b")
+    number("tool-base", member!(Params.axes.tool.base)).group("polygon.group.power").label("polygon.tool-base").help("polygon.base.help").symbol("n b")
         .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
-    number("tool-inertia", member!(Params.tool_inertia)).group("polygon.group.power").label("polygon.tool-inertia").help("polygon.tool-inertia.help").symbol("J")
+    number("tool-top", member!(Params.axes.tool.top)).group("polygon.group.power").label("polygon.tool-top").help("polygon.top.help").symbol("n max")
+        .unit("r/min").range(1.0..=100000.0).default(6000.0).decimals(0).step(100.0).fact(),
+    number("tool-inertia", member!(Params.axes.tool.inertia)).group("polygon.group.power").label("polygon.tool-inertia").help("polygon.tool-inertia.help").symbol("J")
         .unit("kg·m²").range(0.0..=1000.0).default(0.02).decimals(5).step(0.001).fact(),
     number("drive-peak", member!(Params.drive_peak)).group("polygon.group.power").label("polygon.drive-peak").help("polygon.drive-peak.help")
         .unit("%").range(100.0..=600.0).default(250.0).decimals(0).step(10.0).fact(),

@@ -13,13 +13,21 @@ pub(super) const MOTORS: &[FormMotor] = &[
         drive: "work",
         name: "polygon.drive.work",
         is_on_inverter: false,
-        figures: &[("size.figure.rated-power", "work-power"), ("size.figure.rated-speed", "work-base")],
+        figures: &[
+            ("size.figure.rated-power", "work-power"),
+            ("size.figure.rated-speed", "work-base"),
+            ("size.figure.top-speed", "work-top"),
+        ],
     },
     FormMotor {
         drive: "tool",
         name: "polygon.drive.tool",
         is_on_inverter: false,
-        figures: &[("size.figure.rated-power", "tool-power"), ("size.figure.rated-speed", "tool-base")],
+        figures: &[
+            ("size.figure.rated-power", "tool-power"),
+            ("size.figure.rated-speed", "tool-base"),
+            ("size.figure.top-speed", "tool-top"),
+        ],
     },
     FormMotor {
         drive: "main",

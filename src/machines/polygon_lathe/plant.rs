@@ -29,7 +29,10 @@ pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let turns = |ms: f64, position_gain: f64| AxisPlant { time_constant: ms / 1000.0, position_gain, ..AxisPlant::PMC };
     Plant {
         axes: p.slides.plants(lathe.x_per_mm() > 1.0, [0.5 * p.start_x, p.start_z]),
-        pmc: vec![turns(p.work_time_constant, p.work_gain), turns(p.tool_time_constant, p.tool_gain)],
+        pmc: vec![
+            turns(p.axes.work.time_constant, p.axes.work.gain),
+            turns(p.axes.tool.time_constant, p.axes.tool.gain),
+        ],
         spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,

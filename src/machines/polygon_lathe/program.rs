@@ -411,7 +411,7 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
     refuse(b, &UNKNOWN, alarm_block(LETTER));
     wait_for_slide(b);
     b.n(10).if_goto(v(ON).eq(1), alarm_block(ON_ALREADY));
-    let limits = [(D, p.work_limit, WORK_TOO_FAST), (Q, p.tool_limit, TOOL_TOO_FAST)];
+    let limits = [(D, p.axes.work.limit, WORK_TOO_FAST), (Q, p.axes.tool.limit, TOOL_TOO_FAST)];
     for (at, (term, limit, alarm)) in (11..).zip(limits) {
         let most = lathe.limit_at_full_feed(limit).floor();
         b.n(at).if_goto((v(B) * v(term)).abs().gt(real(most, 0)), alarm_block(alarm));

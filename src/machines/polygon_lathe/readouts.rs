@@ -1,8 +1,8 @@
 //! The results of the polygon lathe as rows: label, unit, formula, source.
 
+use super::axes::PolygonAxis;
 use super::citations::{OURS, PAPER};
 use super::demand::DemandKind;
-use super::load::PolygonAxis;
 use super::main_spindle;
 use super::resolved::PolygonLathe;
 use crate::machines::driven::scaling;

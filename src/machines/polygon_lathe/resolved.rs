@@ -142,8 +142,16 @@ impl PolygonLathe {
         let params = &self.params;
         let drive = |axis, gear, encoder| AxisDrive { axis, lead: 360.0, gear, encoder, rotary: true, words: 1.0 };
         [
-            drive("4", GearTurns { motor: params.work_teeth, load: params.work_motor_teeth }, params.work_encoder),
-            drive("3", GearTurns { motor: params.tool_teeth, load: params.tool_motor_teeth }, params.tool_encoder),
+            drive(
+                "4",
+                GearTurns { motor: params.axes.work.teeth, load: params.axes.work.motor_teeth },
+                params.axes.work.encoder,
+            ),
+            drive(
+                "3",
+                GearTurns { motor: params.axes.tool.teeth, load: params.axes.tool.motor_teeth },
+                params.axes.tool.encoder,
+            ),
         ]
     }
 

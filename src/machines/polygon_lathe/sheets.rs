@@ -77,10 +77,10 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         sheet.rows.push(row(text.into_iter().chain([calls]).collect::<Vec<_>>(), PAPER));
     }
     for (axis, value, unit, text) in [
-        ("4", p.work_time_constant, "ms", "polygon.param.time-constant"),
-        ("3", p.tool_time_constant, "ms", "polygon.param.time-constant"),
-        ("4", p.work_gain, "1/s", "polygon.param.gain"),
-        ("3", p.tool_gain, "1/s", "polygon.param.gain"),
+        ("4", p.axes.work.time_constant, "ms", "polygon.param.time-constant"),
+        ("3", p.axes.tool.time_constant, "ms", "polygon.param.time-constant"),
+        ("4", p.axes.work.gain, "1/s", "polygon.param.gain"),
+        ("3", p.axes.tool.gain, "1/s", "polygon.param.gain"),
     ] {
         let cells = [String::new(), String::new(), axis.to_owned(), show(value, 3), unit.to_owned(), say(text)];
         sheet.rows.push(row(cells, OURS));

@@ -15,20 +15,22 @@ impl Params {
 
     /// Settling time of both axes, s: `max(τ) + 8 / min(K)`, with time constants τ [s] and position gains K [1/s].
     pub(super) fn settling(&self) -> f64 {
-        self.work_time_constant.max(self.tool_time_constant) / 1000.0 + 8.0 / self.work_gain.min(self.tool_gain)
+        self.axes.work.time_constant.max(self.axes.tool.time_constant) / 1000.0
+            + 8.0 / self.axes.work.gain.min(self.axes.tool.gain)
     }
 
     /// Phase of the tool ahead of the work at speed, degrees of the tool: `6 n_tool · ((τ_w/2 + 1/K_w) - (τ_t/2 + 1/K_t))`, with time
     /// constants τ [s] and gains K [1/s] of work and tool. Source: servo lag after linear acceleration.
     pub(super) fn phase(&self) -> f64 {
         let lag = |ms: f64, gain: f64| 0.5 * ms / 1000.0 + 1.0 / gain;
-        let early = lag(self.work_time_constant, self.work_gain) - lag(self.tool_time_constant, self.tool_gain);
+        let early = lag(self.axes.work.time_constant, self.axes.work.gain)
+            - lag(self.axes.tool.time_constant, self.axes.tool.gain);
         6.0 * self.tool_speed() * early + 0.0
     }
 
     /// Deceleration of work and tool by friction with the drives off, r/min per second.
     pub(super) fn coasting_deceleration(&self) -> [f64; 2] {
-        [self.work_limit / self.work_coast, self.tool_limit / self.tool_coast]
+        [self.axes.work.limit / self.axes.work.coast, self.axes.tool.limit / self.axes.tool.coast]
     }
 
     /// Phase of the tool ahead of the work after coasting to rest, degrees of the tool: each axis turns by `3 n² / a` degrees, with speed n

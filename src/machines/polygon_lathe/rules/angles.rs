@@ -35,7 +35,8 @@ pub(super) fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.angles.phase.abs() <= 1e-9 {
         return ok(None);
     }
-    let (slow, soft) = (p.work_time_constant.max(p.tool_time_constant), p.work_gain.min(p.tool_gain));
+    let (slow, soft) =
+        (p.axes.work.time_constant.max(p.axes.tool.time_constant), p.axes.work.gain.min(p.axes.tool.gain));
     let sets = [
         nearest(FIELDS, "work-time-constant", slow),
         nearest(FIELDS, "tool-time-constant", slow),

@@ -3,8 +3,9 @@
 use crate::drives::cutting;
 use crate::machines::form::entry::{NumberEntry, at_least, at_most, field_max};
 use crate::machines::lathe::knobs;
+use crate::machines::polygon_lathe::axes::PolygonAxis;
 use crate::machines::polygon_lathe::demand::DemandKind;
-use crate::machines::polygon_lathe::load::{ForceLimits, PolygonAxis, PolygonFeed};
+use crate::machines::polygon_lathe::load::{ForceLimits, PolygonFeed};
 use crate::machines::polygon_lathe::params::FIELDS;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::polygon_lathe::turned_end_form::TURNED_ENDS;
@@ -147,7 +148,7 @@ fn run_up(lathe: &PolygonLathe, axis: PolygonAxis, message: impl Fn(f64, f64) ->
         let torque = (drive.motor.torque(drive.speed) * p.drive_peak / 100.0, 1);
         return fail(AtMost(limit), [msg!("lathe.friction-stalls", friction = (drive.friction, 1), torque).into()]);
     }
-    let ramp = (1000.0 * lathe.with_most_feed().ramp()).max(p.work_time_constant).max(p.tool_time_constant);
+    let ramp = (1000.0 * lathe.with_most_feed().ramp()).max(p.axes.work.time_constant).max(p.axes.tool.time_constant);
     let with_ramp = |fact: Message| {
         let advice = Advice::from(fact);
         if ramp > field_max(FIELDS, "work-time-constant") {

@@ -12,15 +12,15 @@ use crate::view::Limit::{AtLeast, AtMost, Within};
 
 pub(super) fn tool_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
-    too_fast(lathe, lathe.derived.speeds.tool, p.tool_limit, p.tool_ratio, |speed| {
-        msg!("polygon.tool-too-fast", limit = (p.tool_limit, 0), speed)
+    too_fast(lathe, lathe.derived.speeds.tool, p.axes.tool.limit, p.tool_ratio, |speed| {
+        msg!("polygon.tool-too-fast", limit = (p.axes.tool.limit, 0), speed)
     })
 }
 
 pub(super) fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
     let p = &lathe.params;
-    too_fast(lathe, lathe.derived.speeds.work, p.work_limit, p.work_ratio, |speed| {
-        msg!("polygon.work-too-fast", limit = (p.work_limit, 0), speed)
+    too_fast(lathe, lathe.derived.speeds.work, p.axes.work.limit, p.work_ratio, |speed| {
+        msg!("polygon.work-too-fast", limit = (p.axes.work.limit, 0), speed)
     })
 }
 

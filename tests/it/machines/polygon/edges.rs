@@ -58,6 +58,18 @@ fn speed_to_the_start_angles_is_that_of_a_drive() {
 }
 
 #[test]
+fn greatest_speed_of_an_axis_is_one_that_its_motor_reaches() {
+    // 3000 r/min through 20 and 40 teeth.
+    let geared = |limit: &str| {
+        project(&[("tool-limit", limit), ("tool-top", "3000"), ("tool-motor-teeth", "20"), ("tool-teeth", "40")])
+    };
+    assert!(errors(&geared("1500")).is_empty());
+    let found = errors(&geared("1501"));
+    let [beyond] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((beyond.field, beyond.entry), (Some("tool-limit"), Some(1500.0)));
+}
+
+#[test]
 fn larger_second_cutter_needs_a_start_clear_of_the_stock() {
     let second = |radius: &str, start: &str| {
         project(&[
