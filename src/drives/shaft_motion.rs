@@ -327,6 +327,12 @@ impl Motion {
         if strikes { (torque.abs().max(self.strikes.peak), self.strikes.spread) } else { (torque.abs(), 0.0) }
     }
 
+    /// Greatest torque in Nm of the strikes during a segment, without sign; none where the work does not strike.
+    pub fn strike(&self, segment: &SpeedSegment) -> Option<f64> {
+        let (strike, _) = self.greatest(segment, self.work(segment), 0.0);
+        (strike > 0.0).then_some(strike)
+    }
+
     /// Load of the whole motion on a motor with a rotor in kg m².
     pub fn motor_load(&self, rotor: f64) -> MotorLoad {
         let mut load = MotorLoad::default();

@@ -295,22 +295,39 @@ impl Timeline {
         visits
     }
 
-    /// Start (s) of the first block that begins after `t`; `None` if none is planned.
-    pub fn next_block(&self, t: f64) -> Option<f64> {
+    /// Marks after `t`.
+    fn later(&self, t: f64) -> &[Activity] {
         let marks = self.marks.until(f64::INFINITY);
-        let here = self.block_at(t);
-        let later = &marks[marks.partition_point(|mark| mark.t <= t)..];
-        later.iter().find(|mark| mark.begun && Some(mark.place) != here).map(|mark| mark.t)
+        &marks[marks.partition_point(|mark| mark.t <= t)..]
     }
 
-    /// Start (s) of the executing block at `t`, or of the preceding one if it starts at `t`; 0 before the first.
+    /// Start (s) of the first execution of a block that begins after `t`, also of the same block once more; `None` if none is planned.
+    pub fn next_block(&self, t: f64) -> Option<f64> {
+        let here = self.block_at(t);
+        let begins = |mark: &&Activity| mark.begun && (mark.is_start || Some(mark.place) != here);
+        self.later(t).iter().find(begins).map(|mark| mark.t)
+    }
+
+    /// Start (s) of the first other block that begins after `t`; `None` if none is planned.
+    pub fn next_other_block(&self, t: f64) -> Option<f64> {
+        let here = self.block_at(t);
+        self.later(t).iter().find(|mark| mark.begun && Some(mark.place) != here).map(|mark| mark.t)
+    }
+
+    /// Start (s) of the execution of a block at `t`, or of the preceding one if it starts at `t`; 0 before the first.
     pub fn block_before(&self, t: f64) -> f64 {
         let marks = self.marks.until(t);
         let earlier = &marks[..marks.partition_point(|mark| mark.t < t)];
         let Some(last) = earlier.last() else { return 0.0 };
-        // A block may have several marks, for instance a wait and its motion.
-        let others = earlier.iter().rev().take_while(|mark| mark.begun && mark.place == last.place);
-        others.last().map_or(last.t, |mark| mark.t)
+        // An execution may have several marks, for instance a wait and its motion.
+        let mut first = last.t;
+        for mark in earlier.iter().rev().take_while(|mark| mark.begun && mark.place == last.place) {
+            first = mark.t;
+            if mark.is_start {
+                break;
+            }
+        }
+        first
     }
 
     /// Earliest time (s) kept: 0 unless old parts are dropped.

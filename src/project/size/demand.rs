@@ -136,13 +136,17 @@ impl RunsDemand {
         let mut lines: BTreeMap<(usize, i64, i64, i64), OperatingLine> = BTreeMap::new();
         for (run, motion) in self.motions.iter().enumerate() {
             for segment in motion.segments() {
-                let torque =
+                let steady =
                     motion.torque(segment, motor.rotor) * if segment.from + segment.to < 0.0 { -1.0 } else { 1.0 };
                 let speeds = (segment.from.abs() / RPM, segment.to.abs() / RPM);
                 let key = |value: f64| (value * ALIKE).round() as i64;
-                let line = OperatingLine { speeds, torque, t: segment.t, seconds: 0.0, is_at_highest_knob: run > 0 };
-                lines.entry((run, key(speeds.0), key(speeds.1), key(torque))).or_insert(line).seconds +=
-                    segment.seconds;
+                // An interrupted cut has two lines, its mean torque and its strikes.
+                for torque in [Some(steady), motion.strike(segment)].into_iter().flatten() {
+                    let is_at_highest_knob = run > 0;
+                    let line = OperatingLine { speeds, torque, t: segment.t, seconds: 0.0, is_at_highest_knob };
+                    let alike = (run, key(speeds.0), key(speeds.1), key(torque));
+                    lines.entry(alike).or_insert(line).seconds += segment.seconds;
+                }
             }
         }
         // The longest lines; the others are too short to be seen.

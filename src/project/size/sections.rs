@@ -119,9 +119,11 @@ impl Sizing {
             (None, true) => Verdict::Warn,
             (None, false) => Verdict::Ok,
         };
-        // A run that was cut short has not asked all of the motor.
-        let short = if self.truncated.is_some() { Verdict::Warn } else { Verdict::None };
-        let verdict = order.max(short).max(self.heat(axis).map_or(Verdict::None, |heat| heat.verdict));
+        if let Some(run) = &self.truncated {
+            // A run that was cut short has not asked all of the motor.
+            return (order.max(Verdict::Warn), sentence(&run.message()));
+        }
+        let verdict = order.max(self.heat(axis).map_or(Verdict::None, |heat| heat.verdict));
         let is_listed = |part: &Part| part.maker == row.maker && part.model == row.model;
         let candidate = axis.candidates.iter().find(|candidate| is_listed(&candidate.part));
         let motor = row.part();

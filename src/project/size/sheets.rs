@@ -13,7 +13,7 @@ use crate::msg;
 use crate::project::parts::source_title;
 use crate::text::catalog::{number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
-use crate::view::{Column, Limit, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
+use crate::view::{Column, Limit, MotorPoint, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
@@ -228,7 +228,10 @@ impl Sizing {
         let limit = heat.and_then(limit).map(|limit| format!(" / {limit}")).unwrap_or_default();
         let effective_torque = format!("{beyond}{}{limit}", units::text(load.effective, 3, "Nm"));
         let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
+        let of_motor = |curve: &[MotorPoint]| curve.first().map_or(0.0, |(_, torque)| *torque);
+        let (steady, short) = ((of_motor(&chart.continuous), 2), (of_motor(&chart.peak), 2));
         let cells = [
+            ("size.form-motor", sentence(&msg!("size.form-torques", steady, short))),
             ("size.torque", sentence(&peak_at)),
             ("size.effective", effective_torque),
             ("size.speed", units::text(load.speed / RPM, 0, "r/min")),
