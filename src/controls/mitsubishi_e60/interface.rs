@@ -25,7 +25,22 @@ const BITS: &[Signal] = &[
     to_plc(TStrobe, "X238", "", "TF: strobe of T", MEMORY),
     from_plc(AxesEnable, "Y20F", "", "*AIT: 0 holds all axes", MEMORY),
     from_plc(HoldReleased, "Y211", "", "*SP: 0 is feed hold", MEMORY),
+    from_plc(
+        FeedOverrideByRegister,
+        "Y21F",
+        "",
+        "FVS: 1 takes R132; at 0 the feed override is a code at Y218 to Y21C",
+        MEMORY,
+    ),
     from_plc(Finished, "Y226", "", "FIN: M, S and T are done; held until their strobes fall", MEMORY),
+    // The M70 has it at Y188F, by as many places before GI1.
+    from_plc(
+        SpindleOverrideValid,
+        "Y28F",
+        "",
+        "SPS: 1 takes R148; at 0 the override is a code at Y288 to Y28A, 100 % without it",
+        MEMORY,
+    ),
     from_plc(GearIndex(0), "Y290", "", "GI1: gear stage less one, bit 0", MEMORY),
     from_plc(GearIndex(1), "Y291", "", "GI2: gear stage less one, bit 1", MEMORY),
     from_plc(EmergencyRequest, "Y29F", "", "QEMG: 1 is emergency stop", MEMORY),

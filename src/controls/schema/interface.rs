@@ -37,6 +37,8 @@ pub enum SignalRole {
     SpindleOverrideCode,
     /// Cutting feed override in percent, PLC to control.
     FeedOverride,
+    /// 1 takes the register of the cutting feed override, PLC to control; without it the control takes a code.
+    FeedOverrideByRegister,
     /// 1 fixes the cutting feed override at 100 %, PLC to control.
     FeedOverrideOff,
     /// 1 makes the cutting feed override valid, PLC to control; without it the control takes 100 %, except

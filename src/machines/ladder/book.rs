@@ -458,6 +458,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
         SignalRole::SpindleOverrideValid => "plc.signal.override-valid",
         SignalRole::SpindleOverrideCode => "plc.signal.override-code",
         SignalRole::FeedOverride => "plc.signal.feed-override",
+        SignalRole::FeedOverrideByRegister => "plc.signal.feed-override-register",
         SignalRole::FeedOverrideOff => "plc.signal.feed-override-off",
         SignalRole::FeedOverrideValid => "plc.signal.feed-override-valid",
         SignalRole::MacroInputLow(_) => "plc.signal.macro-input",

@@ -37,7 +37,7 @@ impl<P: RunningProgram> Samples for Planner<P> {
     fn execution_spans(&self, sequence: u32, t: f64) -> Vec<(f64, f64)> {
         let Some(place) = self.program().numbered(sequence) else { return Vec::new() };
         let timeline = self.timeline();
-        let end = |begin: f64| timeline.next_block(begin).map_or(t, |end| end.min(t));
+        let end = |begin: f64| timeline.next_other_block(begin).map_or(t, |end| end.min(t));
         timeline.begins(place).take_while(|begin| *begin < t).map(|begin| (begin, end(begin))).collect()
     }
 

@@ -24,6 +24,11 @@ impl LineAxis {
 }
 
 impl<T> PerAxis<T> {
+    /// The values that `of` gives for each axis.
+    pub(super) fn of(of: impl Fn(LineAxis) -> T) -> PerAxis<T> {
+        PerAxis { pull: of(LineAxis::Pull), print: of(LineAxis::Print) }
+    }
+
     /// Values computed from those of each axis.
     pub(super) fn map<U>(&self, of: impl Fn(&T) -> U) -> PerAxis<U> {
         PerAxis { pull: of(&self.pull), print: of(&self.print) }

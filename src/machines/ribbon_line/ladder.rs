@@ -88,6 +88,9 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
         let feed = PlcNumber::Signal(SignalRole::FeedOverride);
         book.copy(PlcNumber::Constant(100), feed, Book::always(), "ribbon.ladder.feed");
     }
+    if book.has(SignalRole::FeedOverrideByRegister) {
+        book.coil(Bit::Signal(SignalRole::FeedOverrideByRegister), Book::always(), "ribbon.ladder.feed-register");
+    }
     if book.has(SignalRole::FeedOverrideOff) {
         book.coil(Bit::Signal(SignalRole::FeedOverrideOff), Book::always(), "ribbon.ladder.feed");
     }

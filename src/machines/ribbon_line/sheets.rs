@@ -1,11 +1,12 @@
 //! Sheets for the machine builder: parameters, registers between PLC and control, and the ladder of figure 1.
 
+use super::axes::PerAxis;
 use super::ladder::ladder;
-use super::params::{AxisParams, PrintAxis};
+use super::params::{AxisParams, PathMode, PrintAxis};
 use super::resolved::RibbonLine;
 use super::stops::reactions;
-use crate::controls::ParamRole;
-use crate::drives::block::{greatest_acceleration, ramp};
+use crate::controls::{Code, ParamRole};
+use crate::drives::block::ramp;
 use crate::machines::driven::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue};
 use crate::machines::stops;
@@ -40,6 +41,14 @@ fn parameters(line: &RibbonLine) -> Sheet {
         turning.push((print, ParamValue::Answer(false)));
     }
     let yes = |on: bool| one(ParamValue::Answer(on));
+    let stops = p.path_mode == PathMode::ExactStop;
+    // The ramps of the results are those of the line at its fastest. An acceleration that reaches rapid traverse as soon would ask the
+    // multiple torque of them.
+    let feeds = line.fast.feeds.of_axes();
+    let acceleration = PerAxis::of(|axis| {
+        let AxisParams { time_constant, position_gain, .. } = p.axes[axis];
+        feeds[axis] / 60.0 / ramp(time_constant / 1e3, position_gain)
+    });
     let rules = line.dialect.spindle();
     let mut values = vec![
         (ParamRole::SpindleCount, yes(true)),
@@ -77,13 +86,13 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::AxisTimeConstant, per_axis(&|axis| axis.time_constant)),
         (
             ParamRole::AxisGreatestAcceleration,
-            per_axis(&|axis| {
-                greatest_acceleration(axis.rapid, axis.clamp, ramp(axis.time_constant / 1e3, axis.position_gain))
-            }),
+            vec![("X", number(acceleration.pull)), (print, number(acceleration.print))],
         ),
         (ParamRole::AxisPositionGain, per_axis(&|axis| axis.position_gain)),
         (ParamRole::AxisInPosition, per_axis(&|_| p.in_position)),
         (ParamRole::AxisSoftLimits, both(false)),
+        // Without a code for the exact stop the parameter alone decides; with one it says how the stop is checked.
+        (ParamRole::ExactStopCheck, yes(stops || line.control.can(Code::Cutting))),
         (ParamRole::CommandUnit, yes(true)),
         (ParamRole::FeedOneDigit, yes(false)),
         (ParamRole::VariablesAtReset, yes(false)),

@@ -298,7 +298,9 @@ fn rules_give_their_verdicts() {
         (&[("youngs-modulus", "3000")], "tension", Verdict::Fail),
         // The slip of the motor, 18 r/min less than commanded, is twice the part of the speed at half of it.
         (&[], "tension", Verdict::Fail),
-        (&[("knob-lowest", "100")], "tension", Verdict::Ok),
+        // 6 N beside the 15 N of the ribbon open a switch at 20 N, half of what the nip holds, and none at 40 N.
+        (&[("knob-lowest", "100")], "tension", Verdict::Fail),
+        (&[("knob-lowest", "100"), ("pinch-force", "200")], "tension", Verdict::Ok),
         (&[("dwell", "0"), ("youngs-modulus", "200")], "tension", Verdict::Fail),
         (&[("pi", "3.14")], "pi-drift", Verdict::Warn),
         (&[], "thickness-error", Verdict::Warn),

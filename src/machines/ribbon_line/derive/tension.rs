@@ -32,11 +32,6 @@ impl Tension {
         }
     }
 
-    /// Greatest tension of a tight ribbon, by a draw or after a start.
-    pub(in crate::machines::ribbon_line) fn excess(&self) -> f64 {
-        self.draw.max(self.start)
-    }
-
     /// Greatest tension of the ribbon before X: `T1`, with a draw, or after a start.
     pub(in crate::machines::ribbon_line) fn greatest(&self, p: &Params) -> f64 {
         self.with_draw(p).max(self.start)

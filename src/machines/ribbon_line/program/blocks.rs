@@ -6,7 +6,7 @@ use crate::controls::{Address, Code, VarKind};
 use crate::machines::program::writing;
 use crate::machines::ribbon_line::params::{Endless, OverrideForm, PathMode, Wait};
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::ribbon_line::variables::{ACTUAL_SPEED, PRINT_TRAVEL, SPEED};
+use crate::machines::ribbon_line::variables::{ACTUAL_SPEED, LEFT, PITCH, PRINT_TRAVEL, REMAINDER, SPEED, STROKE};
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
 
 pub(super) fn header(b: &mut Builder, line: &RibbonLine) {
@@ -68,6 +68,11 @@ pub(super) fn modes(line: &RibbonLine) -> Vec<NewWord> {
     codes(line, [Code::Incremental, feed_unit(line), path])
 }
 
+/// Millimetres, and S in r/min, whatever the program before has left in force.
+pub(super) fn opening(b: &mut Builder, line: &RibbonLine) {
+    b.words(codes(line, [Code::Metric, Code::SurfaceSpeedOff]));
+}
+
 /// Turns the feed override off, if the control has a variable for it.
 pub(super) fn override_off(b: &mut Builder, line: &RibbonLine, number: u32) {
     if overrides_can_be_off(line) {
@@ -90,15 +95,28 @@ pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32) {
     phase::to_head(b, line, next, |by| travel(line, line.print(), by));
 }
 
-/// Sets the present position to zero, because the coordinates otherwise only grow.
-pub(super) fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
+/// Shifts the coordinates back, because they otherwise only grow, and goes on at block `next`. X begins anew at zero, the print roller at its
+/// distance from the head.
+///
+/// A control that reads its positions shifts only where the product would end in the second half of its range: a coordinate has whole
+/// increments, and what a shift loses of the head's place adds up over the products of a shift.
+pub(super) fn preset(b: &mut Builder, line: &RibbonLine, number: u32, next: u32) {
     if !presets(line) {
         return;
     }
-    let zero = || real(0.0, 0);
     let mut words = codes(line, [Code::SetCoordinates]);
-    words.extend([x(zero()), word(line.params.print_axis.address(), zero())]);
-    b.n(number).words(words);
+    let print = line.params.print_axis.address();
+    let Some(position) = writing::work_position(line.control) else {
+        words.extend([x(real(0.0, 0)), word(print, real(0.0, 0))]);
+        b.n(number).words(words);
+        return;
+    };
+    let of = |axis: usize| v(position + axis as u32).abs();
+    let product = v(LEFT) * (pull_words(line, v(PITCH)) + v(STROKE));
+    let half = (0.5 * line.control.limits.coordinate_max).floor();
+    b.n(number).if_goto((of(line.pull()) + of(line.print()) + product).lt(real(half, 0)), next);
+    words.extend([x(real(0.0, 0)), word(print, -v(REMAINDER))]);
+    b.words(words);
 }
 
 /// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed
@@ -107,11 +125,9 @@ pub(super) fn spindle_word(line: &RibbonLine) -> u32 {
     if line.params.knob_is_locked() { ACTUAL_SPEED } else { SPEED }
 }
 
-/// Starts the unwinder before the program reads its speed back: a register with the final speed is 0 until the control puts out an S.
-pub(super) fn speed_before_reading(b: &mut Builder, line: &RibbonLine) {
-    if line.params.override_form == OverrideForm::FinalSpeed {
-        b.words([s(v(SPEED)), m(3)]).note("S IS READ BACK");
-    }
+/// Whether the program reads the speed after override and clamp back from a register, which is 0 until the control puts out an S.
+pub(super) fn reads_final_speed(line: &RibbonLine) -> bool {
+    line.params.override_form == OverrideForm::FinalSpeed
 }
 
 /// S and M3, and the wait until the unwinder runs.
@@ -132,12 +148,8 @@ pub(super) fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait
 /// Spindle off, absolute dimensions, program end, and the alarm of a broken-off product. `#3004` is cleared by the reset of M30: written
 /// here it would act before the last moves are done.
 pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
-    if line.dialect.spindle().volts_stay {
-        // Without it a key would turn the unwinder at the speed of the program.
-        b.n(50).words([m(5), s(0)]).note("NO VOLTAGE FOR THE KEYS");
-    } else {
-        b.n(50).words([m(5)]);
-    }
+    // Where the volts stay, a key would turn the unwinder at the speed of the program; not every maker says whether they do.
+    b.n(50).words([m(5), s(0)]).note("NO VOLTAGE FOR THE KEYS");
     phase::end(b, line);
     let absolute = codes(line, [Code::Absolute]);
     if !absolute.is_empty() {

@@ -1,7 +1,7 @@
 //! The main program that both listings of the paper share; each has passes of its own.
 
 use super::alarms;
-use super::blocks::{about, end, header, override_off, preset, presets, speed_before_reading, to_head};
+use super::blocks::{about, end, header, opening, override_off, preset, presets, reads_final_speed, to_head};
 use super::entries::{entries, is_length};
 use super::formulas::print_stroke;
 use super::numbers::RUN;
@@ -10,8 +10,8 @@ use super::product_length::{last_pitch, length_alarms, pitches_left};
 use crate::machines::program::writing::{self, alarm_block};
 use crate::machines::ribbon_line::params::Variant;
 use crate::machines::ribbon_line::resolved::RibbonLine;
-use crate::machines::ribbon_line::variables::{COUNT, LEFT, LENGTH, PITCH, PITCH_COPY, RUNNING_SPEED, STROKE};
-use crate::nc::build::{Builder, m, v};
+use crate::machines::ribbon_line::variables::{COUNT, LEFT, LENGTH, PITCH, PITCH_COPY, RUNNING_SPEED, SPEED, STROKE};
+use crate::nc::build::{Builder, m, s, v};
 
 /// The main program of a listing: the blocks before its passes, the passes (from a block on), the last pitch and the alarms.
 pub(super) fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl FnOnce(&mut Builder)) {
@@ -23,13 +23,18 @@ pub(super) fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, pa
     if !line.feeds_per_revolution() {
         writing::count_seconds(b, line.control);
     }
+    opening(b, line);
     b.n(21);
     product(b, line);
     b.n(22).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
     b.n(23).assign(RUNNING_SPEED, 0).note("SPINDLE DOES NOT RUN YET");
-    to_head(b, line, if presets(line) { 24 } else { passes_at });
-    preset(b, line, 24);
-    speed_before_reading(b, line);
+    let start = if reads_final_speed(line) { 25 } else { passes_at };
+    to_head(b, line, if presets(line) { 24 } else { start });
+    preset(b, line, 24, start);
+    if reads_final_speed(line) {
+        // The register is 0 until the control puts out an S.
+        b.n(25).words([s(v(SPEED)), m(3)]).note("S IS READ BACK");
+    }
     passes(b);
     last_pitch(b, line);
     end(b, line);

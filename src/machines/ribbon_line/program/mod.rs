@@ -19,6 +19,7 @@ mod setup;
 
 pub(super) use entries::variables;
 pub(super) use numbers::{RUN, SETUP};
+pub(super) use phase::position_variable;
 
 use blocks::overrides_can_be_off;
 

@@ -17,7 +17,7 @@ const SMALL: f64 = 0.002;
 const ROUNDS_UP: f64 = 0.5 - SMALL;
 
 /// Variable of the print roller's position, if the control has one.
-fn position(line: &RibbonLine) -> Option<u32> {
+pub(in crate::machines::ribbon_line) fn position_variable(line: &RibbonLine) -> Option<u32> {
     Some(writing::work_position(line.control)? + line.print() as u32)
 }
 
@@ -35,7 +35,7 @@ pub(super) fn check(b: &mut Builder, line: &RibbonLine, number: u32) {
 /// `ROUND(e + 0.498) - e`: 1 - e if the ribbon is past a head, -e if it is before one. The roller never turns backwards.
 pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl FnOnce(Formula) -> NewWord) {
     let axis = line.params.print_axis.address();
-    let Some(position) = position(line) else {
+    let Some(position) = position_variable(line) else {
         b.assign(REMAINDER, 0).note(&format!("REMAINDER OF {axis}"));
         b.assign(PHASE, 1).note("A PRODUCT BEGINS");
         return;

@@ -42,8 +42,8 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
 
 /// The main program of the listing that calculates before the loop: a pass is a look at the knob and the block N200.
 pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
-    run_listing(b, line, 25, |b| {
-        b.n(25).words(modes(line));
+    run_listing(b, line, 26, |b| {
+        b.n(26).words(modes(line));
         b.n(30).while_do(v(LEFT).gt(0), 1);
         compute_again(b.n(31), line);
         b.n(32).if_goto(feed_moves(), 35).note("F BELOW IS F0");

@@ -2,8 +2,8 @@
 
 use super::alarms;
 use super::blocks::{
-    about, codes, end, header, modes, move_block, override_off, preset, presets, pull_words, speed_before_reading,
-    spindle_word, start_spindle, to_head, wait_for_knob,
+    about, codes, end, header, modes, move_block, opening, override_off, preset, presets, pull_words,
+    reads_final_speed, spindle_word, start_spindle, to_head, wait_for_knob,
 };
 use super::entries::{entries, is_length};
 use super::formulas::{actual_speed, changed, feed_is_zero, feed_moves, per_turn, print_stroke, vector_feed};
@@ -82,21 +82,24 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
         b.n(2).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
     }
     phase::check(b, line, 3);
+    opening(b, line);
     b.n(4).assign(BLOCK_PITCHES, v(BLOCK_SIZE)).note("PITCHES OF A BLOCK");
-    speed_before_reading(b, line);
     b.n(5).call(COMPUTE, None);
-    // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
-    b.while_do(feed_is_zero(), 1);
-    wait_for_knob(b, line);
-    b.call(COMPUTE, None);
-    b.end_do(1);
+    // A final speed is read by the running line (N15), after S.
+    if !reads_final_speed(line) {
+        // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
+        b.while_do(feed_is_zero(), 1);
+        wait_for_knob(b, line);
+        b.call(COMPUTE, None);
+        b.end_do(1);
+    }
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
         b.if_goto(v(LEFT).lt(1), alarm_block(alarms::SHORT_LENGTH));
     }
     let next = if presets(line) { 6 } else { 7 };
     to_head(b, line, next);
-    preset(b, line, 6);
+    preset(b, line, 6, 7);
     let speed = spindle_word(line);
     b.n(7).assign(RUNNING_SPEED, v(speed)).note("SPEED THAT RUNS");
     start_spindle(b, line, 8, 9);

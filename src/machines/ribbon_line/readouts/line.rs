@@ -343,7 +343,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "tension", label: "ribbon.readout.tension", unit: "N", decimals: 3,
         formula: "E · width · thickness · draw; after a start E · width · thickness · |start| / L + T1, the knob at its worst",
-        cite: Citation::new("sizing facts D11; ribbon line facts, 7", Grade::Inferred), value: |line| line.worst(|d| d.tension.excess()).tension.excess(), ..ReadoutRow::BASE
+        cite: Citation::new("sizing facts D11; ribbon line facts, 7", Grade::Inferred), value: |line| slack::tight(line), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "pi-drift", label: "ribbon.readout.pi-drift", unit: "mm/min", decimals: 3,

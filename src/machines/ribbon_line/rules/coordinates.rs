@@ -5,6 +5,7 @@ use crate::controls::{Code, ParamRole};
 use crate::machines::form::entry::at_most;
 use crate::machines::ribbon_line::axes::{LineAxis, PerAxis};
 use crate::machines::ribbon_line::params::{Endless, FIELDS, PULL_LETTER, PrintAxis};
+use crate::machines::ribbon_line::program;
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::math::PI;
@@ -28,6 +29,18 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
             .about("pitches-per-block")
             .hint(msg!("ribbon.fewer-pitches", count = ((max / pitch).floor(), 0)))
     })
+}
+
+/// Places of an axis that every machine has in front of it: pull axis and one more.
+const ALWAYS_FITTED: usize = 2;
+
+/// A note about the variable of the print roller's position, whose number counts the axes in front of it. Not every machine has them all.
+pub(in crate::machines::ribbon_line) fn counted_axis(line: &RibbonLine) -> Option<Diagnostic> {
+    let variable = program::position_variable(line).filter(|_| line.print() > ALWAYS_FITTED)?;
+    let letters: Vec<_> = line.control.axes[..=line.print()].iter().map(|axis| axis.letter.to_string()).collect();
+    let order = listed(letters.iter().map(String::as_str));
+    let message = msg!("ribbon.axis-counted", axis = line.print_letter(), variable = format!("#{variable}"), order);
+    Some(Diagnostic::info(message).about("print-axis"))
 }
 
 /// The axis whose coordinate leaves the control's range first, and its travel per pitch in units of its words; none if
@@ -131,7 +144,7 @@ pub(in crate::machines::ribbon_line) fn range(line: &RibbonLine) -> Option<Judge
 pub(in crate::machines::ribbon_line) fn scaling_drifts(line: &RibbonLine) -> PerAxis<Option<f64>> {
     let (drives, feeds) = (line.drives(), line.derived.feeds.of_axes());
     let drift = |axis: LineAxis| Some(drives[axis].error(line.control)? * feeds[axis] * 60.0);
-    PerAxis { pull: drift(LineAxis::Pull), print: drift(LineAxis::Print) }
+    PerAxis::of(drift)
 }
 
 /// Judges the scaling: over a product the dots may drift by the tolerance of a dot.

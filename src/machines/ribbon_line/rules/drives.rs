@@ -154,8 +154,10 @@ fn effective(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
 }
 
 fn inertia(line: &RibbonLine, axis: LineAxis) -> Option<Judgement> {
-    let servo = &line.mechanics.axes[axis];
-    let (most, ratio) = (servo.fitted.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO), servo.shares().inertia_ratio);
+    // More stops per minute at the highest position of the knob leave less.
+    let (now, fast) = servo(line, axis);
+    let most = fast.fitted.limits.inertia_ratio.min(DYNAMIC_BRAKE_RATIO);
+    let ratio = now.shares().inertia_ratio;
     let limit = AtMost(most);
     if limit.holds(ratio) {
         return ok(limit);

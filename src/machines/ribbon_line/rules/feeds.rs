@@ -1,5 +1,6 @@
 //! Rules about speeds: clamps of the axes, the range of F, motors, the time of a block, the analog output.
 
+use super::drives::here;
 use super::slack::{with_dancer, worst_knob};
 use crate::controls::Code;
 use crate::drives::analog::FEW_VOLTS;
@@ -316,8 +317,11 @@ pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<
         let set = at_most(FIELDS, "speed-clamp", p.speed_at_10v);
         return warn(limit, [advice.setting(msg!("advice.clamp-speed", speed = set.text.as_str()), [set])]);
     }
-    if d.unwinder.volts_command < FEW_VOLTS && d.unwinder.actual > 0.0 {
-        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", volts = (d.unwinder.volts_command, 3)).into()]);
+    let (now, slow) = (d.unwinder.volts_command, &line.slow.unwinder);
+    if slow.volts_command < FEW_VOLTS && slow.actual > 0.0 {
+        let least = AtLeast(here(FEW_VOLTS, now, slow.volts_command));
+        let (percent, volts) = ((slow.effective_override, 0), (slow.volts_command, 3));
+        return warn(least, [msg!("ribbon.few-volts", percent, volts).into()]);
     }
     ok(limit)
 }
@@ -326,12 +330,15 @@ pub(in crate::machines::ribbon_line) fn saturation(line: &RibbonLine) -> Option<
 const LEAST_FREQUENCY: f64 = 5.0;
 
 pub(in crate::machines::ribbon_line) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
-    let (d, limit) = (&line.derived, AtLeast(LEAST_FREQUENCY));
-    if d.unwinder.frequency < LEAST_FREQUENCY && d.unwinder.actual > 0.0 {
-        warn(limit, [msg!("ribbon.low-frequency", frequency = (d.unwinder.frequency, 2)).into()])
-    } else if d.unwinder.actual > 0.0 {
-        ok(limit)
-    } else {
-        ok(None)
+    let (now, slow) = (&line.derived.unwinder, &line.slow.unwinder);
+    if now.actual <= 0.0 {
+        return ok(None);
     }
+    // The knob turns the motor as slowly as its lowest position.
+    let limit = AtLeast(here(LEAST_FREQUENCY, now.frequency, slow.frequency));
+    if limit.holds(now.frequency) {
+        return ok(limit);
+    }
+    let (percent, frequency) = ((slow.effective_override, 0), (slow.frequency, 2));
+    warn(limit, [msg!("ribbon.low-frequency", percent, frequency).into()])
 }

@@ -217,6 +217,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         found.push(Diagnostic::info(message).about("override"));
     }
     found.extend(coordinates::long_blocks(line));
+    found.extend(coordinates::counted_axis(line));
     if has_no_time(line) {
         let message = msg!("ribbon.cam-no-time", length = (p.contact_length, 3), pitch = (p.pitch, 3));
         found.push(Diagnostic::warning(message).about("contact-length"));

@@ -554,7 +554,8 @@ pub(in crate::machines::ribbon_line) fn low_knob_starves(line: &RibbonLine) -> O
 pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let p = &line.params;
     let most = TensionSwitch::new(line).tension;
-    let limit = AtMost(most);
+    // The tension of a draw adds to that which the ribbon has anyway.
+    let limit = AtMost(if is_drawn_taut(line) { most - p.web.tension_before } else { most });
     let (drawn, started) = (line.worst(|d| d.tension.draw), line.worst(|d| d.tension.start));
     let mut advice = Vec::new();
     if started.tension.start > most {
@@ -570,16 +571,27 @@ pub(in crate::machines::ribbon_line) fn stiff_web(line: &RibbonLine) -> Option<J
         let button = msg!("advice.set-dwell", time = dwell.text.as_str());
         advice.push(Advice::from(message).setting(button, [dwell]));
     }
-    if drawn.tension.draw > most {
-        let message = msg!("ribbon.stiff-web", tension = (drawn.tension.draw, 0), limit = (most, 0));
+    let taut = drawn.tension.with_draw(p);
+    if drawn.tension.draw > 0.0 && taut > most {
+        let message = msg!("ribbon.stiff-web", tension = (taut, 0), limit = (most, 0));
         advice.push(with_dancer(line, message));
     }
     if advice.is_empty() { ok(limit) } else { fail(limit, advice) }
 }
 
-/// Whether the draw pulls the ribbon tauter than a start that misses ribbon.
+/// Whether there is a draw that pulls the ribbon tauter than a start that misses ribbon.
 pub(in crate::machines::ribbon_line) fn is_drawn_taut(line: &RibbonLine) -> bool {
-    line.worst(|d| d.tension.draw).tension.with_draw(&line.params) > line.worst(|d| d.tension.start).tension.start
+    let (drawn, started) = (&line.worst(|d| d.tension.draw).tension, &line.worst(|d| d.tension.start).tension);
+    drawn.draw > 0.0 && drawn.with_draw(&line.params) > started.start
+}
+
+/// Tension (N) of a tight ribbon with the knob at its worst: what a draw adds, or the tension after a start that misses ribbon.
+pub(in crate::machines::ribbon_line) fn tight(line: &RibbonLine) -> f64 {
+    if is_drawn_taut(line) {
+        line.worst(|d| d.tension.draw).tension.draw
+    } else {
+        line.worst(|d| d.tension.start).tension.start
+    }
 }
 
 /// An advice against a taut ribbon: a dancer if the draw pulls more, else the dwell with which no start misses ribbon.

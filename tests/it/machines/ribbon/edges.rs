@@ -271,3 +271,32 @@ fn ramp_below_the_servo_loop_asks_its_torque() {
     let [none, short, equal] = ["0", "1", "30"].map(peak);
     assert!((short / none - 1.0).abs() < 0.05 && (equal / none - 1.0).abs() < 0.05, "{none} {short} {equal}");
 }
+
+#[test]
+fn volts_and_frequency_are_those_of_the_slowest_knob() {
+    // 0.81 V and 4.05 Hz at 100 %; at 50 %, the lowest position, half of them.
+    let slow = project("mitsubishi-e60", &[("spindle-speed", "120"), ("knob-lowest", "50")]);
+    let volts = readout(&slow, "volts");
+    assert!((volts.value - 0.81).abs() < 0.01 && volts.verdict == Verdict::Warn, "{volts:?}");
+    assert!(sentence(&volts.advice[0].message).contains("50 % the output gives 0.405 V"), "{:?}", volts.advice);
+    let quick = project("mitsubishi-e60", &[("spindle-speed", "200"), ("knob-lowest", "50")]);
+    let frequency = readout(&quick, "frequency");
+    assert!((frequency.value - 6.76).abs() < 0.01 && frequency.verdict == Verdict::Warn, "{frequency:?}");
+    let locked = project("mitsubishi-e60", &[("spindle-speed", "200"), ("knob-use", "locked")]);
+    assert_eq!(readout(&locked, "frequency").verdict, Verdict::Ok);
+}
+
+#[test]
+fn tension_of_a_draw_adds_to_that_of_the_ribbon() {
+    let paper = Project::named("ribbon-line", Some("mitsubishi-e60"), Some("paper")).unwrap();
+    let stiff = [("youngs-modulus", "50"), ("pinch-force", "1000")];
+    let with = |before: &str| {
+        readout(&paper.with_entries(&[&stiff[..], &[("tension-before", before)]].concat()).unwrap(), "tension")
+    };
+    // A draw of 51.6 N; the ribbon tears at 150 N, and the tension switch opens at half of it.
+    let (slack, taut) = (with("15"), with("30"));
+    assert!((slack.value - 51.58).abs() < 0.01 && slack.value == taut.value, "{slack:?}");
+    assert_eq!((slack.limit, slack.verdict), (Some(Limit::AtMost(60.0)), Verdict::Ok));
+    assert_eq!((taut.limit, taut.verdict), (Some(Limit::AtMost(45.0)), Verdict::Fail));
+    assert!(sentence(&taut.advice[0].message).contains("82 N"), "{:?}", taut.advice);
+}

@@ -95,6 +95,39 @@ fn coordinates_taken_back_let_products_follow_for_ever() {
 }
 
 #[test]
+fn heads_keep_their_place_over_many_products() {
+    // A stroke of 10.0007 mm, 200.0147 mm a product: what is left of a micrometre each time would add up.
+    let entries = [
+        ("pitch", "10"),
+        ("heads", "36"),
+        ("print-roller-diameter", "114.6"),
+        ("pitches-per-block", "1"),
+        ("pitch-count", "20"),
+        ("loop-capacity", "3000"),
+        ("endless", "shift"),
+    ];
+    let project = project("mitsubishi-e60", &entries);
+    let starts = (1..60).map(|n| Event { t: 30.0 * f64::from(n), action: Action::Start }).collect();
+    let mut run = over_time(&project, starts);
+    assert_eq!(ended(&mut run), RunEnd::ProgramEnd);
+    let turned = run.timeline().at(run.timeline().end()).axes[1].position;
+    let wanted = 60.0 * 20.0 * std::f64::consts::PI * 114.6 / 36.0;
+    assert!((turned - wanted).abs() < 0.001, "{turned} of {wanted}");
+}
+
+#[test]
+fn shift_of_the_coordinates_keeps_the_place_of_a_head() {
+    // 45 m a product: from the second on each start shifts.
+    let project = line("mitsubishi-e60", &[("pitch-count", "450"), ("endless", "shift")]);
+    let start = |n: u32| Event { t: 500.0 * f64::from(n), action: Action::Start };
+    let mut run = over_time(&project, (1..4).map(start).collect());
+    assert_eq!(ended(&mut run), RunEnd::ProgramEnd);
+    let turned = run.timeline().at(run.timeline().end()).axes[1].position;
+    let wanted = 4.0 * 450.0 * std::f64::consts::PI * 127.324 / 4.0;
+    assert!((turned - wanted).abs() < 0.003, "{turned} of {wanted}");
+}
+
+#[test]
 fn advice_about_the_range_ends_it() {
     let mut ended = 0;
     for control in controls() {
