@@ -3,7 +3,7 @@
 use super::Project;
 use crate::controls::{self, Control};
 use crate::machines;
-use crate::machines::program::settings;
+use crate::machines::program::{header, settings};
 use crate::msg;
 use crate::nc::{self, File, Files, Stmt};
 use crate::text::Diagnostic;
@@ -163,10 +163,7 @@ fn differing(project: &Project, given: &Files) -> Option<Files> {
     };
     // Different line ends and another version of macroline do not count as edits.
     let lines = |text: &str| -> Vec<String> {
-        text.lines()
-            .filter(|line| !line.contains("WRITTEN BY MACROLINE"))
-            .map(|line| line.trim_end().to_owned())
-            .collect()
+        text.lines().filter(|line| !header::is_version_line(line)).map(|line| line.trim_end().to_owned()).collect()
     };
     let mut edited = false;
     for File { name, text } in &given.0 {

@@ -261,6 +261,23 @@ fn dropped_program_with_chinese_comments_restores_the_form() {
 }
 
 #[test]
+fn program_of_another_version_is_not_an_edited_one() {
+    for control in ["gsk-980tdc", "sinumerik-802d"] {
+        let line = Project::of("turning-spindle", Some(control)).unwrap();
+        for project in [in_chinese(line.clone(), UTF8), line] {
+            let mut files = project.written().files.0;
+            let version = env!("CARGO_PKG_VERSION");
+            assert!(files.iter().all(|file| file.text.matches(version).count() == 1));
+            files.iter_mut().for_each(|file| file.text = file.text.replace(version, "99.1.0-beta"));
+            let opened = open(&project, &files).project.unwrap();
+            assert!(opened.edited.is_none(), "{control}, {:?}", project.comments);
+            files[0].text = files[0].text.replace("99.1.0-beta", "99.1.0 BY ANNA");
+            assert!(open(&project, &files).project.unwrap().edited.is_some());
+        }
+    }
+}
+
+#[test]
 fn finding_about_a_character_follows_the_switch() {
     let control = controls::find("gsk-980tdc").unwrap();
     let found = |setting: &str, text: &str| {

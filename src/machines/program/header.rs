@@ -7,6 +7,7 @@ use crate::controls::Control;
 use crate::machines::form::{Field, FieldKind};
 use crate::machines::machine::Machine;
 use crate::text::catalog::number_text;
+use crate::text::catalog::programs::chinese;
 
 /// First word of the first line.
 pub(in crate::machines) const MARK: &str = "MACROLINE";
@@ -14,6 +15,26 @@ pub(in crate::machines) const MARK: &str = "MACROLINE";
 const VERSION: &str = "1";
 /// Key of the control's line.
 pub(in crate::machines) const CONTROL: &str = "control";
+
+/// Comment, without brackets, that names the version of macroline by which a program was written.
+pub(super) fn version_comment(version: &str) -> String {
+    format!("WRITTEN BY {MARK} {version}")
+}
+
+/// Whether a line of a program is macroline's comment with its version, of any version and in each language of comments.
+pub fn is_version_line(line: &str) -> bool {
+    const PLACE: &str = "{version}";
+    if !line.contains(MARK) {
+        return false;
+    }
+    let comment = line.trim().trim_start_matches(['(', ';']).trim_end_matches(')').trim();
+    let english = version_comment(PLACE);
+    let written = [chinese(&english), Some(english)];
+    written.iter().flatten().filter_map(|pattern| pattern.split_once(PLACE)).any(|(before, after)| {
+        let version = comment.strip_prefix(before).and_then(|rest| rest.strip_suffix(after));
+        version.is_some_and(|version| !version.is_empty() && !version.contains(' '))
+    })
+}
 
 /// Comment lines, without brackets, that hold the parameters of a machine on a control.
 pub fn lines<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {

@@ -8,7 +8,7 @@ use crate::nc::build::{Builder, Formula, NewWord, g, m, real, v, word};
 
 /// Comments with the version of macroline and the settings of the form.
 pub fn write_header<M: Machine>(b: &mut Builder, params: &M::Params, control: &Control) {
-    b.comment(concat!("WRITTEN BY MACROLINE ", env!("CARGO_PKG_VERSION")));
+    b.comment(&header::version_comment(env!("CARGO_PKG_VERSION")));
     for text in header::lines::<M>(params, control) {
         b.comment(&text);
     }
