@@ -1,15 +1,46 @@
 //! Recognises a dropped, pasted or opened text: a project, a program that macroline wrote, or any other program.
 
-use super::Project;
+use super::{Project, parts};
 use crate::controls::{self, Control};
 use crate::machines;
 use crate::machines::program::{header, settings};
 use crate::msg;
 use crate::nc::{self, File, Files, Stmt};
-use crate::text::Diagnostic;
 use crate::text::catalog::Language;
+use crate::text::{Diagnostic, without_byte_order_mark};
 
 pub use super::saved::{MAX_PROGRAM, MAX_PROGRAMS};
+
+/// Kind of a file, by the beginning of its text; a byte order mark does not count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// A project: an object in JSON.
+    Project,
+    /// A panel file: a list of objects, or an empty one, that is no list of parts.
+    Panel,
+    /// A table of parts, as CSV or JSON.
+    Parts,
+    /// A program, or any other text.
+    Program,
+}
+
+impl FileKind {
+    /// Kind of a file with this text.
+    pub fn of(text: &str) -> FileKind {
+        let begin = bare(text);
+        let list = begin.strip_prefix('[').map(str::trim_start);
+        // A project in one line may name the columns of its own parts.
+        if begin.starts_with('{') {
+            FileKind::Project
+        } else if parts::is_table(text) {
+            FileKind::Parts
+        } else if list.is_some_and(|list| list.starts_with(['{', ']'])) {
+            FileKind::Panel
+        } else {
+            FileKind::Program
+        }
+    }
+}
 
 /// Result of an import.
 pub struct Opened {
@@ -36,7 +67,7 @@ pub fn is_program(control: &'static Control, file: &File) -> bool {
 /// Opens texts beside the present project, all of them or none: a project file replaces it, a program that macroline wrote restores its
 /// form, and all programs together are the edited program of that project, unless they are what its form writes.
 pub fn open(present: &Project, files: &[File]) -> Opened {
-    let is_project = |file: &&File| bare(&file.text).starts_with('{');
+    let is_project = |file: &&File| FileKind::of(&file.text) == FileKind::Project;
     let (projects, others): (Vec<&File>, Vec<&File>) = files.iter().partition(is_project);
     let refused = |diagnostics| Opened { project: None, diagnostics };
     let error = |message| refused(vec![Diagnostic::error(message)]);
@@ -103,7 +134,7 @@ fn without_documents(given: Files) -> (Files, Option<Diagnostic>) {
 
 /// A text without the byte order mark and the space before it.
 fn bare(text: &str) -> &str {
-    text.trim_start_matches('\u{feff}').trim_start()
+    without_byte_order_mark(text).trim_start()
 }
 
 /// Whether a text has none of the characters that only other kinds of files have.

@@ -2,6 +2,8 @@
 
 pub mod span;
 
+mod byte_order_mark;
+
 pub mod utf16;
 
 pub mod lines;
@@ -30,6 +32,7 @@ mod with_all;
 
 pub mod diagnostic;
 
+pub use byte_order_mark::{BYTE_ORDER_MARK, without_byte_order_mark};
 pub use citation::{Citation, Grade, Provenance};
 pub use columns::columns;
 pub use diagnostic::{Diagnostic, DiagnosticKind, Fix, Severity};

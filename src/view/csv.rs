@@ -3,13 +3,12 @@
 use core::fmt::Write;
 
 use super::{Chart, Sheet};
+use crate::text::BYTE_ORDER_MARK;
 use crate::text::catalog::words;
 use crate::text::number::Fixed;
 
-/// Byte order mark for a text beyond ASCII: without it, a spreadsheet reads the text in the computer's legacy code page.
-const BYTE_ORDER_MARK: char = '\u{feff}';
-
-/// The text of a table as a file for spreadsheets.
+/// The text of a table as a file for spreadsheets. A text beyond ASCII begins with a byte order mark: without it they
+/// read the text in the computer’s legacy code page.
 pub fn file(text: String) -> String {
     if text.is_ascii() { text } else { format!("{BYTE_ORDER_MARK}{text}") }
 }

@@ -5,6 +5,7 @@ use macroline::machines::form::{Provenance, Value};
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::{File, Files};
 use macroline::project::findings::render::Renderer;
+use macroline::project::import::FileKind;
 use macroline::project::saved::{MAX_PROGRAM, panel_from_json, steps_from_json, steps_to_json};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
@@ -578,6 +579,32 @@ proptest! {
 
 fn file(name: &str, text: &str) -> File {
     File { name: name.to_owned(), text: text.to_owned() }
+}
+
+#[test]
+fn kind_of_a_file_follows_its_text_behind_a_byte_order_mark() {
+    // In one line, the columns of its own parts are in the first line of a project.
+    let part = r#"{ "kind": "servo", "maker": "a", "model": "b" }"#;
+    let project =
+        format!(r#"{{ "version": 1, "machine": "ribbon-line", "control": "mitsubishi-e60", "parts": [{part}] }}"#);
+    let list = format!("[ {part} ]");
+    for (text, kind) in [
+        (project.as_str(), FileKind::Project),
+        (" \n{", FileKind::Project),
+        (list.as_str(), FileKind::Parts),
+        ("Maker;kind;model;power\n", FileKind::Parts),
+        ("[\n{ \"t\": 1, \"hold\": true } ]", FileKind::Panel),
+        ("[ ]", FileKind::Panel),
+        ("", FileKind::Program),
+        ("[", FileKind::Program),
+        ("[1]", FileKind::Program),
+        ("%\nO1\n", FileKind::Program),
+        ("[MAIN]\n", FileKind::Program),
+    ] {
+        for text in [text.to_owned(), format!("\u{feff}{text}")] {
+            assert_eq!(FileKind::of(&text), kind, "{text}");
+        }
+    }
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Files: lines, `%`, program numbers, and the blocks between them.
 
-use super::reader::{BLOCK_BYTES, BLOCKS, BYTE_ORDER_MARK, BlockParts, Reader};
+use super::reader::{BLOCK_BYTES, BLOCKS, BlockParts, Reader};
 use crate::controls::Alarm;
 use crate::controls::syntax::Percent;
 use crate::msg;
@@ -8,7 +8,7 @@ use crate::nc::ast::{BadBlock, Block, Program, Stmt};
 use crate::nc::lex::keywords::KEYWORDS;
 use crate::nc::lex::spelling::{holds_word, prose, states};
 use crate::nc::parse::failure::ParseFailure;
-use crate::text::{Diagnostic, Severity, Span};
+use crate::text::{Diagnostic, Severity, Span, without_byte_order_mark};
 
 /// Character that ends a file on old systems (Ctrl-Z), and NUL, which follows a program on tape and in a punch file: no control reads them.
 const END_OF_FILE: [char; 2] = ['\u{1a}', '\0'];
@@ -31,7 +31,7 @@ impl<'a> Reader<'a> {
     pub(super) fn file(&mut self) {
         let bytes = self.file.text.trim_end_matches(END_OF_FILE).as_bytes();
         // A byte order mark is not part of the program; `report_file` reports it.
-        let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
+        let mut at = self.file.text.len() - without_byte_order_mark(self.file.text).len();
         // Whether a `%` opens the record (only comments so far) or closes it.
         let mut opened = false;
         let mut closed = None;

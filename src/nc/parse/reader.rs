@@ -20,9 +20,6 @@ pub(super) const BLOCKS: usize = 5_000_000;
 /// Maximum bytes of a block: a word's offset has 16 bits, and no control allows a tenth of that.
 pub(super) const BLOCK_BYTES: usize = 60_000;
 
-/// Byte order mark that some editors write at the start of UTF-8 text.
-pub(super) const BYTE_ORDER_MARK: char = '\u{feff}';
-
 /// Lengths of the arenas before an attempt to read a block.
 pub(super) struct Mark {
     pub(super) words: usize,

@@ -16,7 +16,7 @@ pub use self::table::write;
 use crate::controls::{Control, DriveRole};
 use crate::drives::parts::{Part, PartGrade, Ratings};
 use crate::msg;
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, without_byte_order_mark};
 
 /// Bytes of a table at most.
 pub const MAX_BYTES: usize = 4 << 20;
@@ -28,7 +28,7 @@ pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
         let message = msg!("parts.too-large", size = (text.len() >> 20) as u32, most = (MAX_BYTES >> 20) as u32);
         return (Vec::new(), vec![Diagnostic::error(message)]);
     }
-    let begin = text.trim_start_matches('\u{feff}').trim_start();
+    let begin = without_byte_order_mark(text).trim_start();
     if name.to_ascii_lowercase().ends_with(".json") || begin.starts_with(['[', '{']) {
         objects::read(text)
     } else {
@@ -40,8 +40,8 @@ pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
 const HEAD: usize = 2000;
 
 /// Whether a text is a table of parts: its first line, or the first object of its list, names kind, maker and model.
-pub fn is_table(text: &str) -> bool {
-    let begin = text.trim_start_matches('\u{feff}').trim_start();
+pub(in crate::project) fn is_table(text: &str) -> bool {
+    let begin = without_byte_order_mark(text).trim_start();
     let head = begin.get(..HEAD).unwrap_or(begin);
     let head = if begin.starts_with('[') { head } else { head.lines().next().unwrap_or_default() };
     let head = head.to_ascii_lowercase();

@@ -11,14 +11,14 @@ use crate::drives::parts::Part;
 use crate::msg;
 use crate::project::files::json::{self, JsonMembers};
 use crate::text::escape::clip;
-use crate::text::{Diagnostic, listed};
+use crate::text::{Diagnostic, listed, without_byte_order_mark};
 
 /// Greatest number of unknown names that are listed.
 const LISTED: usize = 20;
 
 /// Reads a list of parts.
 pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
-    let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let plain = without_byte_order_mark(text);
     match serde_json::from_str::<Vec<JsonMembers>>(plain) {
         Ok(list) => from_members(text, &list),
         Err(error) => {

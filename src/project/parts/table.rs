@@ -5,7 +5,7 @@ use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
 use crate::drives::parts::{Part, PartGrade, Status};
 use crate::msg;
 use crate::text::escape::clip;
-use crate::text::{Diagnostic, listed};
+use crate::text::{Diagnostic, listed, without_byte_order_mark};
 
 /// Cells of a row that are read.
 const MAX_CELLS: usize = 256;
@@ -18,7 +18,7 @@ struct Record<'t> {
 
 /// Reads a table. Its first line names the columns; commas, semicolons or tabs separate the cells.
 pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
-    let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let plain = without_byte_order_mark(text);
     let (delimiter, plain) = delimiter(plain);
     let mut records = records(plain, delimiter);
     let mut rows = Rows::new(text, Decimals::default());

@@ -31,7 +31,7 @@ use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;
 use crate::msg;
 use crate::text::catalog::{Language, sentence};
-use crate::text::{Diagnostic, LineIndex, Message};
+use crate::text::{Diagnostic, LineIndex, Message, without_byte_order_mark};
 
 /// Version that is written.
 pub const VERSION: u32 = 1;
@@ -147,7 +147,7 @@ fn sized(text: &str) -> Result<&str, Diagnostic> {
             most = (MAX_BYTES >> 20) as u32
         )));
     }
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+    Ok(without_byte_order_mark(text))
 }
 
 fn not_json(text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
@@ -183,12 +183,6 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
         }
         Err(finding) => (Panel::default(), vec![finding]),
     }
-}
-
-/// Whether a text is a panel file: a list of objects, or an empty one, that is no table of parts.
-pub fn is_panel(text: &str) -> bool {
-    let list = text.trim_start_matches('\u{feff}').trim_start().strip_prefix('[');
-    list.is_some_and(|list| list.trim_start().starts_with(['{', ']'])) && !parts::is_table(text)
 }
 
 /// A panel file, one event a line.

@@ -13,9 +13,8 @@ use crate::controls::options::CommentCharacters;
 use crate::nc;
 use crate::project::Project;
 use crate::project::files::decode::{Decoded, Encoding};
-use crate::project::import::{MAX_PROGRAM, is_program, open};
-use crate::project::parts::is_table;
-use crate::project::saved::{is_panel, with_line};
+use crate::project::import::{FileKind, MAX_PROGRAM, is_program, open};
+use crate::project::saved::with_line;
 use crate::ui::dom;
 use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Tab;
@@ -73,8 +72,9 @@ fn reads_gbk(project: &Project) -> bool {
 
 /// Reads texts: a project, programs that carry its settings, or any other programs; tables of parts and the operator's actions join the project.
 fn read(page: Page, worker: Client, files: Vec<nc::File>) {
-    let (tables, files): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| is_table(&file.text));
-    let (panels, files): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| is_panel(&file.text));
+    let is = |kind| move |file: &nc::File| FileKind::of(&file.text) == kind;
+    let (tables, files): (Vec<_>, Vec<_>) = files.into_iter().partition(is(FileKind::Parts));
+    let (panels, files): (Vec<_>, Vec<_>) = files.into_iter().partition(is(FileKind::Panel));
     let refused = !files.is_empty() && !read_programs(page, &files);
     if !refused && !panels.is_empty() {
         operator::take_files(page, &panels);
@@ -85,12 +85,13 @@ fn read(page: Page, worker: Client, files: Vec<nc::File>) {
 /// Reads projects and programs; whether they were taken. A text without a block of the control is taken only on request.
 fn read_programs(page: Page, files: &[nc::File]) -> bool {
     let opened = page.project.with_untracked(|project| open(project, files));
-    let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
+    let project_file = files.iter().find(|file| FileKind::of(&file.text) == FileKind::Project);
+    let text = project_file.map_or("", |file| &file.text);
     for finding in &opened.diagnostics {
         page.notices.notify(Tone::from(finding.severity), with_line(finding, text));
     }
     let Some(project) = opened.project else { return false };
-    if project.edited.is_none() || !text.is_empty() {
+    if project.edited.is_none() || project_file.is_some() {
         show_opened(page, project);
         return true;
     }
@@ -277,6 +278,16 @@ mod tests {
         assert!(bench.page.program.text(0).contains("G01 X1."));
         assert!(bench.notices().contains(&t("page.opened-program").to_owned()));
         assert_eq!(bench.page.notices.announcement.get_untracked(), t("page.opened-program"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_with_byte_order_mark_and_edited_program_opens() {
+        let mut order = project();
+        order.edited = Some(nc::Files::one("O1.nc", "O1\nM30\n"));
+        let bench = opened("order.json", &format!("\u{feff}{}", order.to_json())).await;
+        assert!(bench.page.project.get_untracked() == order);
+        let bench = opened("order.json", "\u{feff}{\n\"version\": 1,, }").await;
+        assert!(bench.notices()[0].contains('2'), "{:?}", bench.notices());
     }
 
     #[wasm_bindgen_test]

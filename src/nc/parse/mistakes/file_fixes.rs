@@ -7,10 +7,10 @@ use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::nc::lex::spelling::arithmetic;
 use crate::nc::parse::failure::Misused;
-use crate::nc::parse::reader::{BYTE_ORDER_MARK, Reader};
+use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::FINDINGS;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, DiagnosticKind, Span};
+use crate::text::{BYTE_ORDER_MARK, Diagnostic, DiagnosticKind, Span};
 
 /// Size limit (bytes) of files for fixes of the whole text.
 const WHOLE: usize = 1 << 20;
