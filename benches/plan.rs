@@ -54,7 +54,7 @@ fn ribbon(seconds: f64, keep: Retention) -> Planner<Interp> {
         program: Interp::new(parsed, StartProgram::First),
         control: control(),
         plant: &plant(),
-        plc: Box::new(BenchPlc::new(0.05, Some(1033))),
+        plc: Box::new(BenchPlc::new(&control().bench, &plant().spindle.rules)),
         panel: Panel::default(),
         limits: Budget { blocks: u64::MAX, seconds },
         keep,

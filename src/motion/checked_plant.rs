@@ -92,7 +92,6 @@ impl CheckedPlant {
             gain: positive(plant.spindle.gain, 1.0),
             slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
             stage_count: plant.spindle.stage_count.clamp(1, STAGES as u8),
-            reached_delay: positive(plant.spindle.reached_delay, 0.0),
             surface_low: positive(plant.spindle.surface_low, 0.0),
             regulator: plant.spindle.regulator.and_then(WebRegulator::checked),
             ..plant.spindle

@@ -206,7 +206,6 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else {
             return self.state.now;
         };
-        let looked = if ramp.command.span > 0.0 { ramp.t } else { ramp.t + plant.reached_delay };
-        if self.state.spindle.rotation == Rotation::Stopped { self.state.now } else { ramp.within(part).max(looked) }
+        if self.state.spindle.rotation == Rotation::Stopped { self.state.now } else { ramp.within(part).max(ramp.t) }
     }
 }

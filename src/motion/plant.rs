@@ -119,8 +119,6 @@ pub struct SpindlePlant {
     pub encoder: bool,
     /// Data of spindle positioning; `None` if the spindle cannot be positioned.
     pub positioning: Option<Positioning>,
-    /// Delay (s) between a new speed command and the speed-reached check, on controls where cuts wait for the speed (GSK 980TDc: No.072).
-    pub reached_delay: f64,
     /// Turning centre on the axis perpendicular to the spindle, in mm in the machine frame; `None` if unknown.
     pub centre: Option<f64>,
     /// A driven tool turns during every cut at a spindle angle.
@@ -148,7 +146,6 @@ impl SpindlePlant {
             slip: 0.0,
             encoder: true,
             positioning: None,
-            reached_delay: 0.0,
             centre: None,
             driven_tool: false,
             drives_cut: true,

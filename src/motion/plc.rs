@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use super::plant::PMC_AXES;
 use super::timeline::Timeline;
+use crate::controls::bench::BenchShift;
+use crate::controls::{Bench, SpindleRules};
 use crate::drives::Rotation;
 use crate::drives::speed::KnobRange;
 use crate::text::Message;
@@ -273,29 +275,30 @@ impl Strobes {
 #[derive(Debug, Clone)]
 pub struct BenchPlc {
     /// Seconds until FIN.
-    pub fin_delay: f64,
+    fin_delay: f64,
     /// Variable with the spindle override in percent.
-    pub override_echo: Option<u32>,
+    override_echo: Option<u32>,
     /// Voltage and times of a gear change.
     pub shift: GearShift,
-    /// Positions of the override knob; `None` for a continuous one.
-    pub knob: Option<KnobRange>,
+    /// Positions of the override knob.
+    knob: KnobRange,
     /// M03 and M04 need M05 between them.
-    pub stop_between: bool,
+    stop_between: bool,
     strobes: Strobes,
     /// Output: rotation commanded last, before the codes that wait.
     rotation: Rotation,
 }
 
 impl BenchPlc {
-    /// A PLC that answers after `fin_delay` seconds.
-    pub fn new(fin_delay: f64, override_echo: Option<u32>) -> BenchPlc {
+    /// The PLC of a bench, for a control with these spindle rules.
+    pub fn new(bench: &Bench, rules: &SpindleRules) -> BenchPlc {
+        let BenchShift { volts, before, meshing, after } = bench.shift;
         BenchPlc {
-            fin_delay,
-            override_echo,
-            shift: GearShift::default(),
-            knob: None,
-            stop_between: false,
+            fin_delay: bench.fin_delay,
+            override_echo: bench.override_echo,
+            shift: GearShift { volts, before, meshing, after, patience: None },
+            knob: rules.knob,
+            stop_between: rules.stop_between,
             strobes: Strobes::default(),
             rotation: Rotation::Stopped,
         }
@@ -304,7 +307,7 @@ impl BenchPlc {
 
 impl Plc for BenchPlc {
     fn scan(&mut self, t: f64, signals: &PlcSignals, orders: &mut PlcOrders) -> Option<f64> {
-        let percent = self.knob.map_or(signals.knobs.spindle, |knob| knob.nearest(signals.knobs.spindle));
+        let percent = self.knob.nearest(signals.knobs.spindle);
         orders.spindle.percent = percent;
         if let Some(variable) = self.override_echo {
             orders.macro_inputs.insert(variable, percent);

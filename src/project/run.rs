@@ -7,15 +7,14 @@ use serde_json::{Map, Value as Json, json};
 use super::program::Written;
 pub use super::setting::Setting;
 use super::{Project, io_names};
-use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Dialect, Syntax, VarKind};
 use crate::interp::canon::{AXES, Line};
 use crate::interp::world::MachineAtRest;
 use crate::interp::{End, Interp, StartProgram, Step};
 use crate::machines::ControlContext;
 use crate::motion::{
-    Action, AxisPlant, AxisState, BenchPlc, Budget, Event, GearShift, PMC_AXES, Panel, Planner, Plant, Plc, Retention,
-    RunEnd, Setup, SpindlePlant,
+    Action, AxisPlant, AxisState, BenchPlc, Budget, Event, PMC_AXES, Panel, Planner, Plant, Plc, Retention, RunEnd,
+    Setup, SpindlePlant,
 };
 use crate::msg;
 use crate::nc::Parsed;
@@ -203,10 +202,7 @@ fn bench(control: &'static Control, dialect: &Dialect) -> (Plant, Box<dyn Plc>) 
         in_position: bench.in_position,
         stock: 0.0,
     };
-    let BenchShift { volts, before, meshing, after } = bench.shift;
-    let mut plc = BenchPlc::new(bench.fin_delay, bench.override_echo);
-    (plc.shift, plc.knob) = (GearShift { volts, before, meshing, after, patience: None }, Some(dialect.spindle().knob));
-    (plant, Box::new(plc))
+    (plant, Box::new(BenchPlc::new(bench, &dialect.spindle())))
 }
 
 /// End of a run and its results.

@@ -62,7 +62,7 @@ fn planned<P: RunningProgram>(control: &Control, program: P) -> Planner<P> {
         program,
         control,
         plant: &plant(control),
-        plc: Box::new(BenchPlc::new(control.bench.fin_delay, control.bench.override_echo)),
+        plc: Box::new(BenchPlc::new(&control.bench, &plant(control).spindle.rules)),
         panel: Panel::new([knob]),
         limits: Budget { blocks: 5000, seconds: 600.0 },
         keep: Retention::Timeline,

@@ -21,8 +21,9 @@ mod standstill;
 mod turning;
 mod zero_return;
 
-use macroline::controls::{self, Address, Control, Dialect, Switches};
+use macroline::controls::{self, Address, Bench, Control, Dialect, SpindleRules, Switches};
 use macroline::drives::cutting::Cut;
+use macroline::drives::speed::KnobRange;
 use macroline::drives::{Analog, Rotation};
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
@@ -121,7 +122,16 @@ fn at(t: f64, action: Action) -> Event {
 }
 
 fn planner(plant: &Plant, events: Vec<Event>, lines: Vec<Line>) -> Planner<Script> {
-    planner_with(Box::new(BenchPlc::new(0.05, Some(1033))), plant, events, lines)
+    planner_with(Box::new(bench_plc(0.05, Some(1033))), plant, events, lines)
+}
+
+/// A knob without steps.
+const SMOOTH: KnobRange = KnobRange { low: 0.0, high: 1000.0, step: 0.0 };
+
+/// PLC of the control's bench that answers after `fin_delay` seconds, with a knob without steps.
+fn bench_plc(fin_delay: f64, override_echo: Option<u32>) -> BenchPlc {
+    let bench = Bench { fin_delay, override_echo, ..control().bench };
+    BenchPlc::new(&bench, &SpindleRules { knob: SMOOTH, ..plant().spindle.rules })
 }
 
 fn planner_with(plc: Box<dyn Plc>, plant: &Plant, events: Vec<Event>, lines: Vec<Line>) -> Planner<Script> {

@@ -86,7 +86,7 @@ fn any_plant() -> impl Strategy<Value = Plant> {
             Analog { rated_volts: n[0], offset_zero: n[1], offset_rated: n[2], ..plant.spindle.analog };
         plant.spindle.rules.reached = (small % 5 == 0).then_some(n[3]);
         plant.spindle.rules.override_last = small % 7 < 3;
-        (plant.spindle.surface_low, plant.spindle.reached_delay) = (n[1], n[2]);
+        plant.spindle.surface_low = n[1];
         plant.spindle.speed_clamp = n[5];
         plant.spindle.analog.bits = small;
         plant.spindle.ramp = n[6];

@@ -112,7 +112,7 @@ fn replaced_actions_keep_the_plan_before_the_first_change() {
 
 #[test]
 fn run_of_which_only_the_log_is_kept_takes_no_other_actions() {
-    let plc = Box::new(BenchPlc::new(0.05, Some(1033)));
+    let plc = Box::new(bench_plc(0.05, Some(1033)));
     let (plant, panel) = (plant(), Panel::new([]));
     let limits = Budget { blocks: 1_000_000, seconds: 3600.0 };
     let program = Script::new(busy());

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use macroline::controls::bench::BenchShift;
 use macroline::drives::{Bound, Positioning, SpeedRange, Stage};
 use macroline::interp::{Interp, StartProgram};
 use macroline::motion::SpindleState;
@@ -36,8 +37,9 @@ impl Lathe {
             spindle: SpindlePlant { positioning, centre: Some(0.0), ..spindle },
             ..plant()
         };
-        let mut plc = BenchPlc::new(0.01, None);
-        plc.stop_between = rules.stop_between;
+        let shift = BenchShift { volts: 0.0, before: 0.0, meshing: 0.0, after: 0.0 };
+        let bench = Bench { fin_delay: 0.01, override_echo: None, shift, ..control.bench };
+        let plc = BenchPlc::new(&bench, &rules);
         Lathe { control, switches, events: Vec::new(), plant, plc }
     }
 
@@ -114,7 +116,6 @@ fn speed_limits_match_the_fact_sheet_cases() {
     // Override 0 stops; a panel may not go so far.
     for (knob, rpm) in [("0-to-200", 0.0), ("50-to-120", 500.0)] {
         let mut lathe = Lathe::new("sinumerik-802d", &[("spindle-knob", knob)]);
-        lathe.plc.knob = Some(lathe.plant.spindle.rules.knob);
         lathe.events = vec![at(0.0, Action::SpindleOverride(0.0))];
         assert_eq!(last(&lathe.run("G25 S50\nS1000 M3\nG4 F1\nM0")).command, rpm);
     }

@@ -86,7 +86,7 @@ impl Plc for Alarming {
 #[test]
 fn plc_alarm_mid_cut_stops_where_the_axes_are() {
     let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), one(Canon::End)];
-    let plc = Alarming(BenchPlc::new(0.05, None));
+    let plc = Alarming(bench_plc(0.05, None));
     let mut planner = planner_with(Box::new(plc), &plant(), Vec::new(), lines);
     let (t, end) = finish(&mut planner);
     assert_eq!(t, 0.8);
@@ -121,7 +121,7 @@ impl Plc for WithKey {
 fn hold_key_at_the_plc_acts_through_it_alone() {
     for (holds, wanted) in [(true, RunEnd::Stop), (false, RunEnd::ProgramEnd)] {
         let lines = vec![m3(1200.0), linear(100.0, 30.0, 6000.0), one(Canon::End)];
-        let plc = WithKey(BenchPlc::new(0.05, None), holds);
+        let plc = WithKey(bench_plc(0.05, None), holds);
         let mut planner = planner_with(Box::new(plc), &plant(), vec![at(0.8, Action::Hold)], lines);
         assert_eq!(finish(&mut planner).1, wanted);
         assert!(!planner.is_held_by_plc(), "the key is released");
@@ -168,7 +168,7 @@ fn time_budget_also_limits_the_time_to_standstill() {
         program: Script::new(lines),
         control: control(),
         plant: &plant(),
-        plc: Box::new(BenchPlc::new(0.05, None)),
+        plc: Box::new(bench_plc(0.05, None)),
         panel: Panel::new([at(0.8, Action::EmergencyStop)]),
         limits: Budget { blocks: 1000, seconds: 0.9 },
         keep: Retention::Timeline,

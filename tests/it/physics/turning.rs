@@ -1,7 +1,7 @@
 //! A lathe's spindle over time: surface speed, limits, gears, volts without M03, waits for the speed.
 
 use macroline::controls::spindle::RapidSpeed;
-use macroline::drives::speed::{KnobRange, SpeedLimit, surface_rpm};
+use macroline::drives::speed::{SpeedLimit, surface_rpm};
 use macroline::drives::{Bound, SpeedRange, Stage};
 use macroline::motion::GearShift;
 
@@ -282,7 +282,7 @@ fn gear_shift_follows_the_ladder_sequence() {
     let mut plant = plant();
     plant.spindle.speed_clamp = 9999.0;
     plant.spindle = plant.spindle.with_stages(stages);
-    let mut plc = BenchPlc::new(0.05, None);
+    let mut plc = bench_plc(0.05, None);
     plc.shift = GearShift { volts: 0.2, before: 1.0, meshing: 0.3, after: 2.0, patience: None };
     let gear = |stage| one(Canon::Gear { stage });
     let lines = vec![m3(600.0), dwell(4.0), gear(3), dwell(4.0), gear(3), gear(2), gear(9)];
@@ -345,15 +345,14 @@ fn output_saturates_in_its_gear_and_gear_limits_g96() {
 
 #[test]
 fn cut_waits_for_speed_reached_by_the_control() {
-    for (part, delay) in [(0.1, 0.0), (0.01, 0.0), (0.1, 3.0)] {
+    for part in [0.1, 0.01] {
         let mut plant = plant();
         plant.spindle.rules.reached = Some(part);
-        plant.spindle.reached_delay = delay;
         let lines = vec![m3(1200.0), rapid(0.0, 5.0), linear(10.0, 5.0, 600.0), linear(20.0, 5.0, 600.0)];
         let planner = run_on(&plant, vec![], lines);
         let spun = 2.0 * 1200.0 * (1.0 - part) / 1480.0;
         let moves = first(&planner, begins(&planner, 2), |now| now.axes[0].feed > 0.0);
-        close(moves - plant.block_time, spun.max(delay), 1e-3);
+        close(moves - plant.block_time, spun, 1e-3);
         // The second cut follows the first.
         close(ended_at(&planner) - moves, 2.0 + TAU, 1e-2);
     }
@@ -430,8 +429,9 @@ fn work_zero_off_centre_is_a_finding() {
 
 #[test]
 fn bench_knob_snaps_to_its_steps() {
-    let mut plc = BenchPlc::new(0.05, Some(1033));
-    plc.knob = Some(KnobRange { low: 50.0, high: 120.0, step: 10.0 });
+    let bench = Bench { override_echo: Some(1033), ..control().bench };
+    let knob = KnobRange { low: 50.0, high: 120.0, step: 10.0 };
+    let plc = BenchPlc::new(&bench, &SpindleRules { knob, ..plant().spindle.rules });
     let events = vec![at(1.0, Action::SpindleOverride(47.0)), at(2.0, Action::SpindleOverride(300.0))];
     let mut planner = planner_with(Box::new(plc), &plant(), events, vec![m3(1000.0), dwell(5.0)]);
     finish(&mut planner);

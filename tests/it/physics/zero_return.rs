@@ -27,7 +27,7 @@ fn lathe(control: &str, lines: &str, events: &[(f64, Action)]) -> Planner<Interp
         program: Interp::new(Rc::new(parsed), StartProgram::First),
         control,
         plant: &plant,
-        plc: Box::new(BenchPlc::new(0.05, None)),
+        plc: Box::new(bench_plc(0.05, None)),
         panel: Panel::new(events.iter().map(|(t, action)| at(*t, action.clone()))),
         limits: Budget { blocks: 1000, seconds: 600.0 },
         keep: Retention::Timeline,

@@ -29,6 +29,7 @@ const PROGRAMS: &[(&str, &str, &str)] = &[
     ("gsk-980tdc", "override-order", "O1\nM41\nG50 S500\nG96 S200 M03\nG00 X10.\nG04 X3.\nM30\n"),
     ("gsk-980tdc", "volts-at-emergency-stop", "O1\nM41\nM03 S500\nG04 X5.\nM30\n"),
     ("gsk-980tdc", "speed-in-rapid", "O1\nM41\nG50 S900\nG00 X90.\nG96 S100 M03\nG04 X3.\nG00 X40.\nG04 X3.\nM30\n"),
+    ("gsk-980tdc", "m03-m04", "O1\nM41\nM03 S300\nG04 X2.\nM04\nG04 X2.\nM30\n"),
     ("gsk-980tdc", "spindle-at-end", "O1\nM41\nM03 S500\nM30\n"),
     ("", "common-at-reset", "O1\n#101=#100\n#100=5\nG04 X3.\nM30\n"),
     ("mitsubishi-e60", "manual-s", "O1\nS500 M03\nG04 X3.\nM30\n"),
@@ -64,7 +65,6 @@ const LONG: &str = concat!(
 /// Programs on the plant of a machine: control, switch, machine, text; without a text the machine's own program.
 const ON_MACHINES: &[(&str, &str, &str, &str)] = &[
     ("gsk-980tdc", "offset-at-rest", "turning-spindle", "O1\nM41\nM03 S300\nG04 X2.\nS0\nG04 X2.\nM30\n"),
-    ("gsk-980tdc", "m03-m04", "turning-spindle", "O1\nM41\nM03 S300\nG04 X2.\nM04\nG04 X2.\nM30\n"),
     ("knd-k2000t", "pmc-override", "polygon-lathe", ""),
 ];
 

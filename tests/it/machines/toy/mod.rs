@@ -8,6 +8,7 @@ mod resolved;
 mod rules;
 mod scene;
 
+use macroline::controls::Bench;
 use macroline::machines::form::Field;
 use macroline::machines::verdict::results;
 use macroline::machines::{
@@ -59,7 +60,8 @@ impl Prepared for CutToLength {
     }
 
     fn plc(&self) -> Box<dyn Plc> {
-        Box::new(BenchPlc::new(0.05, None))
+        let bench = Bench { fin_delay: 0.05, override_echo: None, ..self.control.bench };
+        Box::new(BenchPlc::new(&bench, &self.plant().spindle.rules))
     }
 
     fn variables(&self) -> Vec<MachineVariable> {
