@@ -38,6 +38,7 @@ pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_with};
 pub use files::{File, Files};
 pub use fix::{fix, fix_all};
+pub use lex::keywords::IGNORED_STATEMENTS;
 pub use lex::tokens::{TokenKind, keywords, tokens};
 pub use lint::warnings;
 pub use lower::lower;

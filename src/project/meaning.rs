@@ -9,7 +9,7 @@ use crate::machines::{ControlContext, MachineVariable};
 use crate::motion::Action;
 use crate::msg;
 use crate::nc::symbols::{OutlineItem, Symbol};
-use crate::nc::{TokenKind, tokens};
+use crate::nc::{IGNORED_STATEMENTS, TokenKind, tokens};
 use crate::text::catalog::sentence;
 use crate::text::{Citation, Message, Phrase, Span, headed, sentences};
 
@@ -308,7 +308,7 @@ fn of_name(control: &Control, text: &str) -> Option<Meaning> {
 }
 
 /// Statements, comparisons and operators, with the ids of their descriptions.
-const KEYWORDS: [(&str, &str); 25] = [
+const KEYWORDS: [(&str, &str); 22] = [
     ("IF", "meaning.if"),
     ("THEN", "meaning.then"),
     ("GOTO", "meaning.goto"),
@@ -330,17 +330,16 @@ const KEYWORDS: [(&str, &str); 25] = [
     ("NOT", "meaning.not"),
     ("MOD", "meaning.modulo"),
     ("DIV", "meaning.whole-division"),
-    ("POPEN", "meaning.external"),
-    ("PCLOS", "meaning.external"),
-    ("DPRNT", "meaning.external"),
-    ("BPRNT", "meaning.external"),
+    ("SETVN", "meaning.variable-names"),
 ];
 
 /// A statement, a comparison, an operator or a function.
 fn of_keyword(control: &Control, text: &str) -> Option<Meaning> {
     let word = text.to_ascii_uppercase();
     let function = control.syntax.functions.iter().find(|row| row.0 == word).map(|row| function_id(row.1));
-    let id = function.or_else(|| KEYWORDS.iter().find(|row| row.0 == word).map(|row| row.1))?;
+    let keyword = || KEYWORDS.iter().find(|row| row.0 == word).map(|row| row.1);
+    let external = || IGNORED_STATEMENTS.contains(&word.as_str()).then_some("meaning.external");
+    let id = function.or_else(keyword).or_else(external)?;
     Some(meaning(word, Subject::Keyword, vec![Message { id, values: Vec::new() }], "", control.macros.cite))
 }
 

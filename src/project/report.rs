@@ -8,6 +8,7 @@ use super::program::Written;
 use super::repairs::repairs;
 use super::run::{RunOptions, of_project, program_number};
 use super::size::{Cycle, Sizing};
+use crate::controls::ParamRole;
 use crate::controls::schema::syntax::Percent;
 use crate::machines::report::report;
 use crate::machines::{Frame, PreparedMachine};
@@ -117,10 +118,11 @@ impl Project {
             Percent::End => msg!("form.report.percent-end"),
             Percent::Head => msg!("form.report.percent-head"),
         };
+        let can_lock = self.control.param(ParamRole::EditLock).is_some();
         let locked = |name: &&str| {
             program_number(name, &self.control.syntax).is_some_and(|number| (9000..=9999).contains(&number))
         };
-        let locked = names.iter().any(locked).then(|| msg!("form.report.locked"));
+        let locked = (can_lock && names.iter().any(locked)).then(|| msg!("form.report.locked"));
         let first = [msg!("form.report.load", files = listed(names))].into_iter().chain(locked);
         let line_ends = msg!("form.report.line-ends", ends = if ends == "\n" { "LF" } else { "CR LF" });
         first.chain([percent, line_ends, msg!("form.report.transfer")]).collect()

@@ -109,6 +109,17 @@ fn every_word_of_the_written_programs_has_a_meaning() {
 }
 
 #[test]
+fn every_keyword_of_a_control_has_a_meaning() {
+    for project in every_machine_on_every_control() {
+        let ignored = nc::IGNORED_STATEMENTS.into_iter().filter(|_| project.control.syntax.names().is_none());
+        for word in nc::keywords(project.control).into_iter().chain(ignored) {
+            let found = meaning::of(&project, word, Table::Program);
+            assert!(found.is_some_and(|found| found.subject == Subject::Keyword), "{word} on {}", project.control.id);
+        }
+    }
+}
+
+#[test]
 fn any_text_has_a_meaning_or_none() {
     let project = ribbon();
     for text in

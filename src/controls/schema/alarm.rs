@@ -256,6 +256,33 @@ impl Alarm {
     }
 }
 
+impl Alarm {
+    /// Whether only a control with a row for this kind raises it; other controls continue.
+    pub fn needs_row(self) -> bool {
+        use Alarm::*;
+        matches!(
+            self,
+            LabelTwice
+                | MessageBlocks
+                | CallMixed
+                | ArgumentAddress
+                | NoModalCall
+                | NoLead
+                | LeadAxis
+                | NoSurfaceSpeed
+                | VacantValue
+                | OwnCall
+                | ReturnInModal
+                | IdleAddress
+                | ShortestWay
+                | PositiveWay
+                | NegativeWay
+                | SpindleReversal
+                | MainReturn
+        )
+    }
+}
+
 impl AlarmDef {
     /// The row, with a wording that is not the control's own.
     pub(in crate::controls) const fn in_our_words(self) -> AlarmDef {

@@ -110,6 +110,19 @@ impl Control {
         self.alarms.iter().any(|row| row.kind == kind)
     }
 
+    /// Whether the control can stop for this reason: by a row of its own, or by an ability that the reason supposes.
+    pub fn can_raise(&self, kind: Alarm) -> bool {
+        let named = self.syntax.names().is_some();
+        self.raises(kind)
+            || match kind {
+                Alarm::NoContour => self.can(Code::Roughing),
+                Alarm::CallFunction | Alarm::CallOperands => !self.macros.functions.is_empty(),
+                Alarm::GearTimeout => self.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..))),
+                Alarm::UnknownName | Alarm::SyntaxTwice | Alarm::Auxiliaries | Alarm::NotAlone => named,
+                kind => !kind.needs_row(),
+            }
+    }
+
     /// Number and wording that the control shows for an alarm; the wording is empty where it is not the control's own.
     pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, Phrase)> {
         self.alarm(kind).map(|row| (row.number, if row.own_wording { row.text } else { Phrase::NONE }))

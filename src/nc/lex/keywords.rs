@@ -33,7 +33,7 @@ pub(in crate::nc) const SIGNS: [(&str, Op, bool); 13] = [
 pub(in crate::nc) const KEYWORDS: [&str; 5] = ["IF", "GOTO", "WHILE", "DO", "END"];
 
 /// Statements of the control that the simulation ignores.
-pub(in crate::nc) const OUTSIDE: [&str; 5] = ["POPEN", "PCLOS", "DPRNT", "SETVN", "BPRNT"];
+pub const IGNORED_STATEMENTS: [&str; 5] = ["POPEN", "PCLOS", "DPRNT", "SETVN", "BPRNT"];
 
 /// The spelling of a comparison.
 pub(in crate::nc) fn letters_of(op: Op) -> &'static str {

@@ -1,7 +1,7 @@
 //! Tokens of a line for syntax colouring, without checks.
 
 use super::cursor::Cursor;
-use super::keywords::{COMPARISONS, KEYWORDS, OPERATORS, OUTSIDE, SYMBOLIC_STATEMENTS};
+use super::keywords::{COMPARISONS, IGNORED_STATEMENTS, KEYWORDS, OPERATORS, SYMBOLIC_STATEMENTS};
 use crate::controls::Control;
 use crate::controls::syntax::Names;
 use crate::text::Span;
@@ -96,7 +96,7 @@ fn piece(cursor: &Cursor, control: &Control) -> (usize, TokenKind) {
 
 /// Length of the keyword or function name at the cursor.
 fn keyword(cursor: &Cursor, control: &Control) -> Option<usize> {
-    let words = KEYWORDS.iter().chain(&["THEN"]).chain(&OUTSIDE).copied();
+    let words = KEYWORDS.iter().chain(&["THEN"]).chain(&IGNORED_STATEMENTS).copied();
     let operators = OPERATORS.iter().chain(&COMPARISONS).map(|(word, _)| *word);
     let functions = control.syntax.functions.iter().map(|(word, _)| *word);
     words.chain(operators).chain(functions).filter(|word| cursor.ahead(word)).map(str::len).max()

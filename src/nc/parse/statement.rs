@@ -3,7 +3,7 @@
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::nc::ast::{Assignment, Expr, ExprId, Extent, JumpDirection, Op, Stmt};
-use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, LOGIC, OUTSIDE, SIGNS, letters_of};
+use crate::nc::lex::keywords::{COMPARISONS, IGNORED_STATEMENTS, KEYWORDS, LOGIC, SIGNS, letters_of};
 use crate::nc::lex::spelling::{meant, zero_as_letter};
 use crate::nc::parse::failure::{IgnoredFeature, ParseFailure, Read};
 use crate::nc::parse::formula::VariableAccess;
@@ -56,9 +56,9 @@ impl Reader<'_> {
     pub(super) fn keyword(&mut self) -> Read<Option<Stmt>> {
         let start = self.cursor.at;
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
-        if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.cursor.ahead(name)) {
+        if let Some(index) = IGNORED_STATEMENTS.iter().position(|name| word.is_none() && self.cursor.ahead(name)) {
             let end = self.cursor.line.len();
-            self.not_simulated(IgnoredFeature::Statement(index), start, end, OUTSIDE[index]);
+            self.not_simulated(IgnoredFeature::Statement(index), start, end, IGNORED_STATEMENTS[index]);
             self.cursor.at = end;
             return Ok(Some(Stmt::Empty));
         }

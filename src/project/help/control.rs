@@ -3,7 +3,7 @@
 use super::content::{HelpEntry, HelpKind, HelpPage, HelpSection};
 use super::texts::{Texts, id_of, plain};
 use crate::controls::syntax::Percent;
-use crate::controls::{Alarm, AlarmDef, Code, Control};
+use crate::controls::{Alarm, AlarmDef, Control};
 use crate::project::meaning::{code_says, signal_says, variable_says};
 use crate::text::catalog::{sentence, words};
 use crate::text::{Grade, Message, clauses, sentences};
@@ -40,40 +40,6 @@ fn loading(control: &Control, texts: &Texts) -> HelpSection {
     section
 }
 
-/// Kinds of alarms raised only by controls that have a row for them; other controls continue.
-const ONLY_BY_ROW: &[Alarm] = &[
-    Alarm::LabelTwice,
-    Alarm::MessageBlocks,
-    Alarm::CallMixed,
-    Alarm::ArgumentAddress,
-    Alarm::NoModalCall,
-    Alarm::NoLead,
-    Alarm::LeadAxis,
-    Alarm::NoSurfaceSpeed,
-    Alarm::VacantValue,
-    Alarm::OwnCall,
-    Alarm::ReturnInModal,
-    Alarm::IdleAddress,
-    Alarm::ShortestWay,
-    Alarm::PositiveWay,
-    Alarm::NegativeWay,
-    Alarm::SpindleReversal,
-    Alarm::MainReturn,
-];
-
-/// Whether the control can stop for this reason.
-fn stops(control: &Control, kind: Alarm) -> bool {
-    let named = control.syntax.names().is_some();
-    control.raises(kind)
-        || match kind {
-            Alarm::NoContour => control.codes.iter().any(|row| row.code == Code::Roughing),
-            Alarm::CallFunction | Alarm::CallOperands => !control.macros.functions.is_empty(),
-            Alarm::GearTimeout => control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..))),
-            Alarm::UnknownName | Alarm::SyntaxTwice | Alarm::Auxiliaries | Alarm::NotAlone => named,
-            kind => !ONLY_BY_ROW.contains(&kind),
-        }
-}
-
 /// Alarms by number; each has the causes of all kinds that the control shows it for.
 fn alarms(control: &Control, texts: &Texts) -> HelpSection {
     let mut section = HelpSection::new("alarms", texts.words("title.alarms"));
@@ -90,7 +56,7 @@ fn alarms(control: &Control, texts: &Texts) -> HelpSection {
         titles.dedup();
         let mut entry = HelpEntry::new(HelpKind::Alarm, id, row.number, clauses(titles));
         let one_of = |shown: &AlarmDef| same.iter().any(|row| row.kind == shown.kind);
-        let shown = |kind: &&Alarm| control.alarm(**kind).is_some_and(one_of) && stops(control, **kind);
+        let shown = |kind: &&Alarm| control.alarm(**kind).is_some_and(one_of) && control.can_raise(**kind);
         for kind in Alarm::ALL.iter().filter(shown) {
             let key = format!("alarm.{}", id_of(&format!("{kind:?}")));
             entry.text.extend(texts.text(&key));

@@ -343,6 +343,14 @@ fn printed_ladder_ends_a_sheet_between_two_rungs() {
 }
 
 #[test]
+fn locked_programs_are_named_where_a_parameter_locks_them() {
+    for (control, locks) in [("mitsubishi-e60", true), ("fanuc-0i-tf", true), ("sinumerik-802d", false)] {
+        let project = Project::of("turning-spindle", Some(control)).unwrap();
+        assert_eq!(html(&project).contains("Programs 9000 to 9999 may be locked"), locks, "{control}");
+    }
+}
+
+#[test]
 fn report_of_a_failing_design_opens_with_its_repair() {
     let project = Project::named("ribbon-line", None, Some("paper")).unwrap();
     let text = html(&project);
