@@ -9,7 +9,7 @@ use crate::motion::{Mode, RunEnd};
 use crate::text::catalog;
 use crate::text::number;
 use crate::text::{Diagnostic, Message, Phrase, Severity, sentences};
-use crate::view::{Limit, Readout, Verdict};
+use crate::view::{Readout, Verdict};
 
 /// The words of a catalog id.
 pub(crate) fn t(id: &'static str) -> &'static str {
@@ -67,11 +67,11 @@ impl Tone {
     /// Sign, so that colour is not the only mark.
     pub(crate) fn sign(self) -> &'static str {
         match self {
-            Tone::Plain => "",
-            Tone::Ok => "✓",
+            Tone::Plain => Verdict::None.sign(),
+            Tone::Ok => Verdict::Ok.sign(),
             Tone::Info => "ⓘ",
-            Tone::Warn => "▲",
-            Tone::Fail => "✕",
+            Tone::Warn => Verdict::Warn.sign(),
+            Tone::Fail => Verdict::Fail.sign(),
         }
     }
 }
@@ -217,15 +217,9 @@ pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
 /// The limit of a result in its shortest form: `≤ 20 000`.
 pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
     readout.limit.map(|limit| {
-        let sign = match limit {
-            Limit::AtMost(_) => "≤",
-            Limit::AtLeast(_) => "≥",
-            Limit::Within(_) => "±",
-            Limit::Equal(_) => "=",
-        };
         // Beside a value of four digits.
         let decimals = number::decimals_of_four(limit.value(), readout.decimals);
-        format!("{sign} {}", short(limit.value(), decimals))
+        format!("{} {}", limit.sign(), short(limit.value(), decimals))
     })
 }
 

@@ -25,8 +25,7 @@ impl ComparedRow {
     pub fn marked(&self) -> Vec<String> {
         let mark = |cell: &Option<VariantCell>| match cell {
             None => "-".to_owned(),
-            Some((text, Verdict::Fail)) => format!("✕ {text}"),
-            Some((text, Verdict::Warn)) => format!("△ {text}"),
+            Some((text, verdict @ (Verdict::Fail | Verdict::Warn))) => format!("{} {text}", verdict.sign()),
             Some((text, _)) => text.clone(),
         };
         self.cells.iter().map(mark).collect()

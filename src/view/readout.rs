@@ -25,6 +25,18 @@ pub enum Verdict {
     Fail,
 }
 
+impl Verdict {
+    /// Sign, so that colour is not the only mark; empty without a verdict.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Verdict::None => "",
+            Verdict::Ok => "✓",
+            Verdict::Warn => "▲",
+            Verdict::Fail => "✕",
+        }
+    }
+}
+
 /// The limit of a result, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
@@ -82,6 +94,16 @@ impl Limit {
             Limit::AtLeast(_) => "least",
             Limit::Within(_) => "within",
             Limit::Equal(_) => "equal",
+        }
+    }
+
+    /// Sign before the number of the limit: `≤`.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Limit::AtMost(_) => "≤",
+            Limit::AtLeast(_) => "≥",
+            Limit::Within(_) => "±",
+            Limit::Equal(_) => "=",
         }
     }
 

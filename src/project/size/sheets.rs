@@ -13,7 +13,7 @@ use crate::msg;
 use crate::project::parts::source_title;
 use crate::text::catalog::{number_text, sentence};
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
-use crate::view::{Column, Limit, MotorPoint, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
+use crate::view::{Column, MotorPoint, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
 const RUNS_OF_FORM: Citation = Citation::new("results with other entries of the form", Grade::Inferred);
@@ -224,9 +224,9 @@ impl Sizing {
             None => msg!("size.peak-at", torque, time),
         };
         let heat = self.heat(axis);
-        let beyond = if heat.is_some_and(|heat| heat.verdict >= Verdict::Warn) { "✕ " } else { "" };
         let limit = heat.and_then(limit).map(|limit| format!(" / {limit}")).unwrap_or_default();
-        let effective_torque = format!("{beyond}{}{limit}", units::text(load.effective, 3, "Nm"));
+        let effective_torque = format!("{}{limit}", units::text(load.effective, 3, "Nm"));
+        let effective_torque = crossed(effective_torque, heat.map_or(Verdict::None, |heat| heat.verdict));
         let amperes = |torque: f64| axis.ampere_per_torque.map(|per_torque| units::text(torque * per_torque, 2, "A"));
         let of_motor = |curve: &[MotorPoint]| curve.first().map_or(0.0, |(_, torque)| *torque);
         let (steady, short) = ((of_motor(&chart.continuous), 2), (of_motor(&chart.peak), 2));
@@ -368,13 +368,7 @@ impl Sizing {
 /// The limit of a row as a sign before its number.
 fn limit(of: &EnvelopeRow) -> Option<String> {
     let limit = of.limit?;
-    let sign = match limit {
-        Limit::AtMost(_) => "≤",
-        Limit::AtLeast(_) => "≥",
-        Limit::Within(_) => "±",
-        Limit::Equal(_) => "=",
-    };
-    Some(format!("{sign} {}", with_minus(units::text(limit.value(), of.decimals, of.unit))))
+    Some(format!("{} {}", limit.sign(), with_minus(units::text(limit.value(), of.decimals, of.unit))))
 }
 
 /// A number with the sign of print in place of the hyphen.
@@ -385,14 +379,27 @@ fn with_minus(number: String) -> String {
 /// A value of the envelope with its unit, with a cross beyond its limit.
 fn marked(of: &EnvelopeRow) -> String {
     let value = at_least(of.is_truncated, with_minus(units::text(of.value, of.decimals, of.unit)));
-    if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value }
+    crossed(value, of.verdict)
 }
+
+/// A value, with a cross if it is beyond its limit.
+fn crossed(value: String, verdict: Verdict) -> String {
+    if verdict >= Verdict::Warn { refused(value) } else { value }
+}
+
+/// A text behind a cross.
+fn refused(text: String) -> String {
+    format!("{} {text}", Verdict::Fail.sign())
+}
+
+/// Mark of the worst value of all events; the titles of the envelope explain it.
+const WORST: &str = "●";
 
 /// A value of the envelope, with a cross beyond its limit, and a mark if it is the worst of all events.
 fn value(of: &EnvelopeRow) -> String {
     let value = at_least(of.is_truncated, with_minus(units::plain(of.value, of.decimals, of.unit)));
-    let value = if of.verdict >= Verdict::Warn { format!("✕ {value}") } else { value };
-    if of.is_worst { format!("{value} ▲") } else { value }
+    let value = crossed(value, of.verdict);
+    if of.is_worst { format!("{value} {WORST}") } else { value }
 }
 
 /// Grade of a part in the grades of sheets.
@@ -426,9 +433,9 @@ fn ordered_status(of: Option<Status>) -> String {
 
 /// Questions to settle before a part is ordered: the reason against it, its required data, and open points.
 fn to_settle(of: &BillRow) -> String {
-    let refused = of.refusal.as_ref().map(|message| format!("✕ {}", sentence(message)));
+    let against = of.refusal.as_ref().map(|message| refused(sentence(message)));
     let asked = Some(of.asked.clone()).filter(|asked| !asked.is_empty());
-    refused.into_iter().chain(asked).chain(of.open.iter().map(sentence)).collect::<Vec<_>>().join(" · ")
+    against.into_iter().chain(asked).chain(of.open.iter().map(sentence)).collect::<Vec<_>>().join(" · ")
 }
 
 /// Grade of a part in words.

@@ -146,7 +146,7 @@ fn Refused(
             let words = page.place_words(place)?;
             Some(view! { <button type="button" class="link" on:click=lead>{words}</button> })
         });
-        view! { <li class="fail"><i aria-hidden="true">"✕ "</i><b>{alarm}</b> " " {text} " " {to_field} {to_place}</li> }
+        view! { <li class="fail"><i aria-hidden="true">{Tone::Fail.sign()} " "</i><b>{alarm}</b> " " {text} " " {to_field} {to_place}</li> }
     };
     view! {
         <p>{t("page.refused")}</p>
@@ -199,7 +199,7 @@ fn Offered(
     let failing = untrack(|| page.results.failing());
     let failing = (failing > 0).then(|| {
         let words = sentence(&crate::msg!("page.results-fail", count = failing));
-        view! { <li class="fail"><b><i aria-hidden="true">"✕ "</i>{words}</b></li> }
+        view! { <li class="fail"><b><i aria-hidden="true">{Tone::Fail.sign()} " "</i>{words}</b></li> }
     });
     view! {
         <div class="prints">{report} {summary}</div>

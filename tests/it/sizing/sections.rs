@@ -1,10 +1,13 @@
 //! Sections of a sizing: each answer states what its sheets show.
 
+use std::collections::BTreeSet;
+
 use macroline::machines::ALL;
 use macroline::machines::form::Value;
 use macroline::project::Project;
 use macroline::project::size::sections::SizingSection;
 use macroline::project::size::{Sizing, size};
+use macroline::text::catalog::words;
 use macroline::view::Verdict;
 
 fn sized(project: &Project) -> Sizing {
@@ -56,6 +59,20 @@ fn quantity_nearest_its_limit_and_quantities_beyond_are_named() {
     assert!(beyond.answer.starts_with("Beyond the limit: Loop: "), "{}", beyond.answer);
     let worst = beyond.sheets[0].rows.iter().find(|row| row.cells[0] == "Loop").unwrap();
     assert!(worst.cells[1].starts_with("✕ ") && worst.cells[2] == "≤ 150 mm", "{:?}", worst.cells);
+}
+
+#[test]
+fn worst_of_all_events_has_no_sign_of_a_verdict() {
+    let sizing = sized(&Project::of("ribbon-line", None).unwrap());
+    let sections = sizing.sections();
+    let cells = section(&sections, "envelope").sheets.iter().flat_map(|sheet| &sheet.rows).flat_map(|row| &row.cells);
+    let marks: BTreeSet<char> =
+        cells.filter_map(|cell| cell.strip_suffix(['▲', '●']).and(cell.chars().last())).collect();
+    assert_eq!(marks.into_iter().map(String::from).collect::<Vec<_>>(), ["●"]);
+    for id in ["sheet.envelope", "page.all-events"] {
+        assert!(words(id).contains("● the worst") && words(id).contains(Verdict::Fail.sign()));
+        assert!(!words(id).contains(Verdict::Warn.sign()), "{id}");
+    }
 }
 
 #[test]

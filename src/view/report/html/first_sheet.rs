@@ -76,14 +76,14 @@ impl ReportHtml<'_> {
     }
 
     fn verdict(&mut self, readout: &Readout, has_remedies: bool) {
-        let (class, sign) = match readout.verdict {
-            Verdict::Fail => ("fail", "✕"),
-            Verdict::Warn => ("warn", "△"),
-            Verdict::Ok => ("ok", "✓"),
-            Verdict::None => ("", ""),
+        let class = match readout.verdict {
+            Verdict::Fail => "fail",
+            Verdict::Warn => "warn",
+            Verdict::Ok => "ok",
+            Verdict::None => "",
         };
         self.raw(&format!("<tr class=\"{class}\">"));
-        self.text("td", "sign", sign);
+        self.text("td", "sign", readout.verdict.sign());
         self.text("td", "", self.words(readout.label));
         self.text("td", "figure", &readout.value_text());
         self.text("td", "", readout.unit);

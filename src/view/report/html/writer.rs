@@ -3,6 +3,7 @@
 use crate::text::Grade;
 use crate::text::catalog::{spoken, words};
 use crate::text::columns;
+use crate::view::Verdict;
 use crate::view::report::document::Report;
 use crate::view::report::references::References;
 use crate::view::svg::escape;
@@ -134,7 +135,9 @@ const NAME: usize = 24;
 /// Writes a cell. Figures, single words and order numbers stay on one line, a figure stays with its unit; only a very long name without
 /// spaces breaks.
 pub(super) fn cell(out: &mut String, text: &str) {
-    let is_figure = text.starts_with(|c: char| c.is_ascii_digit() || "+-−±≤≥=✕".contains(c));
+    let signs = [Verdict::Fail, Verdict::Warn].map(Verdict::sign);
+    let is_figure = text.starts_with(|c: char| c.is_ascii_digit() || "+-−±≤≥=".contains(c))
+        || signs.iter().any(|sign| text.starts_with(sign));
     let whole = columns(text) <= if is_figure { FIGURE } else { WORD };
     out.push_str(if whole { "<td class=\"whole\">" } else { "<td>" });
     for (at, word) in with_units(text).split(' ').enumerate() {

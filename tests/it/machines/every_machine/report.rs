@@ -360,7 +360,7 @@ fn report_of_a_failing_design_opens_with_its_repair() {
     assert!(words(first).ends_with("Set 2 pitches per block"), "{}", words(first));
     // The worst rows come first.
     let signs: Vec<String> = of_class(&page, "sign").into_iter().map(words).collect();
-    let rank = |sign: &String| ["✕", "△", "✓", ""].iter().position(|known| known == sign).unwrap().min(2);
+    let rank = |sign: &String| ["✕", "▲", "✓", ""].iter().position(|known| known == sign).unwrap().min(2);
     assert!(signs.is_sorted_by_key(rank), "{signs:?}");
 }
 
