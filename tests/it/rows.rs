@@ -13,6 +13,15 @@ use macroline::controls::schema::table;
 use macroline::controls::{ALL, Code, CodeDef, CodeId, Control, ParamDef, ParamRole, Signal, Switch, VarKind};
 use macroline::text::{Citation, Grade};
 
+#[test]
+fn long_addresses_are_written_as_their_row_spells_them() {
+    for names in ALL.iter().filter_map(|control| control.syntax.names()) {
+        for (name, address) in names.addresses {
+            assert_eq!(address.to_string(), *name);
+        }
+    }
+}
+
 #[track_caller]
 fn none(broken: Vec<String>, mend: &str) {
     assert!(broken.is_empty(), "{mend}:\n{}", broken.join("\n"));

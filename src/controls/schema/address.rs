@@ -122,6 +122,29 @@ impl Address {
         }
     }
 
+    /// The address of several letters as in a program; empty for the others.
+    const fn long_name(self) -> &'static str {
+        match self {
+            Name => "NAME",
+            Cr => "CR",
+            Lims => "LIMS",
+            Spos => "SPOS",
+            Ar => "AR",
+            Ap => "AP",
+            Rp => "RP",
+            Sf => "SF",
+            Chf => "CHF",
+            Chr => "CHR",
+            Rnd => "RND",
+            Ang => "ANG",
+            Frc => "FRC",
+            Rpl => "RPL",
+            Rndm => "RNDM",
+            Frcm => "FRCM",
+            _ => "",
+        }
+    }
+
     /// The letter as a byte; `?` for an address of several letters.
     pub const fn byte(self) -> u8 {
         match self.letter() {
@@ -145,7 +168,7 @@ impl fmt::Display for Address {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.letter() {
             Some(letter) => write!(f, "{letter}"),
-            None => f.write_str(&format!("{self:?}").to_ascii_uppercase()),
+            None => f.write_str(self.long_name()),
         }
     }
 }

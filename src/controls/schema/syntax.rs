@@ -231,6 +231,32 @@ pub enum Function {
     AddPoint,
 }
 
+impl Function {
+    /// Name in the language where the function is usual, for a control without a name of its own.
+    pub fn usual_name(self) -> &'static str {
+        match self {
+            Function::Sin => "SIN",
+            Function::Cos => "COS",
+            Function::Tan => "TAN",
+            Function::Asin => "ASIN",
+            Function::Acos => "ACOS",
+            Function::Atan => "ATAN",
+            Function::Sqrt => "SQRT",
+            Function::Abs => "ABS",
+            Function::Bin => "BIN",
+            Function::Bcd => "BCD",
+            Function::Round => "ROUND",
+            Function::Square => "POT",
+            Function::Fix => "FIX",
+            Function::Fup => "FUP",
+            Function::Ln => "LN",
+            Function::Exp => "EXP",
+            Function::Power => "POW",
+            Function::AddPoint => "ADP",
+        }
+    }
+}
+
 /// Operation of `G65 Hnn`: result P, operands Q and R.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Operation {

@@ -154,8 +154,8 @@ impl Writer<'_> {
 
     pub(in crate::nc) fn function_name(&mut self, function: Function) {
         let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
-        let name = row.map_or_else(|| format!("{function:?}").to_ascii_uppercase(), |(name, _)| (*name).to_owned());
-        self.text.push_str(&name);
+        let name = row.map_or(function.usual_name(), |(name, _)| *name);
+        self.text.push_str(name);
     }
 
     pub(in crate::nc) fn bracketed(&mut self, id: ExprId, depth: u32) {
