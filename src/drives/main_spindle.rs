@@ -65,7 +65,7 @@ impl MainSpindle {
     }
 
     /// Seconds to a speed in r/min with the short-time torque of the motor.
-    pub fn run_up(&self, rpm: f64) -> f64 {
+    pub fn run_up_time(&self, rpm: f64) -> f64 {
         self.driving_motor().seconds_to(rpm, self.load_at_spindle.inertia, self.load_at_spindle.torque)
     }
 

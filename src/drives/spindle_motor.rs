@@ -134,7 +134,7 @@ pub fn power(torque: f64, rpm: f64) -> f64 {
 /// the run.
 ///
 /// Source: `docs/reference/turning-spindle.md` section 5, run-up by a ramp.
-pub fn run_up(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
+pub fn run_up_torque(inertia: f64, rpm: f64, tau: f64, gain: f64) -> f64 {
     inertia * rpm.abs() * RPM * if tau > 0.0 { 1.0 / tau } else { gain }
 }
 

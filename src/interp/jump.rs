@@ -8,7 +8,7 @@ use super::state::RunState;
 use crate::controls::{Address, Alarm};
 use crate::msg;
 use crate::nc::{Block, Expr, ExprId};
-use crate::text::{Diagnostic, DiagnosticKind, Place, Severity, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Span};
 
 impl RunState {
     /// Block of the END for a DO, or of the DO for an END.
@@ -30,7 +30,7 @@ impl RunState {
         let place = |span: Span| Place { file: self.file, span };
         let blocks = cx.deck.blocks.get(self.first as usize..self.end as usize).unwrap_or_default();
         let program = blocks.first().zip(blocks.last()).map(|(first, last)| place(first.span.to(last.span)));
-        let errors = cx.shared.parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
+        let errors = cx.shared.parsed.diagnostics().iter().filter(|finding| finding.is_error());
         let within = |outer: Option<Place>| {
             errors.clone().filter(move |error| outer.zip(error.place).is_some_and(|(outer, at)| outer.covers(at)))
         };

@@ -98,7 +98,7 @@ impl RunState {
         {
             return Trap::alarm(bad.alarm, finding.message.clone()).within(bad.finding);
         }
-        let reported = here.find(|finding| finding.severity == Severity::Error);
+        let reported = here.find(|finding| finding.is_error());
         Trap::alarm(bad.alarm, msg!("interp.bad-block")).reported_as(reported)
     }
 }

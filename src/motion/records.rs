@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::timeline::{Timeline, TimelineLengths};
 use crate::interp::Canon;
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, Place};
 
 /// Maximum findings of a run; beyond it only errors are added.
 const REMARKS: usize = 1000;
@@ -39,7 +39,7 @@ impl RecordLengths {
 impl Records {
     /// Adds a finding, once: a restarted program raises the same alarms again. Warnings beyond [`REMARKS`] are dropped.
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
-        let has_room = diagnostic.severity == Severity::Error || self.diagnostics.len() < REMARKS;
+        let has_room = diagnostic.is_error() || self.diagnostics.len() < REMARKS;
         if has_room && !self.diagnostics.contains(&diagnostic) {
             self.diagnostics.push(diagnostic);
         }

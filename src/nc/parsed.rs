@@ -6,7 +6,7 @@ use super::ast::{Block, Deck, ExprId, TextId};
 use super::codes::Codes;
 use super::files::Files;
 use crate::controls::{Control, Dialect, Switches};
-use crate::text::{Diagnostic, Place, Severity, Span};
+use crate::text::{Diagnostic, Place, Span};
 
 /// Maximum findings of a program; a file of garbage has millions.
 pub(in crate::nc) const FINDINGS: usize = 1000;
@@ -96,7 +96,7 @@ impl Parsed {
 
     /// Whether the control would refuse or misread a part of the program.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+        self.diagnostics.iter().any(|d| d.is_error())
     }
 
     /// The text of a place.

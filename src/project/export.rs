@@ -11,8 +11,8 @@ use crate::controls::options::CommentCharacters;
 use crate::machines::{MachineFile, PreparedMachine};
 use crate::msg;
 use crate::nc::{File, Files};
+use crate::text::Diagnostic;
 use crate::text::units::in_millimetres;
-use crate::text::{Diagnostic, Severity};
 use crate::view::{self, report};
 
 /// Names of the documents for people, which are printed: the report, and its summary for those who decide.
@@ -131,7 +131,7 @@ impl Project {
         let mut files = Vec::new();
         let mut draft = None;
         let options = ExportOptions { advice: &found, ..*options };
-        if diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        if diagnostics.iter().any(|d| d.is_error()) {
             let without_programs = Written { files: Files::default(), ..written.clone() };
             draft = Some(report::html(&self.report(&prepared, &without_programs, &options)));
         } else {

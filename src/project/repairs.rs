@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use super::Project;
 use super::remedy::set_field;
-use crate::text::Severity;
 use crate::text::number::figure;
 use crate::view::{FieldEntry, Readout, Repair, Repairs, Verdict};
 
@@ -112,7 +111,7 @@ impl Trial {
         let design = project.design();
         let count = |verdict| design.readouts.iter().filter(|readout| readout.verdict == verdict).count();
         let faults = Faults {
-            errors: design.diagnostics.iter().filter(|found| found.severity == Severity::Error).count(),
+            errors: design.diagnostics.iter().filter(|found| found.is_error()).count(),
             failing: count(Verdict::Fail),
             warned: count(Verdict::Warn),
         };

@@ -127,6 +127,11 @@ impl Diagnostic {
         Diagnostic::new(Severity::Error, message)
     }
 
+    /// Whether it is an error, which prevents the export of a program.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+
     /// A warning without a place.
     pub fn warning(message: Message) -> Diagnostic {
         Diagnostic::new(Severity::Warning, message)
@@ -191,7 +196,7 @@ impl Diagnostic {
     /// The fix of an error that is certain to be the intention: the only one, and no guess.
     pub fn certain_fix(&self) -> Option<&Fix> {
         match &self.fixes[..] {
-            [fix] if self.severity == Severity::Error && self.kind != DiagnosticKind::GuessedFix => Some(fix),
+            [fix] if self.is_error() && self.kind != DiagnosticKind::GuessedFix => Some(fix),
             _ => None,
         }
     }

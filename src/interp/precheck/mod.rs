@@ -13,7 +13,7 @@ use super::context::BlockContext;
 use super::world::MachineAtRest;
 use super::{Interp, StartProgram};
 use crate::nc::Parsed;
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, Place};
 use check::{Listener, Precheck};
 
 /// Maximum findings in the list.
@@ -31,7 +31,7 @@ pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
     let mut world = Listener { machine: MachineAtRest::default(), heard: &heard };
     let cx = BlockContext { shared: &shared, control: shared.control, deck, world: &mut world, parts: 1.0 };
     let mut check = Precheck::new(cx, state, &heard);
-    let errors = parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
+    let errors = parsed.diagnostics().iter().filter(|finding| finding.is_error());
     let errors: Vec<Place> = errors.filter_map(|finding| finding.place).collect();
     let mut found: Vec<Diagnostic> = Vec::new();
     for (index, program) in deck.programs.iter().enumerate() {
@@ -41,7 +41,7 @@ pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
             let here = Place { file: program.file, span: block.span };
             if found.len() >= REMARKS {
                 // The remaining room is for errors.
-                check.found.retain(|finding| finding.severity == Severity::Error);
+                check.found.retain(|finding| finding.is_error());
             }
             if !check.found.is_empty() && !errors.iter().any(|error| error.meets(here)) {
                 found.append(&mut check.found);

@@ -1,7 +1,7 @@
 //! Fills parameters: first with the defaults of the form, then with every valid value.
 
 use super::{Field, FieldKind, Origins, Provenance, Value, Values};
-use crate::text::{Diagnostic, Severity};
+use crate::text::Diagnostic;
 
 /// Sets every parameter to the default of its field.
 pub fn defaults<P>(fields: &[Field<P>], params: &mut P) {
@@ -27,7 +27,7 @@ pub fn fill<P>(fields: &[Field<P>], values: &Values, params: &mut P) -> Vec<Diag
     for field in fields {
         let Some(value) = values.get(field.id) else { continue };
         if let Err(problem) = field.info().check(value) {
-            debug_assert!(problem.severity == Severity::Error);
+            debug_assert!(problem.is_error());
             found.push(*problem);
             continue;
         }

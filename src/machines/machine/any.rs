@@ -21,7 +21,7 @@ use crate::machines::form::{Field, FieldInfo, Origins, Values};
 use crate::math;
 use crate::msg;
 use crate::text::catalog::words;
-use crate::text::{Diagnostic, DiagnosticKind, Severity, listed};
+use crate::text::{Diagnostic, DiagnosticKind, listed};
 use crate::view::{Advice, FieldEntry, Readout, Verdict};
 
 /// Constants of a type of machine.
@@ -186,7 +186,7 @@ impl PreparedMachine {
 
     fn errors(&self, results: &Design) -> usize {
         let found = self.invalid.iter().chain(&results.diagnostics);
-        found.filter(|found| found.severity == Severity::Error).count()
+        found.filter(|found| found.is_error()).count()
     }
 
     /// Tries the remedy of each advice. A remedy that does not improve the verdict of its result, or that raises

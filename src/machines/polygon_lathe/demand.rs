@@ -5,7 +5,7 @@ use super::load::PolygonFeed;
 use super::resolved::PolygonLathe;
 use super::turned_end_form::TurnedEnd;
 use crate::drives::cutting::{Chip, CuttingEdge};
-use crate::drives::spindle_motor::{power, run_up};
+use crate::drives::spindle_motor::{power, run_up_torque};
 
 /// Kind of demand on the motor of work or tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +36,7 @@ impl PolygonLathe {
             DemandKind::Power => (power(torque.mean, drive.speed), drive.motor.power * self.params.site_share / 100.0),
             DemandKind::RunUp => {
                 let drive = self.params.fastest_drive(axis);
-                (run_up(drive.inertia, drive.speed, drive.ramp, drive.gain), self.params.torques_of(&drive).1)
+                (run_up_torque(drive.inertia, drive.speed, drive.ramp, drive.gain), self.params.torques_of(&drive).1)
             }
         }
     }

@@ -166,7 +166,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "run-up-time", label: "turning.readout.run-up-time", unit: "s", decimals: 2,
-        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).run_up(programmed_speed(lathe)), ..ReadoutRow::BASE
+        formula: "J ω b / (M - M f) + J ∫ ω / (P - M f ω) dω from base speed to the highest", cite: RUN_UP, value: |lathe| engaged(lathe).run_up_time(programmed_speed(lathe)), ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "braking-time", label: "turning.readout.braking-time", unit: "s", decimals: 2,

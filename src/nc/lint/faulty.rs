@@ -5,7 +5,7 @@ use super::super::unread;
 use super::context::Lint;
 use super::facts::Facts;
 use crate::controls::Code;
-use crate::text::{Place, Severity};
+use crate::text::Place;
 
 impl Facts {
     /// Marks programs with errors.
@@ -19,7 +19,7 @@ impl Facts {
             (program.file, head.min(first))
         };
         let starts: Vec<_> = (0..deck.programs.len()).map(start).collect();
-        let errors = lint.parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
+        let errors = lint.parsed.diagnostics().iter().filter(|finding| finding.is_error());
         for Place { file, span } in errors.filter_map(|finding| finding.place) {
             let after = starts.partition_point(|start| *start <= (file, span.start));
             if let Some(part) = self.programs.get_mut(after.saturating_sub(1)) {

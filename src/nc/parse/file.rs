@@ -8,7 +8,7 @@ use crate::nc::ast::{BadBlock, Block, Program, Stmt};
 use crate::nc::lex::keywords::KEYWORDS;
 use crate::nc::lex::spelling::{holds_word, prose, states};
 use crate::nc::parse::failure::ParseFailure;
-use crate::text::{Diagnostic, Severity, Span, without_byte_order_mark};
+use crate::text::{Diagnostic, Span, without_byte_order_mark};
 
 /// Character that ends a file on old systems (Ctrl-Z), and NUL, which follows a program on tape and in a punch file: no control reads them.
 const END_OF_FILE: [char; 2] = ['\u{1a}', '\0'];
@@ -273,7 +273,7 @@ impl<'a> Reader<'a> {
         if self.findings.misused.iter().skip(variables).any(|row| row.span == first) {
             return first;
         }
-        let error = self.findings.list.iter().skip(found).find(|finding| finding.severity == Severity::Error);
+        let error = self.findings.list.iter().skip(found).find(|finding| finding.is_error());
         error.and_then(|error| error.place).map_or(first, |place| place.span)
     }
 

@@ -35,7 +35,7 @@ fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
 /// alarm of the run replaces a warning about its block.
 pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic> {
     let new: Vec<&Diagnostic> = run.iter().filter(|found| reported(&read, found).is_none()).collect();
-    let alarms = run.iter().filter(|found| found.severity == Severity::Error).filter_map(|found| found.place);
+    let alarms = run.iter().filter(|found| found.is_error()).filter_map(|found| found.place);
     let alarms: Vec<Place> = alarms.collect();
     let foreseen = |warning: &Diagnostic| warning.place.is_some_and(|at| alarms.iter().any(|alarm| at.covers(*alarm)));
     read.retain(|found| found.severity != Severity::Warning || !foreseen(found));
@@ -47,7 +47,7 @@ pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic
 /// about a whole file, stay errors.
 pub fn not_reached(found: &mut [Diagnostic], parsed: &Parsed, run: &[Diagnostic]) {
     let deck = parsed.deck();
-    for finding in found.iter_mut().filter(|finding| finding.severity == Severity::Error) {
+    for finding in found.iter_mut().filter(|finding| finding.is_error()) {
         let Some(place) = finding.place.filter(|_| reported(run, finding).is_none()) else { continue };
         let within = |blocks: &[Block]| {
             let behind = blocks.partition_point(|block| block.span.start <= place.span.start);
@@ -75,7 +75,7 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
         (DiagnosticKind::ShortBlocks, DiagnosticKind::Starved) => file(known) == file(run),
         _ if run.place.is_none() || known.place != run.place || !known.shows_alarm_of(run) => false,
         // Values in the message may differ, because the run reports the values of one pass of a loop.
-        _ => run.severity == Severity::Error && run.alarm.is_some() || known.message.is_same_sentence(&run.message),
+        _ => run.is_error() && run.alarm.is_some() || known.message.is_same_sentence(&run.message),
     })
 }
 
@@ -90,7 +90,7 @@ pub enum FixChoice {
 
 /// The fixes of a choice, one per error.
 pub fn fixes(found: &[Diagnostic], choice: FixChoice) -> impl Iterator<Item = &Fix> {
-    let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
+    let errors = found.iter().filter(|finding| finding.is_error());
     errors.filter_map(move |finding| match choice {
         FixChoice::Certain => finding.certain_fix(),
         FixChoice::First => finding.fixes.first(),

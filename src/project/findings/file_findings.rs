@@ -6,7 +6,7 @@ use super::render::{Renderer, sarif};
 use crate::controls::options::CommentCharacters;
 use crate::nc::Files;
 use crate::project::files::decode::Decoded;
-use crate::text::{Diagnostic, Severity};
+use crate::text::Diagnostic;
 
 /// Files that diagnostics are about.
 #[derive(Default)]
@@ -58,7 +58,7 @@ pub type FileRead<T> = (Option<T>, FileFindings);
 
 /// Whether there is an error.
 pub fn has_errors(all: &[FileFindings]) -> bool {
-    all.iter().flat_map(|findings| &findings.list).any(|finding| finding.severity == Severity::Error)
+    all.iter().flat_map(|findings| &findings.list).any(|finding| finding.is_error())
 }
 
 /// Diagnostics as a list.

@@ -5,8 +5,8 @@ use serde_json::{Value as Json, json};
 use crate::msg;
 use crate::project::findings::file_findings::list_json;
 use crate::project::requests::check_request::Refused;
+use crate::text::Message;
 use crate::text::catalog::sentence;
-use crate::text::{Message, Severity};
 
 /// Characters of a request at most.
 pub const MAX_REQUEST: u32 = 64 << 20;
@@ -51,7 +51,7 @@ pub(super) fn refused(why: &Refused) -> Json {
         Refused::Choice(message) => error(message),
         Refused::Files(all) => {
             let mut list = all.iter().flat_map(|findings| &findings.list);
-            let first = list.find(|finding| finding.severity == Severity::Error).map(|finding| &finding.message);
+            let first = list.find(|finding| finding.is_error()).map(|finding| &finding.message);
             json!({ "error": first.map(sentence), "diagnostics": list_json(all) })
         }
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use crate::controls::Control;
 use crate::nc::{File, TokenKind, tokens};
-use crate::text::{Diagnostic, FileId, LineIndex, Severity};
+use crate::text::{Diagnostic, FileId, LineIndex};
 use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::messages::SHOWN;
 use crate::view::svg::escape;
@@ -139,7 +139,7 @@ fn finding(at: usize, diagnostic: &Diagnostic) -> String {
         escape(&mut out, &sentence(&row.title));
         out.push_str("</button>");
     }
-    if diagnostic.severity != Severity::Error {
+    if !diagnostic.is_error() {
         let (id, words) = (diagnostic.message_id(), t("page.silence"));
         let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
         // The help has an entry for each warning about programs.

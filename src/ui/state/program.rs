@@ -5,7 +5,7 @@ use std::rc::Rc;
 use leptos::prelude::*;
 
 use crate::project::program::Written;
-use crate::text::{Diagnostic, Severity};
+use crate::text::Diagnostic;
 
 /// The program. A handle: copies share its state.
 #[derive(Clone, Copy)]
@@ -42,7 +42,7 @@ impl ProgramFiles {
 
     /// Whether the control would refuse or misread the program, as reading and review know before it runs.
     pub(crate) fn has_errors(self) -> bool {
-        let error = |found: &[Diagnostic]| found.iter().any(|found| found.severity == Severity::Error);
+        let error = |found: &[Diagnostic]| found.iter().any(|found| found.is_error());
         self.reviewed.with(|found| found.as_deref().is_some_and(error)) || self.written.with(|w| error(&w.diagnostics))
     }
 

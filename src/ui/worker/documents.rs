@@ -18,7 +18,7 @@ use crate::project::saved::with_line;
 use crate::project::size::sections::SizingSection;
 use crate::project::size::{size, size_with_progress};
 use crate::project::variants::compare;
-use crate::text::{Diagnostic, DiagnosticKind, Message, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Message};
 use crate::ui::words::{Tone, sentence, sentence_with_hints, t, verdict_words};
 use crate::view::svg::escape;
 use crate::view::{Comparison, FieldEntry, Readout, SheetKind, VariantCell, Verdict};
@@ -66,7 +66,7 @@ pub(super) fn parts(project: &Project, ReadPartsTable { name, text }: &ReadParts
     let (read, found) = parts::read(text, name);
     let added = read.len() as u32;
     project.add_parts(read);
-    let remark = |finding: &Diagnostic| (finding.severity == Severity::Error, with_line(finding, text));
+    let remark = |finding: &Diagnostic| (finding.is_error(), with_line(finding, text));
     ReadParts { project: project.to_json(), added, remarks: found.iter().map(remark).collect() }
 }
 
@@ -198,7 +198,7 @@ pub(super) fn export(project: &Project) -> ExportDocuments {
     let written = project.written();
     let export = exported(project, &written);
     let remark = |found: &Diagnostic| Remark {
-        refuses: found.severity == Severity::Error,
+        refuses: found.is_error(),
         tone: found.severity.into(),
         alarm: found.alarm.as_deref().unwrap_or_default().to_owned(),
         text: finding_text(found),

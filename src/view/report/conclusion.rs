@@ -3,7 +3,7 @@
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{pieces, sentence, words};
-use crate::text::{Message, Severity, clauses, listed, sentences};
+use crate::text::{Message, clauses, listed, sentences};
 use crate::view::svg::escape;
 use crate::view::{Readout, Verdict};
 
@@ -38,7 +38,7 @@ fn plain(message: &Message) -> String {
 
 /// Note that errors keep the programs from being written; none without errors.
 fn draft(report: &Report) -> Option<Message> {
-    let count = report.diagnostics.iter().filter(|found| found.severity == Severity::Error).count() as u32;
+    let count = report.diagnostics.iter().filter(|found| found.is_error()).count() as u32;
     (count > 0).then(|| msg!("form.report.draft", count))
 }
 

@@ -28,7 +28,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::project::findings::check::with_run;
 use crate::project::findings::silence::silence;
-use crate::text::{Diagnostic, Severity, clauses};
+use crate::text::{Diagnostic, clauses};
 use crate::ui::dom;
 use crate::ui::words::{sentence, t};
 use crate::view::{Readout, Scene, Verdict};
@@ -296,5 +296,5 @@ impl Page {
 
 /// The errors of a design.
 fn errors(design: &Design) -> Vec<Diagnostic> {
-    design.diagnostics.iter().filter(|found| found.severity == Severity::Error).cloned().collect()
+    design.diagnostics.iter().filter(|found| found.is_error()).cloned().collect()
 }
