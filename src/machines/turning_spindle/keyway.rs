@@ -72,8 +72,8 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
         found.push(Diagnostic::error(message).about("keyway-length"));
     }
     let end = p.keyway_start + p.keyway_length;
-    if end > p.reach() {
-        let message = msg!("turning.keyway-in-chuck", end = (end, 3), reach = (p.reach(), 3));
+    if end > p.keyway_reach() {
+        let message = msg!("turning.keyway-in-chuck", end = (end, 3), reach = (p.keyway_reach(), 3));
         found.push(Diagnostic::error(message).about("keyway-length"));
     } else if p.path == Path::Turning && end > p.length {
         let message = msg!("turning.keyway-beyond-shoulder", end = (end, 3), length = (p.length, 3));

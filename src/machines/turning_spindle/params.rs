@@ -179,6 +179,12 @@ impl Params {
         (self.work_length - self.grip - self.clearance).max(0.0)
     }
 
+    /// Greatest distance (mm) of the end of a keyway behind the finished face: the allowance of a face is in front of it.
+    pub(super) fn keyway_reach(&self) -> f64 {
+        let in_front = if self.path == Path::Facing { self.allowance } else { 0.0 };
+        (self.reach() - in_front).max(0.0)
+    }
+
     /// Length (mm) of the cut along the work.
     pub(super) fn cut_length(&self) -> f64 {
         if self.path == Path::Facing { self.allowance } else { self.length }

@@ -441,14 +441,19 @@ fn keyway_guards(lathe: &TurningSpindle) -> Vec<(Condition, String)> {
     if lathe.keyway().is_none() {
         return Vec::new();
     }
-    let (end, surface) = if lathe.params.path == Path::Facing { (REACH, STOCK) } else { (way(lathe), FINISHED) };
-    let [start, length, width, depth, end_name, surface_name] =
-        [KEYWAY_START, KEYWAY_LENGTH, KEYWAY_WIDTH, KEYWAY_DEPTH, end, surface].map(|at| lathe.control.variable(at));
+    let is_face = lathe.params.path == Path::Facing;
+    let surface = if is_face { STOCK } else { FINISHED };
+    let [start, length, width, depth, surface_name, way_name, reach] =
+        [KEYWAY_START, KEYWAY_LENGTH, KEYWAY_WIDTH, KEYWAY_DEPTH, surface, way(lathe), REACH]
+            .map(|at| lathe.control.variable(at));
+    // The allowance of a face is in front of the finished face, where the keyway is measured from.
+    let (end, end_name) = if is_face {
+        (entry(REACH) - entry(ALLOWANCE), format!("{reach}-{way_name}"))
+    } else {
+        (entry(way(lathe)), way_name)
+    };
     vec![
-        (
-            (entry(KEYWAY_START) + entry(KEYWAY_LENGTH)).gt(entry(end)),
-            format!("{start}+{length} IS MORE THAN {end_name}"),
-        ),
+        ((entry(KEYWAY_START) + entry(KEYWAY_LENGTH)).gt(end), format!("{start}+{length} IS MORE THAN {end_name}")),
         (entry(KEYWAY_LENGTH).lt(entry(KEYWAY_WIDTH)), format!("{length} IS LESS THAN {width}")),
         ((entry(KEYWAY_DEPTH) * 2).ge(entry(surface)), format!("{depth}*2 IS NOT BELOW {surface_name}")),
     ]

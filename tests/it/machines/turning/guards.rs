@@ -47,12 +47,20 @@ fn no_cut_goes_into_the_chuck() {
     assert_eq!(errors(&turned("83")), []);
     assert_eq!(errors(&turned("83.1")), [("length", "turning.cut-in-chuck")]);
     assert_eq!(errors(&project("gsk-980tdc", &[("allowance", "84")]))[0], ("allowance", "turning.cut-in-chuck"));
-    let facing = [("path", "facing"), ("stock-diameter", "80"), ("keyway-start", "60"), ("keyway-length", "23")];
-    assert_eq!(errors(&keyway(&facing)), []);
-    assert_eq!(
-        errors(&keyway(&[facing[0], facing[1], facing[2], ("keyway-length", "24")]))[0].1,
-        "turning.keyway-in-chuck"
-    );
+}
+
+/// The finished face is Z 0: an allowance of 10 mm brings the jaws to Z -75, and 2 mm of clearance leave 73 mm.
+#[test]
+fn keyway_of_a_face_ends_in_front_of_the_jaws() {
+    let faced =
+        |length| keyway(&[("path", "facing"), ("allowance", "10"), ("keyway-length", length), ("keyway-start", "5")]);
+    assert_eq!(errors(&faced("68")), []);
+    assert_eq!(errors(&faced("68.1")), [("keyway-length", "turning.keyway-in-chuck")]);
+    // The operator's allowance counts too.
+    assert_eq!(with_variables(&faced("68"), &[]).0, Some(RunEnd::ProgramEnd));
+    let (_, log) = with_variables(&faced("68"), &[(114, 11.0)]);
+    assert!(log.iter().any(|line| line.contains("R119+R118 IS MORE THAN R125-R114")), "{log:?}");
+    assert!(!log.iter().any(|line| line.contains("rapid")), "{log:?}");
 }
 
 /// A keyway that the form refuses is refused in the operator's variables by the program: beyond the shoulder, shorter
