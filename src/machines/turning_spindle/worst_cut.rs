@@ -21,16 +21,39 @@ pub(super) struct CutPoint {
     pub most: f64,
 }
 
-/// The point of the cut with the greatest fraction of the short-time torque.
-pub(super) fn worst_cut_point(p: &Params, d: &Derived) -> CutPoint {
+/// The points of the cut where the short-time demand may be greatest, with a torque (Nm) by the diameter (mm).
+fn points(p: &Params, d: &Derived, torque: impl Fn(f64) -> f64) -> [CutPoint; 3] {
     let motor = p.main_spindle(d.stage.speed).driving_motor();
     let at = |diameter: f64| {
         let speed = d.speeds.at(p, diameter);
-        CutPoint { diameter, speed, torque: torque_at(p, d, diameter), most: motor.torque(speed) }
+        CutPoint { diameter, speed, torque: torque(diameter), most: motor.torque(speed) }
     };
-    let all = d.limits.hardest(&d.cut, &d.speeds, motor.base).map(at);
+    d.limits.hardest(&d.cut, &d.speeds, motor.base).map(at)
+}
+
+/// The point with the greatest fraction of the short-time torque.
+fn worst(all: [CutPoint; 3]) -> CutPoint {
     all.into_iter()
         .fold(all[0], |worst, next| if next.torque * worst.most > worst.torque * next.most { next } else { worst })
+}
+
+/// The point of the cut with the greatest fraction of the short-time torque.
+pub(super) fn worst_cut_point(p: &Params, d: &Derived) -> CutPoint {
+    worst(points(p, d, |diameter| torque_at(p, d, diameter)))
+}
+
+/// The same point while the inverter accelerates over its whole ramp: `J · 2π n10 / (60 t) + M_cut + M_f`. Source:
+/// turning spindle facts, 5.
+pub(super) fn worst_ramp_point(p: &Params, d: &Derived) -> CutPoint {
+    let spindle = p.main_spindle(d.stage.speed);
+    let ramp = if spindle.ramp > 0.0 { spindle.ramp_torque() - spindle.load_at_spindle.torque } else { 0.0 };
+    worst(points(p, d, |diameter| p.steady_torque(diameter) + ramp))
+}
+
+/// Least torque (Nm) over the cut that cut and friction leave to accelerate the spindle.
+pub(super) fn left_beside_the_cut(p: &Params, d: &Derived) -> f64 {
+    let all = points(p, d, |diameter| p.steady_torque(diameter));
+    all.iter().map(|point| point.most - point.torque).fold(f64::INFINITY, f64::min).max(0.0)
 }
 
 /// Torque (Nm) at the spindle with the tool tip at a diameter (mm): `F d_m / 2000 + M_f + J · 2π / 60 · dn/dt`. Source: turning spindle facts, 4.

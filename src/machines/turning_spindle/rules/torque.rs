@@ -10,7 +10,7 @@ use crate::machines::lathe::knobs::{self, TorqueRemedy};
 use crate::machines::turning_spindle::cooling;
 use crate::machines::turning_spindle::params::{FIELDS, Gear};
 use crate::machines::turning_spindle::resolved::{CutAtKnobs, TurningSpindle};
-use crate::machines::turning_spindle::worst_cut::{CutPoint, worst_cut_point};
+use crate::machines::turning_spindle::worst_cut::{CutPoint, left_beside_the_cut, worst_cut_point, worst_ramp_point};
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::view::Advice;
@@ -114,16 +114,19 @@ pub(super) fn peak_torque(lathe: &TurningSpindle) -> Option<Judgement> {
 const PANEL_END: f64 = 120.0;
 
 /// Warns of a ramp that is too steep beside the cut: the inverter accelerates over it when the operator turns the knob in the cut, and at the
-/// begin of a cut that waits only for a part of the speed. `J · 2π / 60 · n10 / t + M_cut + M_f` against the short-time torque. Source: turning
-/// spindle facts, 5.
+/// begin of a cut that waits only for a part of the speed. Judged where cut and ramp take most of the short-time torque; the longer ramp of
+/// the advice suffices at every diameter and position of the knobs.
 fn turn_of_the_knob(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     let at_ends = lathe.cuts_at_knobs().into_iter().filter(|cut| cut.at.spindle <= PANEL_END);
-    let (cut, (torque, most)) = knobs::worst(core::iter::once(lathe.cut_at_present()).chain(at_ends), ramp_demand)?;
+    let all = || core::iter::once(lathe.cut_at_present()).chain(at_ends.clone());
+    let (cut, (torque, most)) = knobs::worst(all(), ramp_demand)?;
     let spindle = cut.params.main_spindle(cut.derived.stage.speed);
-    let left = (most - cut.params.steady_torque(cut.derived.cut.largest_whole)).max(0.0);
+    let left = all().map(|cut| left_beside_the_cut(cut.params, cut.derived)).fold(f64::INFINITY, f64::min);
     let shortest = shortest_ramp(spindle.load_at_spindle.inertia, spindle.speed_at_10v, left);
     let (feed, percent) = ((cut.at.feed, 0), (cut.at.spindle, 0));
-    let message = msg!("turning.ramp-in-cut", feed, spindle = percent, torque = (torque, 1), limit = (most, 1));
+    let diameter = (worst_ramp_point(cut.params, cut.derived).diameter, 1);
+    let message =
+        msg!("turning.ramp-in-cut", feed, spindle = percent, diameter, torque = (torque, 1), limit = (most, 1));
     let advice = Advice::from(message);
     if shortest > field_max(FIELDS, "spindle-ramp") {
         return warn(AtMost(limit), [advice]);
@@ -132,11 +135,8 @@ fn turn_of_the_knob(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
     warn(AtMost(limit), [advice.setting(msg!("advice.set-ramp", time = set.text.as_str()), [set])])
 }
 
-/// Torque (Nm) of cut, friction and the whole acceleration of the ramp at the largest diameter with the whole depth, and the short-time torque
-/// there.
+/// Torque (Nm) of cut, friction and the whole acceleration of the ramp where they take most of the short-time torque, and that torque.
 fn ramp_demand(cut: &CutAtKnobs) -> (f64, f64) {
-    let spindle = cut.params.main_spindle(cut.derived.stage.speed);
-    let steady = cut.params.steady_torque(cut.derived.cut.largest_whole);
-    let ramp = if spindle.ramp > 0.0 { spindle.ramp_torque() - spindle.load_at_spindle.torque } else { 0.0 };
-    (steady + ramp, spindle.driving_motor().torque(cut.derived.speeds.largest_whole))
+    let CutPoint { torque, most, .. } = worst_ramp_point(cut.params, cut.derived);
+    (torque, most)
 }

@@ -197,3 +197,18 @@ fn envelope_of_a_fixed_speed_has_the_operators_limit() {
         assert_eq!((run.limit, run.verdict), (Some(Limit::AtMost(1600.0)), verdict), "{run:?}");
     }
 }
+
+/// A motor above its base speed has least torque at the smallest diameter, where the constant surface speed ends.
+#[test]
+fn knob_turned_in_the_cut_is_judged_at_every_diameter() {
+    let entries = [("path", "turning"), ("spindle-ramp", "2.7"), ("upper-limit", "2900")];
+    let lathe = Project::named("turning-spindle", Some("gsk-980tdc"), None).unwrap();
+    let lathe = lathe.with_entries(&entries.map(|(id, text)| (id, text.to_owned()))).unwrap();
+    let judged = readout(&lathe, "peak-torque");
+    assert_eq!((judged.verdict, judged.advice[0].message.id), (Verdict::Warn, "turning.ramp-in-cut"));
+    let message = sentence(&judged.advice[0].message);
+    // 216 m/min are 2900 r/min at Ø 23.7: 150 % of feed, 120 % of the spindle.
+    assert!(message.contains("Ø 23.7 mm") && message.contains("150 % feed"), "{message}");
+    let longer = lathe.with_entries(&judged.advice[0].entries).unwrap();
+    assert_eq!(readout(&longer, "peak-torque").verdict, Verdict::Ok);
+}
