@@ -25,6 +25,9 @@ pub(super) const RUN: u32 = 9201;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9202;
 
+/// Sequence number of the first block behind the guards.
+const OPENING: u32 = 16;
+
 /// Sequence number of the first block of a pass at feed: the cut, or on a taper the approach to the face.
 pub(super) const PASS_BEGIN: u32 = 36;
 
@@ -177,7 +180,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
 
 /// Offsets, tool, speed limits, modal codes and gear: what the control has to know before the first way.
 fn prepare(b: &mut Builder, lathe: &TurningSpindle) {
-    b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
+    b.n(OPENING).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
     call_tool(b, lathe);
     // Setting data of the control, in force beyond the program's end; each takes a block of its own.
     for (at, (code, number)) in (19..).zip(speed_limits(lathe).into_iter().flatten()) {
@@ -270,7 +273,8 @@ fn alarms(b: &mut Builder, lathe: &TurningSpindle) {
         None => "RETRACT THE TOOL BY HAND".to_owned(),
     };
     writing::alarm(b, lathe.control, away_alarm(lathe), &text);
-    for (at, (_, text)) in (away_alarm(lathe) + 1..).zip(refusals(lathe)) {
+    let texts = refusals(lathe).into_iter().map(|(_, text)| text).chain(no_room(lathe));
+    for (at, text) in (away_alarm(lathe) + 1..).zip(texts) {
         writing::alarm(b, lathe.control, at, &text);
     }
     if writing::has_alarms(lathe.control) {
@@ -299,6 +303,44 @@ fn guards(b: &mut Builder, lathe: &TurningSpindle) {
     for (at, (condition, _)) in (away_alarm(lathe) + 1..).zip(refusals(lathe)) {
         b.if_goto(condition, alarm_block(at));
     }
+    start_has_room(b, lathe);
+}
+
+/// Jumps to the last alarm, where the program cannot read the tool's position, if the turret has no room to turn at the start of the tool: there it
+/// ended the part before.
+fn start_has_room(b: &mut Builder, lathe: &TurningSpindle) {
+    if !has_flag(lathe) {
+        return;
+    }
+    let alarm = alarm_block(away_alarm(lathe) + 1 + refusals(lathe).len() as u32);
+    if lathe.params.tailstock {
+        // In front of the work is the tailstock.
+        b.if_goto(entry(START_X).lt(beside()), alarm);
+    } else {
+        b.if_goto(entry(START_X).ge(beside()), OPENING);
+        b.if_goto(entry(START_Z).lt(in_front(lathe)), alarm);
+    }
+}
+
+/// Text of the alarm of a start without room for the turret.
+fn no_room(lathe: &TurningSpindle) -> Option<String> {
+    let [start_x, start_z, stock, room] = [START_X, START_Z, STOCK, ROOM].map(|at| lathe.control.variable(at));
+    let text = if lathe.params.tailstock {
+        format!("{start_x} IS LESS THAN {stock}+2*{room}")
+    } else {
+        format!("{start_x} AND {start_z} LEAVE LESS ROOM THAN {room}")
+    };
+    has_flag(lathe).then_some(text)
+}
+
+/// Least X as a diameter at which the turret turns beside the work.
+fn beside() -> Formula {
+    entry(STOCK) + entry(ROOM) * 2
+}
+
+/// Least Z at which the turret turns in front of the work: the allowance of a face is in front of the finished face.
+fn in_front(lathe: &TurningSpindle) -> Formula {
+    if lathe.params.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) }
 }
 
 /// The tool, only while it is clear of the work and its turret has room to turn.
@@ -306,9 +348,7 @@ fn call_tool(b: &mut Builder, lathe: &TurningSpindle) {
     match position(lathe) {
         Some(position) => {
             writing::stays_clear(b.n(17), position, || size(lathe, clear()), alarm_block(away_alarm(lathe)));
-            let beside = size(lathe, entry(STOCK) + entry(ROOM) * 2);
-            // The allowance of a face is in front of the finished face.
-            let in_front = if lathe.params.path == Path::Facing { entry(ROOM) + entry(ALLOWANCE) } else { entry(ROOM) };
+            let (beside, in_front) = (size(lathe, beside()), in_front(lathe));
             if lathe.params.tailstock {
                 // In front of the work is the tailstock.
                 b.if_goto(v(position.across).lt(beside), alarm_block(away_alarm(lathe)));

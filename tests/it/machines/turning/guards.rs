@@ -63,6 +63,32 @@ fn keyway_of_a_face_ends_in_front_of_the_jaws() {
     assert!(!log.iter().any(|line| line.contains("rapid")), "{log:?}");
 }
 
+/// A SINUMERIK's program cannot read where the turret is; it returns to R111 and R112, and turns there for the next part.
+#[test]
+fn turret_without_room_at_the_start_is_refused() {
+    let shaft =
+        |entries: &[(&'static str, &str)]| keyway(&[&[("start-x", "150"), ("start-z", "30")], entries].concat());
+    let face = [("path", "facing"), ("allowance", "5"), ("start-z", "35")];
+    let held = [("tailstock", "true")];
+    let beside_or_in_front = "R111 AND R112 LEAVE LESS ROOM THAN R126";
+    // Ø 60 and twice 45 mm end at 150 mm.
+    for (entries, variables, refusal) in [
+        (&[][..], &[(126, 45.0)][..], None),
+        (&[], &[(126, 45.1)], Some(beside_or_in_front)),
+        (&[], &[(126, 45.1), (112, 45.1)], None),
+        (&face, &[(111, 100.0)], None),
+        (&face, &[(111, 100.0), (114, 5.1)], Some(beside_or_in_front)),
+        (&held, &[(126, 45.0)], None),
+        (&held, &[(126, 45.1), (112, 45.1)], Some("R111 IS LESS THAN R102+2*R126")),
+    ] {
+        let (ended, log) = with_variables(&shaft(entries), variables);
+        let text = log.iter().find(|line| line.contains("R111"));
+        assert_eq!(text.is_some(), refusal.is_some(), "{entries:?} {variables:?}: {ended:?} {text:?}");
+        assert!(refusal.is_none_or(|refusal| text.is_some_and(|text| text.contains(refusal))), "{text:?}");
+        assert_eq!(log.iter().any(|line| line.contains("rapid")), refusal.is_none(), "{entries:?} {variables:?}");
+    }
+}
+
 /// A keyway that the form refuses is refused in the operator's variables by the program: beyond the shoulder, shorter
 /// than its tool, to the centre.
 #[test]
