@@ -1,18 +1,21 @@
 //! The keyway that a driven tool cuts while the spindle is locked at an angle: findings, time, and its cut part in a run.
 
-use super::params::{Output, Params, Path};
+use super::params::{FIELDS, Output, Params, Path};
 use super::program::{APPROACH, DRIVEN_WAY, KEYWAY};
 use super::resolved::{CodePair, TurningSpindle};
 use crate::controls::CodeId;
 use crate::controls::interface::SignalRole;
 use crate::machines::driven::devices::{AskedDevice, BillItem};
+use crate::machines::form::entry::{at_least, at_most, field_min};
 use crate::machines::ladder::book::LAST_FUNCTION_BIT;
 use crate::machines::machine::Samples;
+use crate::machines::verdict::{Judgement, ok, warn};
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::msg;
 use crate::text::{Diagnostic, Phrase};
 use crate::view::Advice;
+use crate::view::Limit::AtMost;
 
 /// Errors and warnings about the angle of the spindle and the keyway.
 pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
@@ -145,6 +148,39 @@ pub(super) fn time(p: &Params) -> f64 {
 /// Cutting speed of the driven tool in m/min: `π w n / 1000`.
 pub(super) fn cutting_speed(p: &Params) -> f64 {
     PI * p.keyway_width * p.driven_speed / 1000.0
+}
+
+/// Greatest feed of an end mill in a turn, as a share of its diameter: two teeth with a fortieth each. Source: engineering choice.
+const FEED_SHARE: f64 = 0.05;
+
+/// Greatest feed (mm) of the driven tool in a turn, by which it is judged.
+fn greatest_feed_per_turn(p: &Params) -> f64 {
+    FEED_SHARE * p.keyway_width
+}
+
+/// Feed (mm) of the driven tool in a turn, the greater of that into the work and that along it: `F / n`.
+pub(super) fn feed_per_turn(p: &Params) -> f64 {
+    feeds(p).into_iter().map(|(_, feed, clamp)| feed.min(clamp)).fold(0.0, f64::max) / p.driven_speed
+}
+
+/// Judges the feed of the driven tool in a turn; the remedy lowers the feeds, and raises a speed at which their least entry is too much.
+pub(super) fn judge_feed(lathe: &TurningSpindle) -> Option<Judgement> {
+    let p = &lathe.params;
+    let (feed, most) = (feed_per_turn(p), greatest_feed_per_turn(p));
+    if feed <= most {
+        return ok(AtMost(most));
+    }
+    let least = field_min(FIELDS, "keyway-feed").max(field_min(FIELDS, "keyway-infeed"));
+    let speed = at_least(FIELDS, "driven-speed", least / most);
+    let turns = p.driven_speed.max(speed.value);
+    let slower = feeds(p).into_iter().filter(|(_, feed, _)| *feed > most * turns);
+    let mut sets: Vec<_> = slower.map(|(field, ..)| at_most(FIELDS, field, most * turns)).collect();
+    let button = msg!("advice.set-keyway-feed", feed = ((most * turns).floor(), 0));
+    if turns > p.driven_speed {
+        sets.push(speed);
+    }
+    let message = msg!("turning.driven-feed-too-great", feed = (feed, 3), limit = (most, 3));
+    warn(AtMost(most), [Advice::from(message).setting(button, sets)])
 }
 
 /// The driven tool while the turret has it at the work.

@@ -189,6 +189,10 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
         formula: "v = π w n / 1000", cite: MECHANICS, value: |lathe| keyway::cutting_speed(&lathe.params), shown: |lathe| lathe.keyway().is_some(), ..ReadoutRow::BASE
     },
     ReadoutRow {
+        id: "driven-feed", label: "turning.readout.driven-feed", unit: "mm/rev", decimals: 3,
+        formula: "F / n, the greater of both feeds", cite: MECHANICS, value: |lathe| keyway::feed_per_turn(&lathe.params), shown: |lathe| lathe.keyway().is_some(), ..ReadoutRow::BASE
+    },
+    ReadoutRow {
         id: "x-travel", label: "turning.readout.x-travel", unit: "mm", decimals: 1,
         formula: "(start or farthest way out - smallest diameter) / 2", cite: MECHANICS, value: |lathe| travel::needed(lathe)[0], ..ReadoutRow::BASE
     },

@@ -57,6 +57,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
         run_up::judge_positioning,
         Citation::new("turning spindle facts, 5", Grade::Inferred),
     ),
+    Rule::new("driven-feed", keyway::judge_feed, Citation::new("engineering choice", Grade::Inferred)),
     Rule::new("x-travel", travel::judge_x, Citation::new("travel of the slide", Grade::Manual)),
     Rule::new("z-travel", travel::judge_z, Citation::new("travel of the slide", Grade::Manual)),
     Rule::new("cutting-time", time::block_time, Citation::new("what a block costs, a parameter", Grade::Open)),

@@ -9,7 +9,7 @@ use macroline::project::run::{self, RunOptions};
 use macroline::project::setting::Setting;
 use macroline::text::Severity;
 use macroline::text::catalog::sentence;
-use macroline::view::Verdict;
+use macroline::view::{Limit, Verdict};
 
 use super::{cuts, ideal, machine, over_time, project};
 use crate::machines::ladder::{at_rest, ladder, put_out, reset, settle};
@@ -87,6 +87,21 @@ fn turret_without_room_at_the_start_is_refused() {
         assert!(refusal.is_none_or(|refusal| text.is_some_and(|text| text.contains(refusal))), "{text:?}");
         assert_eq!(log.iter().any(|line| line.contains("rapid")), refusal.is_none(), "{entries:?} {variables:?}");
     }
+}
+
+/// 14 mm wide: 0.7 mm along in a turn of the tool, 1400 mm/min at 2000 r/min.
+#[test]
+fn driven_tool_has_a_greatest_feed_per_turn() {
+    let mill = |feed, infeed| keyway(&[("keyway-feed", feed), ("keyway-infeed", infeed), ("driven-speed", "2000")]);
+    assert_eq!(readout(&mill("1400", "1400"), "driven-feed").verdict, Verdict::Ok);
+    let fast = keyway(&[("keyway-feed", "4000"), ("keyway-infeed", "2000"), ("driven-speed", "50")]);
+    let judged = readout(&fast, "driven-feed");
+    near(judged.value, 80.0, 1e-9);
+    assert_eq!((judged.verdict, judged.limit), (Verdict::Warn, Some(Limit::AtMost(0.05 * 14.0))));
+    let slower = fast.with_entries(&judged.advice[0].entries).unwrap();
+    assert_eq!(readout(&slower, "driven-feed").verdict, Verdict::Ok);
+    assert_eq!(value(&slower, "driven-feed"), 0.7);
+    assert_eq!(readout(&mill("1400", "1401"), "driven-feed").verdict, Verdict::Warn);
 }
 
 /// A keyway that the form refuses is refused in the operator's variables by the program: beyond the shoulder, shorter
