@@ -10,6 +10,7 @@ use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number,
 use crate::machines::lathe::main_spindle::{self, SpindleDrive};
 use crate::machines::lathe::materials::Material;
 use crate::machines::lathe::slides::{self, LatheSlides, SlideForm, XDefaults};
+use crate::math;
 use crate::{member, options};
 
 options! {
@@ -177,6 +178,24 @@ impl Params {
     /// Greatest length (mm) behind the face that may be cut: the length outside the jaws less the clearance.
     pub(super) fn reach(&self) -> f64 {
         (self.work_length - self.grip - self.clearance).max(0.0)
+    }
+
+    /// Distance (mm) by which the edge cuts ahead of its tip where it is at the surface of the stock: `t / tan κ` for an edge angle κ below
+    /// 90°, with t the depth from there to the end of the finished part. All passes end one above the other, so that the edge cuts their
+    /// shoulder as a cone.
+    pub(super) fn edge_lead(&self) -> f64 {
+        let depth = match self.path {
+            Path::Facing => return 0.0,
+            Path::Turning => 0.5 * (self.stock_diameter - self.finished_diameter),
+            Path::Taper => 0.5 * (self.stock_diameter - self.large_diameter),
+        };
+        let slope = math::tan_degrees(self.edge_angle).filter(|slope| self.edge_angle < 90.0 && *slope > 0.0);
+        slope.map_or(0.0, |slope| depth.max(0.0) / slope)
+    }
+
+    /// Greatest length (mm) of the cut behind the face, with an edge that leads its tip.
+    pub(super) fn cut_reach(&self) -> f64 {
+        (self.reach() - self.edge_lead()).max(0.0)
     }
 
     /// Greatest distance (mm) of the end of a keyway behind the finished face: the allowance of a face is in front of it.

@@ -628,7 +628,7 @@ fn setup(b: &mut Builder, lathe: &TurningSpindle) {
         (CLEARANCE, p.clearance, 3, "CLEARANCE", true),
         (START_X, p.start_x, 3, "START X, DIAMETER", true),
         (START_Z, p.start_z, 3, "START Z", true),
-        (REACH, p.reach(), 3, "LONGEST CUT BEHIND THE FACE", true),
+        (REACH, p.cut_reach(), 3, "LONGEST CUT BEHIND THE FACE", true),
         (ROOM, p.turret_room, 3, "ROOM FOR THE TURRET TO TURN", true),
         (ANGLE, p.keyway_angle, 3, "ANGLE OF THE KEYWAY", lathe.positions()),
         (CHUCK_LIMIT, p.chuck_limit, 0, "HIGHEST SPEED OF THE CHUCK", highest),

@@ -1,6 +1,6 @@
-//! Findings about the cut: diameters, passes and start position compared with the stock, and a falling cone compared with the insert.
+//! Findings about the cut: diameters, passes and start position compared with the stock, and a cone compared with edge and insert.
 
-use crate::machines::form::entry::at_least;
+use crate::machines::form::entry::{at_least, at_most};
 use crate::machines::lathe::turret::{self, SlideStart, StockEnd};
 use crate::machines::turning_spindle::derive::PASSES;
 use crate::machines::turning_spindle::params::{FIELDS, Params, Path};
@@ -34,7 +34,10 @@ pub(super) fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
             Diagnostic::error(msg!("turning.cut-in-chuck", end = (p.cut_length(), 3), reach = (p.reach(), 3)))
                 .about(field),
         );
+    } else {
+        found.extend(leading_edge(p));
     }
+    found.extend(rising_cone(p));
     found.extend(falling_cone(p));
     let end = if p.path == Path::Facing { p.allowance } else { 0.0 };
     let stock = StockEnd { diameter: p.stock_diameter, z: end };
@@ -56,6 +59,30 @@ pub(super) fn check_diameters(p: &Params, found: &mut Vec<Diagnostic>) {
 /// Point angles (°) of inserts: the slimmest and the stoutest that turn outlines, V and C of ISO 1832. Source: memory.
 const INSERTS: (f64, f64) = (35.0, 80.0);
 
+/// Error of an edge that cuts into the chuck ahead of its tip, with the greatest length that keeps it out.
+fn leading_edge(p: &Params) -> Option<Diagnostic> {
+    let (edge, lead, reach) = ((p.edge_angle, 1), (p.edge_lead(), 3), (p.reach(), 3));
+    let message = msg!("turning.edge-in-chuck", edge, lead, end = (p.length + p.edge_lead(), 3), reach);
+    let found = || Diagnostic::error(message).about("length");
+    let set = at_most(FIELDS, "length", p.cut_reach());
+    let shorter = (set.value <= p.cut_reach()).then_some(set.value);
+    let cuts_chuck = p.path != Path::Facing && p.length > p.cut_reach();
+    cuts_chuck.then(|| shorter.into_iter().fold(found(), Diagnostic::mended_by))
+}
+
+/// Error of a cone that rises towards the chuck steeper than the edge, which would cut it away behind the tip; with a sufficient length.
+fn rising_cone(p: &Params) -> Option<Diagnostic> {
+    let depth = 0.5 * (p.large_diameter - p.finished_diameter);
+    let slope = math::tan_degrees(p.edge_angle).filter(|slope| p.edge_angle < 90.0 && *slope > 0.0)?;
+    if p.path != Path::Taper || depth <= slope * p.length {
+        return None;
+    }
+    let (angle, edge) = ((math::atan2_degrees(depth, p.length), 1), (p.edge_angle, 1));
+    let found = Diagnostic::error(msg!("turning.cone-rises-too-steep", angle, edge)).about("length");
+    let longer = Some(at_least(FIELDS, "length", depth / slope).value).filter(|length| *length <= p.cut_reach());
+    Some(longer.into_iter().fold(found, Diagnostic::mended_by))
+}
+
 /// Judges a cone that falls towards the chuck against the trailing edge of the insert, which clears an angle of
 /// `180° - κ - ε`, with the edge angle κ and the point angle ε of the insert. An error, with a sufficient length, if
 /// even the slimmest insert does not clear the cone.
@@ -74,8 +101,9 @@ fn falling_cone(p: &Params) -> Option<Diagnostic> {
         let message = msg!("turning.cone-falls-too-steep", angle, edge, slim = (slim, 0), most);
         let found = Diagnostic::error(message).about("length");
         let slope = math::tan_degrees(clear - slim).filter(|slope| *slope > 0.0);
-        let longer =
-            slope.map(|slope| at_least(FIELDS, "length", depth / slope).value).filter(|length| *length <= p.reach());
+        let longer = slope
+            .map(|slope| at_least(FIELDS, "length", depth / slope).value)
+            .filter(|length| *length <= p.cut_reach());
         return Some(longer.into_iter().fold(found, Diagnostic::mended_by));
     }
     let message =

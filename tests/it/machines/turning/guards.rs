@@ -104,6 +104,35 @@ fn driven_tool_has_a_greatest_feed_per_turn() {
     assert_eq!(readout(&mill("1400", "1401"), "driven-feed").verdict, Verdict::Warn);
 }
 
+/// At κ 45° the edge cuts 5 mm ahead of its tip, where the depth of 5 mm is at the surface of the stock.
+#[test]
+fn edge_that_leads_its_tip_stays_out_of_the_chuck() {
+    let shaft = |length: &'static str, edge: &'static str| {
+        let cut = [("path", "turning"), ("stock-diameter", "60"), ("finished-diameter", "50"), ("depth", "5")];
+        project("gsk-980tdc", &[&cut[..], &[("length", length), ("edge-angle", edge)]].concat())
+    };
+    assert_eq!(errors(&shaft("78", "45")), []);
+    assert_eq!(errors(&shaft("78.1", "45")), [("length", "turning.edge-in-chuck")]);
+    assert_eq!(errors(&shaft("83", "90")), []);
+    // The program refuses what the form refuses.
+    let (ended, _) = with_variables(&shaft("78", "45"), &[(105, 78.1)]);
+    let Some(RunEnd::Alarm(alarm)) = ended else { panic!("{ended:?}") };
+    assert!(sentence(&alarm.message).contains("#105 IS MORE THAN #125"), "{}", sentence(&alarm.message));
+}
+
+/// 20 mm of depth over 20 mm of length rise at 45°.
+#[test]
+fn cone_steeper_than_the_edge_is_refused() {
+    let cone = |length: &'static str, edge: &'static str| {
+        let cut = [("path", "taper"), ("stock-diameter", "62"), ("finished-diameter", "20"), ("large-diameter", "60")];
+        project("gsk-980tdc", &[&cut[..], &[("length", length), ("edge-angle", edge)]].concat())
+    };
+    assert_eq!(errors(&cone("20", "45")), []);
+    let steep = cone("19.9", "45");
+    assert_eq!(errors(&steep), [("length", "turning.cone-rises-too-steep")]);
+    assert_eq!(errors(&cone("6", "95")), []);
+}
+
 /// A keyway that the form refuses is refused in the operator's variables by the program: beyond the shoulder, shorter
 /// than its tool, to the centre.
 #[test]
