@@ -75,6 +75,14 @@ impl Analog {
         self.speed(self.volts_max)
     }
 
+    /// Highest speed in r/min of a gear stage under constant surface speed: that of the full output, and not above that without
+    /// offsets, by which the control limits it. Source: `docs/reference/gsk-980tdc.md` section 1.1, row "n > n_max(gear)".
+    pub fn stage_maximum(&self) -> f64 {
+        let volts = self.rated_volts;
+        let nominal = if volts > 0.0 { self.rated_speed * self.volts_max / volts } else { f64::INFINITY };
+        self.top_speed().min(nominal)
+    }
+
     /// Speed in r/min for a voltage; infinite if the voltage does not depend on the speed.
     pub fn speed(&self, volts: f64) -> f64 {
         let slope = self.slope();

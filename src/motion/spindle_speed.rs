@@ -121,7 +121,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let mut limits = SpeedLimits { machine: plant.speed_clamp, gear: stage.range, set, ..SpeedLimits::NONE };
         if turning.surface.is_some() {
             limits.surface = SpeedRange::new(plant.surface_low, turning.surface_high);
-            limits.gear.high = limits.gear.high.min(analog.top_speed());
+            limits.gear.high = limits.gear.high.min(analog.stage_maximum());
         } else if plant.rules.surface_limit_stays {
             limits.surface.high = turning.surface_high;
         }

@@ -45,7 +45,7 @@ impl CommandedSpeed {
         }
     }
 
-    /// Highest speed (r/min) before an override that acts after the limits, with an output that gives `stage_top` at the most.
+    /// Highest speed (r/min) before an override that acts after the limits, in a gear stage that gives `stage_top` at the most.
     pub(super) fn highest(&self, stage_top: f64) -> f64 {
         self.limit.min(stage_top)
     }

@@ -1,6 +1,7 @@
 //! The speed of the spindle as the control holds it within its limits.
 
 use super::command::CommandedSpeed;
+use super::stage::EngagedStage;
 use crate::drives::Bound;
 use crate::drives::speed::{SpeedLimits, SpeedRange, surface_rpm};
 use crate::machines::turning_spindle::params::Params;
@@ -18,18 +19,18 @@ pub(in crate::machines::turning_spindle) struct LimitedSpeed {
 }
 
 impl LimitedSpeed {
-    /// The limits of constant surface speed (`surface`) or of a fixed speed, with an output of at most `top` r/min.
-    pub(super) fn new(p: &Params, command: &CommandedSpeed, top: f64, surface: bool) -> LimitedSpeed {
+    /// The limits of constant surface speed (`surface`) or of a fixed speed in a gear stage.
+    pub(super) fn new(p: &Params, command: &CommandedSpeed, stage: &EngagedStage, surface: bool) -> LimitedSpeed {
         let limits = SpeedLimits {
             machine: p.chuck_limit,
             gear: SpeedRange::new(
                 if command.low_always { p.lower_limit } else { 0.0 },
-                if surface { top } else { f64::INFINITY },
+                if surface { stage.surface_top } else { f64::INFINITY },
             ),
             surface: if surface { SpeedRange::new(p.lower_limit, p.upper_limit) } else { SpeedRange::ANY },
             ..SpeedLimits::NONE
         };
-        LimitedSpeed { limits, speed: command.surface, after: command.after, top }
+        LimitedSpeed { limits, speed: command.surface, after: command.after, top: stage.top }
     }
 
     /// Speed (r/min) at a diameter (mm) under constant surface speed, and the limit that binds it.

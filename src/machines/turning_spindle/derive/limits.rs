@@ -21,7 +21,7 @@ pub(in crate::machines::turning_spindle) struct LimitDiameters {
 
 impl LimitDiameters {
     pub(super) fn new(p: &Params, cut: &CutGeometry, stage: &EngagedStage, command: &CommandedSpeed) -> LimitDiameters {
-        let high = limit_diameter(command.surface, command.highest(stage.top));
+        let high = limit_diameter(command.surface, command.highest(stage.surface_top));
         let span = cut.largest - cut.smallest;
         let binds = span > 0.0 && !p.turns_at_fixed_speed();
         LimitDiameters {

@@ -33,7 +33,7 @@ pub(in crate::machines::turning_spindle) struct CutSpeeds {
 
 impl CutSpeeds {
     pub(super) fn new(p: &Params, cut: &CutGeometry, stage: &EngagedStage, command: &CommandedSpeed) -> CutSpeeds {
-        let held = |surface: bool| LimitedSpeed::new(p, command, stage.top, surface);
+        let held = |surface: bool| LimitedSpeed::new(p, command, stage, surface);
         let (surface, constant) = (held(true), held(false));
         // S is a whole number, and at most the operator's limit.
         let asked = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor() * command.before;
@@ -46,7 +46,7 @@ impl CutSpeeds {
             smallest,
             largest_whole: speed(cut.largest_whole),
             bound: if is_fixed { fixed_bound } else { surface.at(cut.smallest).1 },
-            high: (command.highest(stage.top) * command.after).min(p.chuck_limit),
+            high: (command.highest(stage.surface_top) * command.after).min(p.chuck_limit),
             asked,
             fixed,
             surface_smallest: surface_speed(smallest, cut.smallest),

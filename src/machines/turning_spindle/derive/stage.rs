@@ -15,12 +15,15 @@ pub(in crate::machines::turning_spindle) struct EngagedStage {
     pub speed: f64,
     /// Greatest speed of the analog output in this stage, offsets included.
     pub top: f64,
+    /// Greatest speed in this stage under constant surface speed, which the control limits.
+    pub surface_top: f64,
 }
 
 impl EngagedStage {
     pub(super) fn new(p: &Params, cut: &CutGeometry, command: &CommandedSpeed, output: &AnalogOutput) -> EngagedStage {
         let (number, speed) = p.stage(command.top(p, cut.smallest), output);
-        EngagedStage { number, speed, top: p.analog(speed, output).top_speed() }
+        let analog = p.analog(speed, output);
+        EngagedStage { number, speed, top: analog.top_speed(), surface_top: analog.stage_maximum() }
     }
 }
 
@@ -40,8 +43,11 @@ impl Params {
     fn stage(&self, top: f64, output: &AnalogOutput) -> (u8, f64) {
         let stages = || (1..).zip(self.stages());
         let chosen = stages().find(|(number, _)| self.gear != Gear::Best && *number == self.gear as u8);
-        let reaches =
-            || stages().filter(|(_, speed)| self.analog(*speed, output).top_speed() >= top).fold(None, slower);
+        let most = |speed: f64| {
+            let analog = self.analog(speed, output);
+            if self.turns_at_fixed_speed() { analog.top_speed() } else { analog.stage_maximum() }
+        };
+        let reaches = || stages().filter(|(_, speed)| most(*speed) >= top).fold(None, slower);
         let fastest = || stages().fold((1, self.stage_1), |a, b| if b.1 > a.1 { b } else { a });
         chosen.or_else(reaches).unwrap_or_else(fastest)
     }

@@ -52,11 +52,11 @@ pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
         };
         return fail(None, [full_output::remedy(lathe, advice)]);
     }
-    if d.speeds.bound == Bound::Gear && lathe.surface() && d.stage.top < p.upper_limit {
+    if d.speeds.bound == Bound::Gear && lathe.surface() && d.stage.surface_top < p.upper_limit {
         let advice = msg!(
             "turning.stage-too-slow",
             stage = f64::from(d.stage.number),
-            full = (d.stage.top, 0),
+            full = (d.stage.surface_top, 0),
             limit = (p.upper_limit, 0)
         );
         return warn(AtLeast(p.upper_limit), [with_best_stage(lathe, advice)]);

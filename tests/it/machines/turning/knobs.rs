@@ -212,3 +212,25 @@ fn knob_turned_in_the_cut_is_judged_at_every_diameter() {
     let longer = lathe.with_entries(&judged.advice[0].entries).unwrap();
     assert_eq!(readout(&longer, "peak-torque").verdict, Verdict::Ok);
 }
+
+/// -2000 mV at the 10 V end bring 1250 r/min to a stage of 1000: constant surface speed ends at the gear's maximum (No.037), a fixed speed at 10 V.
+#[test]
+fn gear_maximum_limits_the_surface_speed_below_10_v() {
+    let lathe = |mode: &'static str| {
+        let entries = [("cutting-speed", "120"), ("offset-full", "-2000"), ("upper-limit", "1240"), ("gear", "1")];
+        project("gsk-980tdc", &[&entries[..], &[("speed-mode", mode), ("finished-diameter", "20")]].concat())
+    };
+    assert_eq!(value(&lathe("surface"), "speed-smallest"), 1000.0);
+    assert_eq!(value(&lathe("surface"), "speed-largest"), (120e3 / (std::f64::consts::PI * 84.0)));
+    let run = super::over_time(&lathe("surface"));
+    let fastest = (0..2000).map(|k| run.timeline().at(run.timeline().end() * f64::from(k) / 2000.0).spindle.actual);
+    assert!(fastest.fold(0.0, f64::max) < 1000.5);
+    // A stage that reaches no more than its maximum is not the best for 1240 r/min.
+    let best = project("gsk-980tdc", &[("cutting-speed", "120"), ("offset-full", "-2000"), ("upper-limit", "1240")]);
+    assert_eq!(value(&best, "stage"), 2.0);
+    let fixed = project(
+        "gsk-980tdc",
+        &[("speed-mode", "fixed"), ("cutting-speed", "280"), ("offset-full", "-2000"), ("gear", "1")],
+    );
+    near_share(value(&fixed, "speed-smallest"), 1114.0, 1e-3);
+}
