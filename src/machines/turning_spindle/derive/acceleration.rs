@@ -11,7 +11,7 @@ use crate::machines::turning_spindle::params::Params;
 /// Accelerations, r/min per second.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::machines::turning_spindle) struct SpindleAcceleration {
-    /// Greatest one needed for constant surface speed; 0 at a fixed speed.
+    /// Greatest one needed for constant surface speed; 0 at a fixed speed, and where a limit holds the speed over the whole cut.
     pub needed: f64,
     /// Acceleration of the ramp; infinite without one.
     pub ramp: f64,
@@ -25,9 +25,11 @@ impl SpindleAcceleration {
         limits: &LimitDiameters,
         command: &CommandedSpeed,
     ) -> SpindleAcceleration {
+        // The speed changes with the diameter only between both limits; in front of the stock it need not be followed.
         let hardest = limits.high.max(cut.smallest);
+        let is_held = hardest >= cut.largest.min(p.stock_diameter) || limits.low > 0.0 && hardest >= limits.low;
         SpindleAcceleration {
-            needed: if p.turns_at_fixed_speed() { 0.0 } else { acceleration(p, command.surface, hardest) },
+            needed: if p.turns_at_fixed_speed() || is_held { 0.0 } else { acceleration(p, command.surface, hardest) },
             ramp: if p.spindle.ramp > 0.0 { stage.speed / p.spindle.ramp } else { f64::INFINITY },
         }
     }

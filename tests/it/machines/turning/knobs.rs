@@ -213,6 +213,27 @@ fn knob_turned_in_the_cut_is_judged_at_every_diameter() {
     assert_eq!(readout(&longer, "peak-torque").verdict, Verdict::Ok);
 }
 
+/// 150 m/min ask 2387 r/min at the stock: the limit holds 1000 over the whole cut. A lower limit does so too.
+#[test]
+fn spindle_at_a_limit_needs_no_acceleration() {
+    let face = [
+        ("stock-diameter", "20"),
+        ("finished-diameter", "5"),
+        ("cutting-speed", "150"),
+        ("feed", "0.4"),
+        ("stage-2", "0"),
+    ];
+    let needed = |changes: &[(&'static str, &'static str)]| {
+        let lathe = project("gsk-980tdc", &[&face[..], &[("start-x", "90"), ("spindle-ramp", "5")], changes].concat());
+        readout(&lathe, "acceleration-needed")
+    };
+    let held = needed(&[("upper-limit", "1000")]);
+    assert_eq!((held.value, held.verdict), (0.0, Verdict::Ok));
+    let lifted = [("stage-1", "3000"), ("finished-diameter", "15"), ("cutting-speed", "20")];
+    assert!(needed(&lifted).value > 0.0);
+    assert_eq!(needed(&[&lifted[..], &[("lower-limit", "500")]].concat()).value, 0.0);
+}
+
 /// -2000 mV at the 10 V end bring 1250 r/min to a stage of 1000: constant surface speed ends at the gear's maximum (No.037), a fixed speed at 10 V.
 #[test]
 fn gear_maximum_limits_the_surface_speed_below_10_v() {
