@@ -1,8 +1,8 @@
 //! Acceleration of the spindle: the one needed for constant surface speed, and that of its ramp.
 
-use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
 use super::limits::LimitDiameters;
+use super::speeds::CutSpeeds;
 use super::stage::EngagedStage;
 use crate::drives::cutting;
 use crate::drives::speed::surface_rpm;
@@ -23,13 +23,17 @@ impl SpindleAcceleration {
         cut: &CutGeometry,
         stage: &EngagedStage,
         limits: &LimitDiameters,
-        command: &CommandedSpeed,
+        speeds: &CutSpeeds,
     ) -> SpindleAcceleration {
         // The speed changes with the diameter only between both limits; in front of the stock it need not be followed.
         let hardest = limits.high.max(cut.smallest);
         let is_held = hardest >= cut.largest.min(p.stock_diameter) || limits.low > 0.0 && hardest >= limits.low;
         SpindleAcceleration {
-            needed: if p.turns_at_fixed_speed() || is_held { 0.0 } else { acceleration(p, command.surface, hardest) },
+            needed: if p.turns_at_fixed_speed() || is_held {
+                0.0
+            } else {
+                acceleration(p, speeds.held.surface(), hardest)
+            },
             ramp: if p.spindle.ramp > 0.0 { stage.speed / p.spindle.ramp } else { f64::INFINITY },
         }
     }

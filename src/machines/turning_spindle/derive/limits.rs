@@ -3,7 +3,6 @@
 use super::command::CommandedSpeed;
 use super::cut::CutGeometry;
 use super::speeds::CutSpeeds;
-use super::stage::EngagedStage;
 use crate::drives::speed::limit_diameter;
 use crate::machines::turning_spindle::params::Params;
 use crate::math;
@@ -20,8 +19,9 @@ pub(in crate::machines::turning_spindle) struct LimitDiameters {
 }
 
 impl LimitDiameters {
-    pub(super) fn new(p: &Params, cut: &CutGeometry, stage: &EngagedStage, command: &CommandedSpeed) -> LimitDiameters {
-        let high = limit_diameter(command.surface, command.highest(stage.surface_top));
+    pub(super) fn new(p: &Params, cut: &CutGeometry, command: &CommandedSpeed, speeds: &CutSpeeds) -> LimitDiameters {
+        // With an override that acts after the limits, both speeds are those behind it.
+        let high = limit_diameter(speeds.held.surface(), speeds.high);
         let span = cut.largest - cut.smallest;
         let binds = span > 0.0 && !p.turns_at_fixed_speed();
         LimitDiameters {

@@ -47,13 +47,13 @@ impl Derived {
         let cut = CutGeometry::new(p);
         let command = CommandedSpeed::new(p, rules);
         let stage = EngagedStage::new(p, &cut, &command, output);
-        let limits = LimitDiameters::new(p, &cut, &stage, &command);
         let speeds = CutSpeeds::new(p, &cut, &stage, &command);
+        let limits = LimitDiameters::new(p, &cut, &command, &speeds);
         Derived {
             times: CutTimes::new(p, &cut, &stage, &command, &speeds),
             output: OutputCommand::new(p, &stage, &speeds, output),
             load: SteadyLoad::new(p, &cut, &stage, &limits, &speeds),
-            acceleration: SpindleAcceleration::new(p, &cut, &stage, &limits, &command),
+            acceleration: SpindleAcceleration::new(p, &cut, &stage, &limits, &speeds),
             cut,
             stage,
             speeds,

@@ -19,6 +19,8 @@ pub(in crate::machines::turning_spindle) struct CutSpeeds {
     pub bound: Bound,
     /// Speed below the limit diameter.
     pub high: f64,
+    /// At the smallest diameter, as commanded of an output that is never full.
+    pub commanded: f64,
     /// One speed for the whole cut, as commanded at the stock's diameter and as the control holds it.
     pub asked: f64,
     pub fixed: f64,
@@ -35,6 +37,8 @@ impl CutSpeeds {
     pub(super) fn new(p: &Params, cut: &CutGeometry, stage: &EngagedStage, command: &CommandedSpeed) -> CutSpeeds {
         let held = |surface: bool| LimitedSpeed::new(p, command, stage, surface);
         let (surface, constant) = (held(true), held(false));
+        let without_end = EngagedStage { top: f64::INFINITY, ..stage.clone() };
+        let endless = |surface: bool| LimitedSpeed::new(p, command, &without_end, surface);
         // S is a whole number, and at most the operator's limit.
         let asked = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor() * command.before;
         let (fixed, fixed_bound) = constant.within(asked);
@@ -46,7 +50,8 @@ impl CutSpeeds {
             smallest,
             largest_whole: speed(cut.largest_whole),
             bound: if is_fixed { fixed_bound } else { surface.at(cut.smallest).1 },
-            high: (command.highest(stage.surface_top) * command.after).min(p.chuck_limit),
+            high: (command.highest(stage.surface_top) * command.after).min(p.chuck_limit).min(stage.top),
+            commanded: if is_fixed { endless(false).within(asked).0 } else { endless(true).at(cut.smallest).0 },
             asked,
             fixed,
             surface_smallest: surface_speed(smallest, cut.smallest),

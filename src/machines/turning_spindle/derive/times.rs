@@ -34,7 +34,7 @@ impl CutTimes {
     ) -> CutTimes {
         let all = || (1..=cut.passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
         let lowest = p.lower_limit.min(command.highest(stage.surface_top)) * command.after;
-        let within = (lowest, speeds.high.min(stage.top));
+        let within = (lowest, speeds.high);
         let surface = all().map(|cut| cut.surface_time(speeds.held.surface(), within)).sum::<f64>();
         let fixed = all().map(|cut| cut.time_at(speeds.fixed)).sum::<f64>();
         // 100 % if the fixed speed is 0: the cut would never end.

@@ -43,8 +43,7 @@ fn judge_volts(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
 pub(super) fn full_output(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { derived: d, params: p, .. } = lathe;
     if d.speeds.bound == Bound::Output {
-        let asked = if lathe.rules().low_always { d.speeds.asked.max(p.lower_limit) } else { d.speeds.asked };
-        let (full, speed) = ((d.stage.top, 0), (asked, 0));
+        let (full, speed) = ((d.stage.top, 0), (d.speeds.commanded, 0));
         let advice = if lathe.params.has_several_stages() {
             msg!("turning.output-full", stage = f64::from(d.stage.number), full, speed)
         } else {

@@ -213,6 +213,40 @@ fn knob_turned_in_the_cut_is_judged_at_every_diameter() {
     assert_eq!(readout(&longer, "peak-torque").verdict, Verdict::Ok);
 }
 
+/// A face with a knob that acts behind the limits: 2000 r/min of #107 become 2400, reached at 1.2 · 180 m/min.
+fn behind_limits(changes: &[(&'static str, &'static str)]) -> Project {
+    let plain =
+        [("stage-1", "3000"), ("stage-2", "0"), ("upper-limit", "2000"), ("override", "120"), ("motor-power", "22")];
+    let mut lathe = project("gsk-980tdc", &[&plain[..], changes].concat());
+    let row = lathe.control.switch(OverrideOrder::SWITCH).unwrap();
+    lathe.switches.set(row, OverrideOrder::AfterLimits.option().id);
+    lathe
+}
+
+#[test]
+fn knob_behind_the_limits_raises_the_needed_acceleration() {
+    let lathe = behind_limits(&[("feed", "0.5"), ("finished-diameter", "40")]);
+    // n² f s / (60 D) at Ø 40, 1718.9 r/min of 216 m/min.
+    let speed = 216e3 / (std::f64::consts::PI * 40.0);
+    near_share(value(&lathe, "acceleration-needed"), speed * speed * 0.5 * 2.0 / (60.0 * 40.0), 1e-9);
+    // The chuck holds the spindle at 2200 r/min, below the 2400 of limit and knob.
+    let held = behind_limits(&[("chuck-limit", "2200")]);
+    near_share(value(&held, "limit-diameter"), 216e3 / (std::f64::consts::PI * 2200.0), 1e-9);
+}
+
+/// 950 r/min of #107 are 1140 at 120 % of the knob: more than the 1000 of the stage.
+#[test]
+fn full_output_names_the_speed_that_is_asked() {
+    let lathe = behind_limits(&[("stage-1", "1000"), ("upper-limit", "950"), ("chuck-limit", "2000")]);
+    let full = readout(&lathe, "stage-speed");
+    assert_eq!(full.verdict, Verdict::Fail);
+    let message = sentence(&full.advice[0].message);
+    assert!(
+        message.starts_with("1140 r/min is more than the output can ask for: it is full at 1000 r/min"),
+        "{message}"
+    );
+}
+
 /// 150 m/min ask 2387 r/min at the stock: the limit holds 1000 over the whole cut. A lower limit does so too.
 #[test]
 fn spindle_at_a_limit_needs_no_acceleration() {
