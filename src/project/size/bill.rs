@@ -84,8 +84,12 @@ pub(super) fn bill(
         figures_in_form(motor).into_iter().flat_map(move |figures| [entered(motor.name, figures), open.clone()])
     });
     let encoder = prepared.spindle_encoder().map(|asked| encoder(project, asked));
-    let spindle = runs.present.run_segments(Mover::Spindle);
-    let resistor = prepared.resistor_demand(&runs.present.run, &spindle).map(|asked| resistor(&asked));
+    // A spindle that the knob turns faster stops with more energy.
+    let braking = runs
+        .all()
+        .filter_map(|whole| prepared.resistor_demand(&whole.run, &whole.run_segments(Mover::Spindle)))
+        .collect::<Vec<_>>();
+    let resistor = resistor(&braking);
     let mut rows: Vec<BillRow> =
         core::iter::once(control).chain(sized).chain(others).chain(resistor).chain(encoder).collect();
     let dancers: Vec<_> = prepared.devices().into_iter().filter(|asked| asked.item == BillItem::Dancer).collect();
@@ -162,12 +166,16 @@ fn devices(prepared: &PreparedMachine, rows: &[BillRow]) -> Vec<BillRow> {
     devices
 }
 
-/// The brake resistor of an inverter, as a demand, because no inverter of the catalogue has one.
-fn resistor(asked: &ResistorDemand) -> BillRow {
-    let (power, energy, percent) = ((asked.power(), 1), (asked.greatest(), 0), (asked.percent, 0));
-    let count = asked.energies.len() as f64;
+/// The brake resistor of an inverter, as a demand, because no inverter of the catalogue has one: the greatest value of each figure over the
+/// runs. None without a demand.
+fn resistor(runs: &[ResistorDemand]) -> Option<BillRow> {
+    let greatest = |figure: fn(&ResistorDemand) -> f64| runs.iter().map(figure).fold(0.0, f64::max);
+    let (power, energy) = (greatest(ResistorDemand::power), greatest(ResistorDemand::greatest));
+    let count = greatest(|asked| asked.energies.len() as f64);
+    let asked = runs.first()?;
+    let (power, energy, percent) = ((power, 1), (energy, 0), (asked.percent, 0));
     let text = sentence(&msg!("size.bill.inverter-resistor", power, energy, count, percent));
-    described(BillItem::Resistor, Some(asked.name), text, PartGrade::Open)
+    Some(described(BillItem::Resistor, Some(asked.name), text, PartGrade::Open))
 }
 
 /// The brake resistor of an amplifier whose own braking is not known: the energy that comes back.

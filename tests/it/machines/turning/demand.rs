@@ -11,7 +11,7 @@ use macroline::text::catalog::sentence;
 use macroline::view::Verdict;
 
 use super::{over_time, project};
-use crate::queries::{near, readout, value};
+use crate::queries::{near, readout, sized_without_envelope, value};
 
 /// Radians per second of one turn per minute.
 const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -163,9 +163,25 @@ fn resistor_of_many_passes_takes_each_braking() {
     let power = demand.energies.iter().sum::<f64>() / timeline.end();
     near(demand.power(), power, 1e-6);
     near(power, 193.4, 1.0);
+    // With the knob at 120 % the speed limit holds the greatest energy, and the parts take less time.
     let sizing = size(&lathe, &lathe.written());
     let row = sizing.bill.iter().find(|row| row.item == BillItem::Resistor && row.axis == Some(demand.name)).unwrap();
-    assert!(row.asked.contains("193.3") && row.asked.contains("brakes 21 times"), "{}", row.asked);
+    assert!(row.asked.contains("202.3") && row.asked.contains("brakes 21 times"), "{}", row.asked);
+}
+
+/// A fixed speed at 120 % of the knob has 1.44 times the energy.
+#[test]
+fn resistor_takes_the_braking_of_the_fastest_knob() {
+    let shaft = |percent: &'static str| {
+        let shaft = Project::named("turning-spindle", Some("fanuc-0i-tf"), Some("shaft")).unwrap();
+        let entries = [("speed-mode", "fixed"), ("upper-limit", "3000"), ("gear", "2"), ("override", percent)];
+        let lathe = shaft.with_entries(&entries.map(|(id, text)| (id, text.to_owned()))).unwrap();
+        let bill = sized_without_envelope(&lathe).bill;
+        bill.into_iter().find(|row| row.item == BillItem::Resistor && row.asked.contains("brakes")).unwrap().asked
+    };
+    let energy = |asked: &str| asked.split(" J").next().unwrap().rsplit(' ').next().unwrap().to_owned();
+    let [present, highest] = ["100", "120"].map(|percent| energy(&shaft(percent)));
+    assert_eq!(present, highest);
 }
 
 #[test]
