@@ -1,14 +1,10 @@
 //! Bending of the work from the chuck to the tool, under the force of the cut.
 
 use super::params::{Params, Path};
-use crate::drives::bending::{cantilever, supported};
+use crate::drives::bending::{cantilever, supported, supported_in_steps};
 
 /// Slices of a taper, each as a bar of the diameter in its middle.
 const SLICES: u32 = 32;
-
-/// Distance from the tailstock to the greatest deflection of held work, as a share of the free length. Source: polygon
-/// turning facts 3.13.
-const WEAKEST: f64 = 1.0 - 0.586;
 
 impl Params {
     /// Length (mm) of the work behind the face that is turned; a facing cut leaves the diameter of the stock.
@@ -56,10 +52,12 @@ pub(super) fn of(p: &Params) -> f64 {
     if p.tailstock { held(p) } else { free(p) }
 }
 
-/// Greatest deflection (mm) of the work with a tailstock: for a cylinder with its least diameter, for a taper with the
-/// diameter at the greatest deflection.
+/// Greatest deflection (mm) of the work with a tailstock: for a cylinder with its least diameter, for a taper by its
+/// slices.
 pub(super) fn held(p: &Params) -> f64 {
-    let free = p.free_length();
-    let weakest = if p.path == Path::Taper { WEAKEST * free } else { 0.0 };
-    supported(p.cutting_force, p.material.elasticity(), free, p.diameter_behind_face(weakest))
+    let (force, elasticity) = (p.cutting_force, p.material.elasticity());
+    match p.path {
+        Path::Taper => supported_in_steps(force, elasticity, p.steps(), p.turned_length()),
+        Path::Facing | Path::Turning => supported(force, elasticity, p.free_length(), p.diameter_behind_face(0.0)),
+    }
 }

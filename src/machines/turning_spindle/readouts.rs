@@ -141,7 +141,7 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     },
     ReadoutRow {
         id: "bending", label: "turning.readout.bending", unit: "mm", decimals: 3,
-        formula: "F / 3E · Σ (b³ - a³) / I, with the tailstock F L³ / (102 E I), I = π D⁴ / 64", cite: BENDING, value: |lathe| bending::of(&lathe.params), shown: cuts_by_force, ..ReadoutRow::BASE
+        formula: "F / 3E · Σ (b³ - a³) / I, with the tailstock F L³ / (102 E I), a taper by slices, I = π D⁴ / 64", cite: BENDING, value: |lathe| bending::of(&lathe.params), shown: cuts_by_force, ..ReadoutRow::BASE
     },
     ReadoutRow {
         id: "work-inertia", label: "turning.readout.work-inertia", unit: "kg m²", decimals: 4,
