@@ -7,7 +7,7 @@ use super::files::encode;
 use super::program::Written;
 use super::repairs::repairs;
 use super::run::{RunOptions, of_project, program_number};
-use super::size::{Cycle, Sizing};
+use super::size::{Cycle, Sizing, seconds_of_a_further_part};
 use crate::controls::ParamRole;
 use crate::controls::schema::syntax::Percent;
 use crate::machines::report::report;
@@ -88,6 +88,7 @@ impl Project {
         let time = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
         let cycle = time.map(|seconds| Cycle {
             seconds,
+            further: seconds_of_a_further_part(prepared, &run).unwrap_or(seconds),
             pause: prepared.pause(),
             between_parts: prepared.time_between_parts(),
             energy: None,
@@ -97,7 +98,7 @@ impl Project {
             let time = figure("form.report.cycle-time", cycle.seconds, "s");
             let mean = figure("form.report.mean-time", cycle.mean(), "s");
             let parts = figure("form.report.parts-per-hour", cycle.parts_per_hour(), "1/h");
-            let mean = Some(mean).filter(|mean| mean.value > time.value);
+            let mean = Some(mean).filter(|mean| mean.value != time.value);
             [Some(time), mean, Some(parts)].into_iter().flatten()
         });
         RunReport {

@@ -80,6 +80,10 @@ pub trait DrivenMachine {
     fn time_between_parts(&self) -> f64 {
         0.0
     }
+    /// Whether the first part of a series takes another time than each further one: its program changes what stays, such as a gear stage.
+    fn first_part_differs(&self) -> bool {
+        false
+    }
     /// Variable and present value of the product's size, if the program accepts another size while the machine runs.
     fn product_size(&self) -> Option<ProductSize> {
         None

@@ -7,6 +7,9 @@ use crate::math;
 use crate::msg;
 use crate::view::Verdict;
 
+/// Gear stage in which the machine begins; the program's stage stays engaged beyond its end.
+pub(super) const AT_POWER_ON: u8 = 1;
+
 /// Times (s) of a gear change.
 #[derive(Clone, Copy)]
 pub(super) struct GearTimes {

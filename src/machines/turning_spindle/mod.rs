@@ -213,6 +213,10 @@ impl DrivenMachine for TurningSpindle {
         self.params.pause
     }
 
+    fn first_part_differs(&self) -> bool {
+        self.params.has_several_stages() && self.stage() != gears::AT_POWER_ON
+    }
+
     fn gauges(&self, run: &dyn Samples, span: (f64, f64), points: usize) -> Vec<Gauge> {
         read(driven::GAUGES, self, |t| run.at(t), span, points)
     }

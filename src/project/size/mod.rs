@@ -26,6 +26,7 @@ pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth, ResultName};
 pub use refusal::Refusal;
+pub(in crate::project) use runs::seconds_of_a_further_part;
 pub use runs::{SizingRuns, TruncatedRun};
 pub use terminals::{TerminalRow, WireEnd};
 pub use tornado::{Swing, Tornado};
@@ -43,6 +44,8 @@ use crate::motion::Mover;
 pub struct Cycle {
     /// Time (s) from cycle start to the end of the program.
     pub seconds: f64,
+    /// The same time of each further part, whose gear is engaged already.
+    pub further: f64,
     /// Pause (s) from the end of the program to the next start.
     pub pause: f64,
     /// Mean time (s) between two parts beside the pause: changes of material, ways to where the run begins.
@@ -52,9 +55,9 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// Time (s) from one start to the next.
+    /// Time (s) from one start to the next in a series.
     pub fn between_starts(&self) -> f64 {
-        self.seconds + self.pause
+        self.further + self.pause
     }
 
     /// Mean time (s) of a part, with the pause and what else lies between two parts.
@@ -185,5 +188,6 @@ fn cycle(project: &Project, prepared: &PreparedMachine, runs: &SizingRuns) -> Op
     let is_known = !drives.is_empty() && motors.all(|motor| drives.contains(&motor.drive));
     let energy = PartEnergy { given, returned, returned_on_one_bus };
     let (pause, between_parts) = (prepared.pause(), prepared.time_between_parts());
-    Some(Cycle { seconds, pause, between_parts, energy: is_known.then_some(energy) })
+    let further = seconds_of_a_further_part(prepared, &runs.present.run).unwrap_or(seconds);
+    Some(Cycle { seconds, further, pause, between_parts, energy: is_known.then_some(energy) })
 }

@@ -20,6 +20,9 @@ const MOMENTS: u32 = 400;
 /// A spindle speed above that in the middle of the work by this factor counts as another one.
 const FASTER: f64 = 1.01;
 
+/// Seconds at rest between two parts of a series. Our choice; the time of a part does not depend on it.
+const AT_REST: f64 = 0.1;
+
 /// Number of events planned at a time.
 const SLICE: usize = 4096;
 
@@ -162,6 +165,18 @@ impl WholeRun {
         let faster = fastest.filter(|t| speed(*t) > FASTER * speed(self.middle()));
         [Some(self.middle()), faster].into_iter().flatten().collect()
     }
+}
+
+/// Time (s) of each further part of a series, on a machine whose first part takes another time: that of a second start, behind the end of a
+/// run. None where all parts are alike.
+pub(in crate::project) fn seconds_of_a_further_part(prepared: &PreparedMachine, run: &Run) -> Option<f64> {
+    if !prepared.first_part_differs() {
+        return None;
+    }
+    let (mut again, t) = (run.clone(), run.timeline().end() + AT_REST);
+    again.event(Event { t, action: Action::Start });
+    let ended = finish(&mut again);
+    again.ended_at().filter(|end| ended == RunEnd::ProgramEnd && *end > t).map(|end| end - t)
 }
 
 impl SizingRuns {

@@ -102,6 +102,8 @@ impl Sizing {
         });
         let pause = self.cycle.filter(|cycle| cycle.pause > 0.0).map(|cycle| cycle.pause);
         let pause = pause.map(|pause| ("form.pause", units::text(pause, 1, "s")));
+        let further = self.cycle.filter(|cycle| cycle.further != cycle.seconds).map(|cycle| cycle.further);
+        let further = further.map(|further| ("size.further-parts", units::text(further, 2, "s")));
         let between = self.cycle.filter(|cycle| cycle.between_parts > 0.0).map(|cycle| cycle.between_parts);
         let between = between.map(|between| ("size.change", units::text(between, 1, "s")));
         let energies = self.cycle.and_then(|cycle| cycle.energy).map(|energy| {
@@ -125,7 +127,7 @@ impl Sizing {
             };
             row([headed(say(axis.name), say("size.duty")), sentence(&duty)], DUTY)
         });
-        let cells = times.into_iter().flatten().chain(pause).chain(between).chain(energies.into_iter().flatten());
+        let cells = times.into_iter().flatten().chain(further).chain(pause).chain(between).chain(energies.into_iter().flatten());
         let cells = cells.map(|(label, value)| row([say(label), value], RUNS));
         let truncated = self.truncated.iter().map(|run| row([say("size.cycle-time"), sentence(&run.message())], RUNS));
         Sheet {

@@ -35,7 +35,7 @@ impl Sizing {
         json!({
             "axes": self.axes.iter().map(axis).collect::<Vec<_>>(),
             "cycle": self.cycle.map(|cycle| json!({
-                "time_s": cycle.seconds, "pause_s": cycle.pause, "change_s": cycle.between_parts, "parts_per_hour": cycle.parts_per_hour(), "energy_given_j": cycle.energy.map(|energy| energy.given),
+                "time_s": cycle.seconds, "further_s": cycle.further, "pause_s": cycle.pause, "change_s": cycle.between_parts, "parts_per_hour": cycle.parts_per_hour(), "energy_given_j": cycle.energy.map(|energy| energy.given),
                 "energy_returned_j": cycle.energy.map(|energy| energy.returned),
                 "energy_returned_on_one_bus_j": cycle.energy.map(|energy| energy.returned_on_one_bus),
             })),

@@ -120,6 +120,24 @@ fn reset_in_a_gear_change_does_not_shorten_it() {
     }
 }
 
+/// The stage of the program stays engaged: of two lathes whose gears take 10 s and none the further parts take the same time.
+#[test]
+fn part_of_a_series_changes_no_gear() {
+    for control in ["gsk-980tdc", "sinumerik-802d", "fanuc-0i-tf"] {
+        let cycle = |seconds: &'static str, gear: &'static str| {
+            let entries = [("gear-time", seconds), ("gear-patience", "20"), ("gear", gear), ("upper-limit", "900")];
+            crate::queries::sized_without_envelope(&project(control, &entries)).cycle.unwrap()
+        };
+        let (slow, fast) = (cycle("10", "2"), cycle("0", "2"));
+        assert!((9.0..12.0).contains(&(slow.seconds - slow.further)), "{control}: {slow:?}");
+        assert!((slow.further - fast.further).abs() < 0.05, "{control}: {slow:?} {fast:?}");
+        assert_eq!(slow.parts_per_hour(), 3600.0 / slow.further, "{control}");
+        // The machine begins in its first stage.
+        let first = cycle("10", "1");
+        assert_eq!(first.seconds, first.further, "{control}");
+    }
+}
+
 #[test]
 fn sheet_has_the_speed_of_a_gear_change() {
     for (control, rows) in [
