@@ -63,6 +63,8 @@ pub struct Growth {
     pub margin: f64,
     /// The result that fails beyond it, or at it if none holds; none if the form's range ends first.
     pub binding: Option<ResultName>,
+    /// Whether a greater entry changes no result: the machine uses no more, such as a depth of cut above the whole stock.
+    pub is_used_up: bool,
     /// The results that fail now and with less: the field does not repair them.
     pub failing_anyway: Vec<ResultName>,
 }
@@ -139,6 +141,29 @@ impl Trial<'_> {
         readouts.iter().find(fails).map(ResultName::from)
     }
 
+    /// Whether two entries have the same results.
+    fn is_alike(&self, a: f64, b: f64) -> bool {
+        let values =
+            |entry: f64| self.results(entry).iter().map(|row| (row.id, row.value.to_bits())).collect::<Vec<_>>();
+        values(a) == values(b)
+    }
+
+    /// The least entry, up to a factor of the present one, beyond which no result changes to the end of the range; none if there are changes.
+    fn used_up(&self, greatest: f64) -> Option<f64> {
+        let last = self.entry(greatest);
+        if !self.is_alike(last, self.max) {
+            return None;
+        }
+        let is_used = |factor: f64| self.is_alike(self.entry(factor), last);
+        let (mut used, mut less) = (greatest, greatest / STEP);
+        while less > 1.0 && is_used(less) {
+            (used, less) = (less, less / STEP);
+        }
+        let least = math::last_holding(used, less.max(1.0), HALVINGS, is_used);
+        let entry = self.entry(least);
+        (entry < last).then_some(entry)
+    }
+
     /// The results that fail now and with the least tried entry.
     fn persistent(&self) -> Vec<ResultName> {
         let failing = |entry: f64| {
@@ -198,10 +223,13 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
         holds,
         margin: if now > 0.0 { value / now - 1.0 } else { 0.0 },
         binding,
+        is_used_up: false,
         failing_anyway: trial.ignored.clone(),
     };
     if upward && binding.is_none() {
-        return Some(growth(trial.entry(fails), true, None));
+        let used = trial.used_up(fails);
+        let value = used.unwrap_or_else(|| trial.entry(fails));
+        return Some(Growth { is_used_up: used.is_some(), ..growth(value, true, None) });
     }
     if !is_found {
         return Some(growth(trial.entry(holds), false, binding));

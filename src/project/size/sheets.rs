@@ -127,7 +127,13 @@ impl Sizing {
             };
             row([headed(say(axis.name), say("size.duty")), sentence(&duty)], DUTY)
         });
-        let cells = times.into_iter().flatten().chain(further).chain(pause).chain(between).chain(energies.into_iter().flatten());
+        let cells = times
+            .into_iter()
+            .flatten()
+            .chain(further)
+            .chain(pause)
+            .chain(between)
+            .chain(energies.into_iter().flatten());
         let cells = cells.map(|(label, value)| row([say(label), value], RUNS));
         let truncated = self.truncated.iter().map(|run| row([say("size.cycle-time"), sentence(&run.message())], RUNS));
         Sheet {
@@ -142,14 +148,15 @@ impl Sizing {
 
     pub(super) fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
-            let binding = of.binding.map_or_else(|| say("size.no-limit"), |binding| say(binding.label));
+            let unlimited = if of.is_used_up { "size.used-up" } else { "size.no-limit" };
+            let binding = say(of.binding.map_or(unlimited, |binding| binding.label));
             let binding = beside(binding, &of.failing_anyway);
             let value = units::text(of.value, 3, of.unit);
             let (value, margin) = match of.binding {
                 _ if !of.holds => (say("size.none-holds"), String::new()),
-                Some(_) => (value, with_minus(format!("{:+.0}\u{a0}%", 100.0 * of.margin))),
                 // The end of the search is no limit.
-                None => (format!("> {value}"), String::new()),
+                None if !of.is_used_up => (format!("> {value}"), String::new()),
+                Some(_) | None => (value, with_minus(format!("{:+.0}\u{a0}%", 100.0 * of.margin))),
             };
             row([say(of.label), value, margin, binding], RUNS_OF_FORM)
         };

@@ -373,3 +373,15 @@ fn most_of_held(force: f64, diameter: &dyn Fn(f64) -> f64) -> f64 {
     };
     force * (0..200).map(|k| bends(length * f64::from(k) / 200.0)).fold(0.0, f64::max)
 }
+
+/// A depth above the allowance of 2 mm is one pass of the allowance.
+#[test]
+fn depth_grows_to_one_pass_of_the_stock() {
+    let growth = |allowance: &'static str| {
+        let sizing = sized_without_envelope(&project("gsk-980tdc", &[("allowance", allowance)]));
+        let depth = sizing.limits.iter().find(|growth| growth.field == "depth").unwrap();
+        (depth.value, depth.binding.is_some(), depth.is_used_up)
+    };
+    assert_eq!(growth("2"), (2.0, false, true));
+    assert!(!growth("100").2);
+}
