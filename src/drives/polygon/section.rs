@@ -1,5 +1,7 @@
 //! Remainder of the stock after all inserts have passed: the exact section, and its measures.
 
+use std::sync::{self, OnceLock};
+
 use super::envelope::{self, Arc, OutlinePiece, boundary};
 use super::setup::CutterSetup;
 use crate::math::{self, PI};
@@ -16,6 +18,8 @@ pub struct Section {
     begin: f64,
     even: bool,
     arcs: Vec<Arc>,
+    /// The sides, measured once for all copies.
+    measured: sync::Arc<OnceLock<Vec<Side>>>,
 }
 
 /// A side compared with its ideal plane. Deviations are positive outside of the plane.
@@ -72,6 +76,7 @@ impl Section {
             begin: setup.normal(0.0),
             even: setup.is_even(),
             arcs: envelope::outline(setup, stock)?,
+            measured: sync::Arc::default(),
         })
     }
 
@@ -221,33 +226,42 @@ impl Section {
         if index >= self.sides as usize {
             return None;
         }
-        let normal = self.begin + self.pitch() * index as f64;
-        let middle = self.radius(normal) - self.apothem;
-        let mut side = Side { normal, turned: 0.0, middle, low: f64::INFINITY, high: f64::NEG_INFINITY };
-        let mut deepest = f64::INFINITY;
+        let mut side = self.uncut(index);
         for arc in &self.arcs {
-            let Some(piece) = arc.cut.filter(|piece| piece.pass.side == index) else { continue };
-            let (low, high) = self.deviations(arc, &piece, normal);
-            side.low = side.low.min(low);
-            side.high = side.high.max(high);
-            if piece.curve.apothem() < deepest {
-                deepest = piece.curve.apothem();
-                let off = (piece.pass.normal - normal) / (2.0 * PI);
-                side.turned = 2.0 * PI * (off - off.round());
+            if let Some(piece) = arc.cut.filter(|piece| piece.pass.side == index) {
+                side.add(self, arc, &piece);
             }
         }
-        if side.low > side.high {
-            (side.low, side.high) = (side.middle, side.middle);
-        }
-        Some(side)
+        Some(side.measured())
     }
 
     /// The sides, counter-clockwise.
     pub fn sides(&self) -> Vec<Side> {
-        let first = if self.even { self.side(0) } else { None };
-        let turned = |side: Side, index: usize| Side { normal: side.normal + self.pitch() * index as f64, ..side };
-        let one = |index: usize| first.map(|side| turned(side, index)).or_else(|| self.side(index));
-        (0..self.sides as usize).filter_map(one).collect()
+        self.measured.get_or_init(|| self.measure()).clone()
+    }
+
+    fn measure(&self) -> Vec<Side> {
+        let all = 0..self.sides as usize;
+        if let Some(first) = self.side(0).filter(|_| self.even) {
+            let turned = |index: usize| Side { normal: first.normal + self.pitch() * index as f64, ..first };
+            return all.map(turned).collect();
+        }
+        let mut sides: Vec<CutSide> = all.map(|index| self.uncut(index)).collect();
+        for arc in &self.arcs {
+            let Some(piece) = arc.cut else { continue };
+            if let Some(side) = sides.get_mut(piece.pass.side) {
+                side.add(self, arc, &piece);
+            }
+        }
+        sides.into_iter().map(CutSide::measured).collect()
+    }
+
+    /// A side before its first arc.
+    fn uncut(&self, index: usize) -> CutSide {
+        let normal = self.begin + self.pitch() * index as f64;
+        let middle = self.radius(normal) - self.apothem;
+        let side = Side { normal, turned: 0.0, middle, low: f64::INFINITY, high: f64::NEG_INFINITY };
+        CutSide { side, deepest: f64::INFINITY }
     }
 
     /// Least and greatest distance of an arc from the plane of its side: `ρ cos(φ - ψ) - d`.
@@ -282,6 +296,33 @@ impl Section {
     /// Distance over opposite corners, least and greatest; for an odd number of sides, twice the radius of a corner.
     pub fn across_corners(&self) -> (f64, f64) {
         across(&self.corners().iter().map(|corner| corner.radius).collect::<Vec<f64>>())
+    }
+}
+
+/// A side while its arcs are measured.
+struct CutSide {
+    side: Side,
+    /// Distance of its deepest pass from the centre.
+    deepest: f64,
+}
+
+impl CutSide {
+    /// Adds an arc of the side.
+    fn add(&mut self, section: &Section, arc: &Arc, piece: &OutlinePiece) {
+        let (low, high) = section.deviations(arc, piece, self.side.normal);
+        self.side.low = self.side.low.min(low);
+        self.side.high = self.side.high.max(high);
+        if piece.curve.apothem() < self.deepest {
+            self.deepest = piece.curve.apothem();
+            let off = (piece.pass.normal - self.side.normal) / (2.0 * PI);
+            self.side.turned = 2.0 * PI * (off - off.round());
+        }
+    }
+
+    /// The side of all its arcs.
+    fn measured(self) -> Side {
+        let Side { middle, low, high, .. } = self.side;
+        if low > high { Side { low: middle, high: middle, ..self.side } } else { self.side }
     }
 }
 
