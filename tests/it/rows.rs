@@ -142,7 +142,7 @@ fn is_named(code: &[String], kind: &str, variant: &str) -> bool {
 }
 
 /// Meanings that only the report's list of open points shows: no sheet of a machine has them.
-const ONLY_LISTED: &[(&str, &str)] = &[("ParamRole", "DecimalPoint"), ("ParamRole", "ExactStopCheck")];
+const ONLY_LISTED: &[(&str, &str)] = &[("ParamRole", "DecimalPoint")];
 
 /// Rows whose meaning no code outside the controls acts on.
 fn idle_rows(control: &Control, code: &[String]) -> Vec<String> {

@@ -41,7 +41,7 @@ const PAPER: &[KnownFault] = &[
     KnownFault::everywhere("slack-rate-rated", "ribbon.example.paper.slip-rated"),
     KnownFault::everywhere("loop-needed", "ribbon.example.paper.loop"),
     KnownFault::on_slow_controls("loop-turned", "ribbon.example.paper.turned"),
-    KnownFault::on_slow_controls("tension", "ribbon.example.paper.tension"),
+    KnownFault::everywhere("tension", "ribbon.example.paper.tension"),
     KnownFault::everywhere("loop-coasting", "ribbon.example.paper.coasting"),
 ];
 

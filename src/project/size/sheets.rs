@@ -240,12 +240,12 @@ impl Sizing {
         let of_motor = |curve: &[MotorPoint]| curve.first().map_or(0.0, |(_, torque)| *torque);
         let (steady, short) = ((of_motor(&chart.continuous), 2), (of_motor(&chart.peak), 2));
         let cells = [
-            ("size.form-motor", sentence(&msg!("size.form-torques", steady, short))),
             ("size.torque", sentence(&peak_at)),
             ("size.effective", effective_torque),
             ("size.speed", units::text(load.speed / RPM, 0, "r/min")),
             ("size.given", units::text(load.given, 1, "J")),
             ("size.returned", units::text(load.returned, 1, "J")),
+            ("size.form-motor", sentence(&msg!("size.form-torques", steady, short))),
         ];
         let currents =
             [("size.current", amperes(load.peak.torque)), ("size.effective-current", amperes(load.effective))];

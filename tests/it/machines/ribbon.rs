@@ -12,6 +12,7 @@ mod lists;
 mod phase;
 mod program;
 mod reserve;
+mod states;
 mod stops;
 mod synchronism;
 

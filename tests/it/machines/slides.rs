@@ -4,7 +4,7 @@ use macroline::project::Project;
 use macroline::view::Verdict;
 
 use super::turning::project;
-use crate::queries::{near, readout};
+use crate::queries::{near, readout, value};
 
 /// 0.8 of the first critical speed of a steel bar of 27.2 mm between a fixed bearing and a supporting one, 3 m apart (sizing facts 2.13).
 #[test]
@@ -42,18 +42,22 @@ fn sheet_acceleration_reaches_rapid_in_the_ramp() {
         let row = rows.map(|row| &row.cells).find(|cells| cells[0] == "MD32300" && cells[2] == axis);
         row.expect("an acceleration")[3].parse::<f64>().unwrap()
     };
-    // X of the ribbon line is a modulo axis, in turns of 360 units.
-    for (machine, constant, unit) in
-        [("turning-spindle", "time-constant", 1000.0), ("ribbon-line", "time-constant-x", 360.0)]
-    {
-        let at = |rapid, clamp| {
-            let changes = [("rapid-x", rapid), ("clamp-x", clamp), (constant, "80")];
-            acceleration(machine, &changes, "X")
-        };
-        // The largest velocity of the axis is that of rapid traverse and feed: a clamp of the feed has no parameter here.
-        near(at("9000", "3000"), 9000.0 / 60.0 / 0.08 / unit, 1e-3);
-        near(at("3000", "6000"), 3000.0 / 60.0 / 0.08 / unit, 1e-3);
-        // Without a time constant the servo lag of its position gain is the ramp.
+    let at = |rapid, clamp| {
+        let changes = [("rapid-x", rapid), ("clamp-x", clamp), ("time-constant", "80")];
+        acceleration("turning-spindle", &changes, "X")
+    };
+    // The largest velocity of the axis is that of rapid traverse and feed: a clamp of the feed has no parameter here.
+    near(at("9000", "3000"), 9000.0 / 60.0 / 0.08 / 1000.0, 1e-3);
+    near(at("3000", "6000"), 3000.0 / 60.0 / 0.08 / 1000.0, 1e-3);
+    // The axes of the ribbon line reach the speed of the line in the ramp of the results, rapid traverse in a longer one. X is a modulo axis
+    // in turns of 360 units, and the knob is locked.
+    let line = Project::named("ribbon-line", Some("sinumerik-802d"), None).unwrap();
+    let speed = value(&line, "line-speed");
+    let of_line = |rapid| acceleration("ribbon-line", &[("rapid-x", rapid), ("time-constant-x", "80")], "X");
+    near(of_line("9000"), speed / 60.0 / 0.08 / 360.0, 1e-3);
+    near(of_line("20000"), of_line("9000"), 1e-9);
+    // Without a time constant the servo lag of its position gain is the ramp.
+    for (machine, constant) in [("turning-spindle", "time-constant"), ("ribbon-line", "time-constant-x")] {
         let step = [("rapid-x", "6000"), ("clamp-x", "6000"), (constant, "0")];
         assert!(acceleration(machine, &step, "X").is_finite(), "{machine}");
     }

@@ -136,6 +136,12 @@ fn executions_in_direct_succession_have_their_own_starts() {
     assert_eq!((starts.len(), timeline.begins(place).count()), (5, 1));
     assert!(starts.windows(2).all(|pair| pair[0] < pair[1]), "{starts:?}");
     assert_eq!(timeline.begins(place).next(), starts.first().copied());
+    // A step goes from one to the next, and back the same way.
+    for pair in starts.windows(2) {
+        assert_eq!((timeline.next_block(pair[0]), timeline.block_before(pair[1])), (Some(pair[1]), pair[0]));
+        assert_eq!(timeline.block_before(pair[0] + 1e-6), pair[0]);
+        assert!(timeline.next_other_block(pair[0]) > Some(starts[4]), "{pair:?}");
+    }
 }
 
 /// The sample of the GSK manual (gsk-980tdc.md section 1.3), on the bench of its control.

@@ -8,7 +8,7 @@ use macroline::project::Project;
 use macroline::view::{FieldEntry, Verdict};
 
 use super::project;
-use crate::queries::{near_share, readout, value};
+use crate::queries::{near_share, readout, sized_without_envelope, value};
 
 /// The paper's single pass: 2.5 mm deep at 1 mm for each turn, tips at 45 mm.
 const SINGLE: [(&str, &str); 4] = [("depth", "2.5"), ("allowance", "0"), ("feed", "1"), ("finish-feed", "1")];
@@ -282,4 +282,17 @@ fn slender_work_that_bends_is_red_and_mended() {
     }
     // The part of the example bends in roughing less than its allowance, at every position of the feed override.
     assert_eq!(readout(&key, "bending").verdict, Verdict::Ok);
+}
+
+#[test]
+fn torque_chart_shows_the_strikes_of_the_cut() {
+    let sizing = sized_without_envelope(&project(&[]));
+    for id in ["work", "tool"] {
+        let axis = sizing.axes.iter().find(|axis| axis.id == id).unwrap();
+        let lines = &axis.chart.as_ref().unwrap().lines;
+        let of_run = lines.iter().filter(|line| !line.is_at_highest_knob).map(|line| line.torque);
+        let most = of_run.fold(0.0, f64::max);
+        // The mean torque of the cut and that of its strikes.
+        assert!(most > 0.5 * axis.demand.peak && most <= axis.demand.peak + 1e-9, "{id}: {most} {:?}", axis.demand);
+    }
 }

@@ -389,6 +389,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.001#2 |  | X | 0 |  | words of X: 0 diameters, 1 radii
             No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
             No.005#4 |  |  | 1 |  | M30: 1 goes back to the first block, 0 stays at the end
+            No.007#6 |  |  | 0 |  | 0: smooth from block to block, 1: each block ends in position
             No.015 | CMR | X | 113 |  | numerator: counts of the encoder per turn of the motor
             No.015 | CMR | C | 25 |  | numerator: counts of the encoder per turn of the motor
             No.016 | CMD | X | 71 |  | denominator: output units of 0.001 mm per turn (X by diameters: 0.0005 mm), both in lowest terms
@@ -424,6 +425,7 @@ fn lathe_parameter_sheets_match_their_goldens() {
             1422 |  |  | 151328 | mm/min | upper limit of the cutting feed along the path
             1430 |  | X | 20000 | mm/min | upper limit of the cutting feed of an axis
             1430 |  | Z | 150000 | mm/min | upper limit of the cutting feed of an axis
+            1601#5 | NCI |  | 0 |  | 0: in-position check at deceleration, 1: none
             1610#0 | CTL | X | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
             1610#0 | CTL | Z | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
             1620 |  | X | 100 | ms | time constant of acceleration, rapid traverse
