@@ -30,7 +30,7 @@ test('line number sets breakpoint; stepping into, over, out works', () =>
     await next(page, 'N1 IF');
     assert.equal(await page.locator('.chips .chip[aria-pressed="true"]', { hasText: '.nc' }).textContent(), 'O9100.nc', 'the file that runs is shown');
     assert.equal(await why(page).textContent(), 'Next: N1 IF[#100 LE 0]GOTO901');
-    assert.match(await seen(page), /Call stack\s+O9100.nc:3\s+N1 IF[\s\S]*O9101.nc:27\s+N5 M98/);
+    assert.match(await seen(page), /Call stack\s+O9100.nc:3\s+N1 IF[\s\S]*O9101.nc:28\s+N5 M98/);
     await press(page, 'Out of this call');
     await next(page, 'WHILE[#115');
     assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 10.716\.628/);
@@ -38,8 +38,8 @@ test('line number sets breakpoint; stepping into, over, out works', () =>
     await next(page, 'N47 M99');
     await accessible(page);
     // The list of breakpoints can remove a breakpoint.
-    assert.match(await seen(page), /Breakpoints\s+O9101.nc:27\s+N5 M98 P9100 · 1 ×/);
-    await press(page, 'Remove O9101.nc:27');
+    assert.match(await seen(page), /Breakpoints\s+O9101.nc:28\s+N5 M98 P9100 · 1 ×/);
+    await press(page, 'Remove O9101.nc:28');
     await file(page, 'O9101.nc');
     assert.equal(await page.locator('.listing li.stop').count(), 0);
     await page.locator('.listing').press('x');
