@@ -318,6 +318,8 @@ export interface Size {
   /** Null where the program does not come to its end. */
   cycle: {
     time_s: number;
+    /** Time of each further part, whose gear is engaged already. */
+    further_s: number;
     /** From its end to the next start. */
     pause_s: number;
     /** Mean of changes of material for a part. */
@@ -362,6 +364,8 @@ export interface Size {
     margin: number | null;
     value: number | null;
     unit: string;
+    /** From `value` on, more of the entry changes no result. */
+    more_is_unused: boolean;
     /** Results that fail now and with less as well. */
     fails_with_less_too: string[];
   }[];
