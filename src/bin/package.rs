@@ -4,15 +4,11 @@ use macroline::project::package::{self, EarlyRefusal, StepAnswers};
 use macroline::text::catalog::{self, Language};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Selects a language; returns the refusal if there is no such language.
+/// Selects a language; returns the refusal, in English, if there is no such language.
 fn speak(code: &str) -> Option<String> {
-    match Language::of_code(code) {
-        Some(language) => {
-            catalog::speak(language.sentences());
-            None
-        }
-        None => Some(EarlyRefusal::Language.answer(code)),
-    }
+    let language = Language::of_code(code);
+    catalog::speak(language.unwrap_or(Language::English).sentences());
+    language.is_none().then(|| EarlyRefusal::Language.answer(code))
 }
 
 /// Answers a request in a language; see [`package::answer`].

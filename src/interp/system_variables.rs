@@ -7,6 +7,7 @@ use super::eval::variable_number;
 use super::index::VariableSlot;
 use super::operators::zero_if_vacant;
 use super::state::RunState;
+use super::value::{INCH, inches};
 use super::vars::VACANT;
 use super::world::MachineClock;
 use crate::controls::vars::Width;
@@ -31,6 +32,8 @@ impl RunState {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let axis = (number - row.first) as usize;
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
+        let is_inch = self.reads_inches(cx, axis);
+        let length = |millimetres: f64| if is_inch { inches(millimetres) } else { millimetres };
         let value = match row.kind {
             VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
             VarKind::InputBit if finite_or_zero(cx.world.input(number)) != 0.0 => 1.0,
@@ -64,11 +67,13 @@ impl RunState {
             {
                 return Err(no_such_variable(cx, number));
             }
-            VarKind::BlockEnd => millimetres(self.position[axis].saturating_sub(self.modal.zero[axis])),
+            VarKind::BlockEnd => length(millimetres(self.position[axis].saturating_sub(self.modal.zero[axis]))),
             VarKind::MachinePosition | VarKind::WorkPosition if !self.synced => return Err(Trap::Sync),
-            VarKind::MachinePosition => finite_or_zero(cx.world.position(axis)),
-            VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero[axis]),
-            VarKind::SkipPosition => millimetres(self.skip[axis].saturating_sub(self.modal.zero[axis])),
+            VarKind::MachinePosition => length(finite_or_zero(cx.world.position(axis))),
+            VarKind::WorkPosition => {
+                length(finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero[axis]))
+            }
+            VarKind::SkipPosition => length(millimetres(self.skip[axis].saturating_sub(self.modal.zero[axis]))),
             VarKind::AlarmMessage | VarKind::StopMessage => {
                 return Err(Trap::alarm(
                     Alarm::VariableSide,
@@ -76,7 +81,7 @@ impl RunState {
                 ));
             }
             VarKind::WorkOffset(system) | VarKind::WorkOffsetShown(system) => {
-                millimetres(self.modal.offset(system, axis))
+                length(millimetres(self.modal.offset(system, axis)))
             }
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
         };
@@ -143,7 +148,7 @@ impl RunState {
         let value = zero_if_vacant(value);
         let counted =
             matches!(row.kind, VarKind::Kept | VarKind::WorkOffset(_)) && cx.shared.rules.numbers.offset_increments;
-        let value = if counted { value / cx.shared.units.per_unit } else { value };
+        let value = if counted { value / self.increments_per_unit(cx) } else { value };
         match row.kind {
             VarKind::OutputBit => {
                 let on = value.round() != 0.0;
@@ -225,7 +230,13 @@ impl RunState {
         Ok(())
     }
 
-    /// Writes a work offset in millimetres.
+    /// Whether positions and zeros of an axis are read and written in inches: those of a linear axis, in inch input. The sheets name no
+    /// unit; a position that is read and commanded again must not move the axis.
+    fn reads_inches(&self, cx: &BlockContext, axis: usize) -> bool {
+        self.modal.inch && cx.control.axes.get(axis).is_some_and(|axis| !axis.rotary)
+    }
+
+    /// Writes a work offset in the unit of the input.
     fn write_offset(
         &mut self,
         cx: &BlockContext,
@@ -235,10 +246,12 @@ impl RunState {
         value: f64,
     ) -> BlockResult<()> {
         let units = &cx.shared.units;
-        let increments = (value * units.per_unit).round();
         let axis = (number - row.first) as usize;
+        let is_inch = self.reads_inches(cx, axis);
+        let increments = (if is_inch { value * INCH } else { value } * units.per_unit).round();
         if increments.abs() > units.coordinate_max as f64 {
             let max = cx.control.limits.coordinate_max;
+            let max = if is_inch { inches(max) } else { max };
             return Err(outside_variable(cx, number, value, (-max, max)));
         }
         if axis >= cx.control.axes.len().min(AXES) {

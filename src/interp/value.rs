@@ -11,11 +11,19 @@ use crate::nc::dec::POW10;
 use crate::nc::{Block, Dec, Word, WordValue};
 
 /// Millimetres per inch.
-const INCH: f64 = 25.4;
+pub(super) const INCH: f64 = 25.4;
 /// Tenths of a millimetre per inch.
 const INCH_TENTHS: i64 = 254;
 /// Additional decimals of the increment in inches: 0.0001 inch if the metric increment is 0.001 mm.
 const INCH_DECIMALS: usize = 1;
+
+/// Parts of an inch to which a read length is rounded, finer than any step of a control: 2 inches stay 2.
+const INCH_PARTS: f64 = 1e8;
+
+/// A length in inches.
+pub(super) fn inches(millimetres: f64) -> f64 {
+    (millimetres / INCH * INCH_PARTS).round() / INCH_PARTS
+}
 
 /// `mantissa / 10^scale`, rounded half away from zero; exact.
 #[inline]
@@ -35,6 +43,12 @@ fn truncated(value: f64) -> f64 {
 }
 
 impl RunState {
+    /// Command increments per mm, or per inch in inch input.
+    pub(super) fn increments_per_unit(&self, cx: &BlockContext) -> f64 {
+        let per_unit = cx.shared.units.per_unit;
+        if self.modal.inch { per_unit * POW10[INCH_DECIMALS] as f64 } else { per_unit }
+    }
+
     /// Value of a word as written; `None` if it is vacant and the word is left out. On some controls a vacant word is 0.
     pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<Option<f64>> {
         if !cx.shared.rules.numbers.round_to_step {
@@ -44,8 +58,7 @@ impl RunState {
         cx.parts = match word.letter {
             letter if units.integer_letters.contains(letter) => 1.0,
             Address::F => units.per_feed,
-            _ if self.modal.inch => units.per_unit * POW10[INCH_DECIMALS] as f64,
-            _ => units.per_unit,
+            _ => self.increments_per_unit(cx),
         };
         let value = self.as_written(cx, block, word);
         cx.parts = 1.0;

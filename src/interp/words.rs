@@ -6,6 +6,7 @@ use super::context::BlockContext;
 use super::error::{BlockResult, Trap};
 use super::modal::Radii;
 use super::state::RunState;
+use super::value::inches;
 use crate::controls::Address;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
@@ -183,14 +184,11 @@ impl RunState {
     #[inline]
     fn f_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> BlockResult<()> {
         let lead = self.cuts_threads() && !cx.control.syntax.lead_by_axis;
-        let value = if lead {
-            self.lead_word(cx, block, word, self.modal.inch)?
-        } else {
-            self.feed_word(cx, block, word, self.modal.inch_feed)?
-        };
+        let inch = if lead { self.modal.inch } else { self.modal.inch_feed };
+        let value = if lead { self.lead_word(cx, block, word, inch)? } else { self.feed_word(cx, block, word, inch)? };
         if let Some(value) = value {
             *(if lead { &mut self.modal.lead } else { &mut self.modal.feed }) = Some(value);
-            self.modal.set_shown(Address::F, value);
+            self.modal.set_shown(Address::F, if inch { inches(value) } else { value });
         }
         Ok(())
     }

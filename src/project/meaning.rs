@@ -3,6 +3,7 @@
 use super::Project;
 use super::run::{self, Run};
 use crate::controls::interface::SignalRole;
+use crate::controls::macros::ARGUMENT;
 use crate::controls::syntax::Function;
 use crate::controls::{Address, Code, CodeDef, CodeId, Control, Group, Signal, VarKind, VarRange};
 use crate::machines::{ControlContext, MachineVariable};
@@ -10,7 +11,7 @@ use crate::motion::Action;
 use crate::msg;
 use crate::nc::symbols::{OutlineItem, Symbol};
 use crate::nc::{IGNORED_STATEMENTS, TokenKind, tokens};
-use crate::text::catalog::sentence;
+use crate::text::catalog::{self, sentence};
 use crate::text::{Citation, Message, Phrase, Span, headed, sentences};
 
 /// The table that a word is looked up in. Numbers repeat between them: `#3001` is a variable of a program and a parameter.
@@ -166,11 +167,12 @@ impl<'a> Words<'a> {
     }
 }
 
-/// Meaning of an address that another code of its block changes: the time of a dwell, the lead of a thread.
+/// Meaning of an address that another code of its block changes: an argument of a macro call, the time of a dwell, the lead of a thread.
 fn beside_code(control: &Control, line: &str, meaning: &Meaning) -> Option<Message> {
     let address = match meaning.subject {
         Subject::Address(address) => address,
-        Subject::Axis(_) => Address::of(*meaning.word.as_bytes().first()?)?,
+        // M is an argument of a macro call.
+        Subject::Axis(_) | Subject::Code(_) => Address::of(*meaning.word.as_bytes().first()?)?,
         _ => return None,
     };
     let code = |(span, kind): (Span, TokenKind)| {
@@ -178,15 +180,34 @@ fn beside_code(control: &Control, line: &str, meaning: &Meaning) -> Option<Messa
         control.code(id).map(|row| row.code)
     };
     let codes: Vec<Code> = tokens(line, control).into_iter().filter_map(code).collect();
+    if codes.iter().any(|code| matches!(code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)) {
+        return in_macro_call(control, line, address);
+    }
     let lead = if control.syntax.lead_by_axis {
         matches!(address, Address::I | Address::J | Address::K)
     } else {
         address == Address::F
     };
-    if codes.contains(&Code::Dwell) && control.syntax.dwell_addresses.contains(address) && address != Address::S {
-        return Some(msg!("meaning.dwell-time"));
+    if codes.contains(&Code::Dwell) && control.syntax.dwell_addresses.contains(address) {
+        return Some(if address == Address::S { msg!("meaning.dwell-turns") } else { msg!("meaning.dwell-time") });
     }
     (codes.contains(&Code::Thread) && lead).then(|| msg!("meaning.thread-lead"))
+}
+
+/// Meaning of an address in the block of a macro call: the local variable that takes it, by the first set of arguments; with H on a control
+/// with macro functions, that of the function.
+fn in_macro_call(control: &Control, line: &str, address: Address) -> Option<Message> {
+    let is_function = !control.macros.functions.is_empty()
+        && words(line, control).iter().any(|span| span.of(line).starts_with(['H', 'h']));
+    match address {
+        Address::H if is_function => Some(msg!("meaning.macro-function")),
+        _ if is_function => Some(msg!("meaning.function-argument")),
+        Address::G | Address::L | Address::N | Address::O | Address::P => None,
+        _ => {
+            let number = ARGUMENT.get(address as usize).copied()?;
+            Some(msg!("meaning.call-argument", variable = control.variable(u32::from(number))))
+        }
+    }
 }
 
 /// The text of a row as a sentence.
@@ -423,6 +444,15 @@ fn variable_of(role: SignalRole) -> Option<u32> {
 }
 
 impl Meaning {
+    /// The meaning with its unit and source, as lines of plain text.
+    pub fn text(&self) -> String {
+        let says: Vec<String> = self.says.iter().map(sentence).collect();
+        let unit = (!self.unit.is_empty()).then(|| headed(catalog::words("meaning.unit"), self.unit));
+        let source = self.cite.map(|cite| headed(catalog::words("meaning.source"), cite.source.words()));
+        let lines = [Some(headed(&self.word, says.join("\n"))), unit, source];
+        lines.into_iter().flatten().collect::<Vec<_>>().join("\n")
+    }
+
     /// Word and meaning in one line.
     pub fn sentence(&self) -> String {
         headed(&self.word, sentences(self.says.iter().map(sentence)))

@@ -336,12 +336,12 @@ fn alarm_without_a_row_is_one_of_the_program() {
 #[test]
 fn explained_word_has_causes_and_source() {
     let help = ribbon();
-    let text = explain::text(&explain::found(&help, "P283"));
+    let text = explain::text(None, &explain::found(&help, "P283"));
     assert!(text.starts_with("P283"), "{text}");
     assert!(text.contains("A division by 0") && text.contains("open"), "{text}");
-    let json = explain::json(&explain::found(&help, "field.pitch"));
+    let json = explain::json(None, &explain::found(&help, "field.pitch"));
     assert_eq!(json["found"][0]["id"], "ribbon-line/field.pitch");
-    assert!(explain::text(&explain::found(&help, "no such thing")).is_empty());
+    assert!(explain::text(None, &explain::found(&help, "no such thing")).is_empty());
 }
 
 #[test]
@@ -362,6 +362,21 @@ fn drawing_of_every_machine_has_its_numbered_parts() {
 /// Runs the program.
 fn run(args: &[&str]) -> Output {
     command::macroline().args(args).output().unwrap()
+}
+
+#[test]
+fn explain_knows_the_words_of_the_language() {
+    for (word, control, means) in [
+        ("CR", "sinumerik-802d", "Radius"),
+        ("LIMS", "sinumerik-802d", "Highest spindle speed"),
+        ("GOTO", "fanuc-0i-mf", "Goes on at the block"),
+        ("FUP", "fanuc-0i-mf", "whole number"),
+    ] {
+        let out = run(&["explain", word, "--control", control]);
+        let text = String::from_utf8(out.stdout).unwrap();
+        let first = text.lines().next().unwrap_or_default();
+        assert!(first.starts_with(word) && first.contains(means), "{first}");
+    }
 }
 
 #[test]

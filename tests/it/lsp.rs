@@ -70,6 +70,21 @@ fn all_certain_fixes_are_one_source_action() {
 }
 
 #[test]
+fn source_action_changes_its_own_file_alone() {
+    let mut client = Client::start(&["--control", "fanuc-0i-mf"]);
+    let (own, other) = ("file:///shop/O1.nc", "file:///shop/O2.nc");
+    client.open(own, "%\nO1\nIF[1>0]GOTO10\nN10 M30\n%\n");
+    client.open(other, "%\nO2\nIF[2>0]GOTO10\nN10 M99\n%\n");
+    let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 0, "character": 0 } });
+    let context = json!({ "diagnostics": [], "only": ["source.fixAll"] });
+    let params = json!({ "textDocument": { "uri": own }, "range": range, "context": context });
+    let actions = client.ask("textDocument/codeAction", params);
+    let changes = actions[0]["edit"]["changes"].as_object().unwrap();
+    assert_eq!(changes.keys().collect::<Vec<_>>(), [own], "{actions}");
+    client.end();
+}
+
+#[test]
 fn hover_has_meaning_and_source() {
     let mut client = Client::start(&["--control", "gsk-980tdc"]);
     let uri = "file:///shop/O1.nc";

@@ -2,12 +2,12 @@
 
 use std::rc::Rc;
 
-use macroline::controls::{ALL, CodeId};
-use macroline::machines::MachineVariable;
+use macroline::controls::{ALL, CodeId, Switches, find};
+use macroline::machines::{ControlContext, MachineVariable};
 use macroline::motion::{Action, Budget, Event, Retention};
 use macroline::nc::{self, Files};
 use macroline::project::dependence::fields_by_result;
-use macroline::project::meaning::{self, Meaning, Subject, Table};
+use macroline::project::meaning::{self, Meaning, Subject, Table, Words};
 use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, run::Run};
 use macroline::text::catalog::sentence;
@@ -207,4 +207,29 @@ fn meaning_of_an_address_depends_on_the_code_of_its_block() {
         "Centre of an arc from its start; argument of a macro call."
     );
     assert_eq!(meaning_in("sinumerik-802d", "L10 P3", "P"), "How often a program is called.");
+}
+
+/// The word at a text of a line, on a control.
+#[track_caller]
+fn in_line(control: &str, line: &str, word: &str) -> String {
+    let switches = Switches::default();
+    let words = Words::bare(ControlContext { control: find(control).unwrap(), switches: &switches });
+    let (_, found) = words.at(line, line.find(word).unwrap() as u32).unwrap_or_else(|| panic!("{word}"));
+    text(&found)
+}
+
+#[test]
+fn word_in_a_macro_call_is_its_variable() {
+    let line = "G65 P9010 X10. F100. S500 M7";
+    for (word, variable) in [("X10", "#24"), ("F100", "#9"), ("S500", "#19"), ("M7", "#13")] {
+        let found = in_line("fanuc-0i-mf", line, word);
+        assert!(found.contains(variable) && !found.contains("Position"), "{word}: {found}");
+    }
+    assert!(in_line("gsk-980tdc", "G65 H01 P#100 Q#101", "H01").contains("macro function"));
+}
+
+#[test]
+fn speed_in_a_dwell_is_its_length_in_turns() {
+    let found = in_line("sinumerik-802d", "G4 S5", "S5");
+    assert!(found.contains("turns") && !found.contains("speed"), "{found}");
 }

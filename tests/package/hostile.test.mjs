@@ -48,6 +48,8 @@ test('an error speaks the language of its call', () => {
   assert.match(core.newProject('x').error, /^no machine “x”/);
   assert.match(core.newProject('x', { language: 'zh' }).error, /^没有机床“x”/);
   assert.match(core.newProject('x').error, /^no machine/);
+  assert.match(core.list({ language: 'de' }).error, /^No language|language “de”/i);
+  assert.doesNotMatch(core.list({ language: 'de' }).error, /\p{Script=Han}|^request\./u);
   assert.match(core.list({ language: 'zh' }).machines[0].name, /\p{Script=Han}/u);
 });
 

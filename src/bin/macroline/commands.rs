@@ -11,6 +11,7 @@ use macroline::project::findings::file_findings::list_json;
 use macroline::project::findings::render::summary;
 use macroline::project::help::texts::Texts;
 use macroline::project::help::{Help, explain, pages};
+use macroline::project::meaning::{Meaning, Subject, Table, Words};
 use macroline::project::repairs::repairs;
 use macroline::project::requests::check_request;
 use macroline::project::run::AtStop;
@@ -219,11 +220,18 @@ fn explain(word: &str, path: Option<&Path>, id: Option<&str>, json: bool) -> Res
         }
     };
     let help = Help::new(project.machine, project.control, &Texts::shipped(catalog::spoken()));
+    // Codes, variables and alarms have their entries in the help; words of the language have their meaning alone.
+    let is_of_language =
+        |meaning: &Meaning| matches!(meaning.subject, Subject::Axis(_) | Subject::Address(_) | Subject::Keyword);
+    let own = Words::of(&project).meaning(word, Table::Program).filter(is_of_language);
     let found = explain::found(&help, word);
-    if found.is_empty() {
+    if found.is_empty() && own.is_none() {
         return Err(Failure::Outside(catalog::sentence(&msg!("help.nothing", word))));
     }
-    if json { print_json(&explain::json(&found)) } else { print(&explain::text(&found)) }
+    if json {
+        return print_json(&explain::json(own.as_ref(), &found));
+    }
+    print(&explain::text(own.as_ref(), &found))
 }
 
 fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {

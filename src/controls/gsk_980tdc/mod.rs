@@ -24,7 +24,7 @@ use super::{
 };
 use crate::controls::Address;
 use crate::drives::speed::KnobRange;
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Grade, Phrase};
 use sources::{AXES, MACRO, PARAMETERS, RETURN};
 
 /// The control.
@@ -48,7 +48,7 @@ pub static CONTROL: Control = Control {
         random: &["RAND", "SRAND"],
         point_alarm: false,
         // GSK980TDi manual, 3.11.
-        corners: &[(Address::L, "chamfer"), (Address::D, "rounded corner")],
+        corners: &[(Address::L, Phrase::new("chamfer")), (Address::D, Phrase::new("rounded corner"))],
         cite: Citation::new("GSK980TDi manual, 3.28 and 3.29; characters and alarms of the 980MDi", Grade::Sister),
         ..fanuc::SYNTAX
     },

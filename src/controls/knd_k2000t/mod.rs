@@ -27,6 +27,7 @@ pub static CONTROL: Control = Control {
     macros: Macros {
         code_calls: &[CodeCalls::Each {
             kind: CallKind::Macro,
+            negative: None,
             letter: Address::G,
             first: 4120,
             count: 20,

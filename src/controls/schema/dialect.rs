@@ -505,7 +505,7 @@ fn point(
 const SEPARATORS: [char; 3] = [' ', ',', ';'];
 
 /// A word of the switch `call-parameters`, and the parameter number and value it sets.
-type CallPart = (String, Option<(u32, u32)>);
+type CallPart = (String, Option<(u32, i32)>);
 
 /// Splits the text of the switch `call-parameters` into words.
 fn call_parts(text: &str) -> Vec<CallPart> {
@@ -513,15 +513,16 @@ fn call_parts(text: &str) -> Vec<CallPart> {
     words.map(|word| (word.to_owned(), call_parameter(word))).collect()
 }
 
-/// Parameter number and value of a word such as `4120=512`, with or without `#` or `No.` in front.
-fn call_parameter(word: &str) -> Option<(u32, u32)> {
+/// Parameter number and value of a word such as `4120=512` or `6051=-200`, with or without `#` or `No.` in front.
+fn call_parameter(word: &str) -> Option<(u32, i32)> {
     let (number, value) = word.split_once('=')?;
-    let digits = |text: &str| text.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok();
-    Some((digits(number)?, digits(value)?))
+    let number = number.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok()?;
+    let value = value.trim_start_matches(|c: char| !c.is_ascii_digit() && c != '-').parse().ok()?;
+    Some((number, value))
 }
 
 /// Codes bound to programs by these parameters.
-fn calls(control: &Control, parameters: &[(u32, u32)]) -> Vec<CodeCall> {
+fn calls(control: &Control, parameters: &[(u32, i32)]) -> Vec<CodeCall> {
     let mut calls = control.macros.calls(parameters);
     calls.retain(|call| control.macros.calls_override || control.code(call.code).is_none());
     calls
@@ -543,7 +544,7 @@ impl Dialect {
                 Some((number, 0)) if control.macros.has_parameter(number) => false,
                 Some(_) => {
                     let others = self.call_parts.iter().enumerate().filter(|(other, _)| other != at);
-                    let others: Vec<(u32, u32)> = others.filter_map(|(_, (_, set))| *set).collect();
+                    let others: Vec<(u32, i32)> = others.filter_map(|(_, (_, set))| *set).collect();
                     calls(control, &others) == self.calls
                 }
             })

@@ -43,6 +43,8 @@ pub enum CodeCalls {
     Each {
         /// Kind of call.
         kind: CallKind,
+        /// Kind of call of a code given with a minus sign; none where the control does not take one.
+        negative: Option<CallKind>,
         /// `G` or `M`.
         letter: Address,
         /// Number of the first parameter.
@@ -183,24 +185,33 @@ impl Macros {
     }
 
     /// Codes bound to programs by these parameters (number and value). Of two values for one parameter the later one counts.
-    pub fn calls(&self, set: &[(u32, u32)]) -> Vec<CodeCall> {
+    pub fn calls(&self, set: &[(u32, i32)]) -> Vec<CodeCall> {
         let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
         let mut calls = Vec::new();
-        let mut bind = |letter: Address, code: Option<u32>, kind: CallKind, program: Option<u32>| {
+        let mut bind = |letter: Address, code: Option<i32>, kind: CallKind, program: Option<i32>| {
             // Parameter value 0: no code is bound.
             if let (Some(code @ 1..), Some(program @ 1..)) = (code, program) {
+                let (code, program) = (code.unsigned_abs(), program.unsigned_abs());
                 let code = if letter == Address::M { CodeId::M(code) } else { CodeId::g(code) };
                 calls.push(CodeCall { code, kind, program });
             }
         };
         for row in self.code_calls {
             match *row {
-                CodeCalls::Each { kind, letter, first, count, program } => {
-                    (0..count.min(CALLS)).for_each(|k| bind(letter, value(first + k), kind, Some(program + k)));
+                CodeCalls::Each { kind, negative, letter, first, count, program } => {
+                    for k in 0..count.min(CALLS) {
+                        let (code, program) = (value(first + k), i32::try_from(program + k).ok());
+                        match negative {
+                            Some(kind) if code.is_some_and(i32::is_negative) => {
+                                bind(letter, code.map(i32::saturating_abs), kind, program);
+                            }
+                            _ => bind(letter, code, kind, program),
+                        }
+                    }
                 }
                 CodeCalls::Range { kind, letter, count, code, program } => {
-                    let count = value(count).unwrap_or(0).min(CALLS);
-                    let from = |parameter: u32, k: u32| value(parameter).map(|first| first.saturating_add(k));
+                    let count = value(count).unwrap_or(0).min(CALLS as i32);
+                    let from = |parameter: u32, k: i32| value(parameter).map(|first| first.saturating_add(k));
                     (0..count).for_each(|k| bind(letter, from(code, k), kind, from(program, k)));
                 }
                 CodeCalls::Pairs { letter, code, kind, program, step, count } => {

@@ -1,7 +1,7 @@
 //! Spelling, characters and file form of programs.
 
 use super::address::{Address, AddressSet};
-use crate::text::Citation;
+use crate::text::{Citation, Phrase};
 
 /// Meaning of round brackets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -163,7 +163,7 @@ pub struct Syntax {
     /// Addresses whose words without a decimal point count increments.
     pub increment_addresses: AddressSet,
     /// Addresses that insert a corner after a straight line or an arc, with the kind of corner. The simulation ignores them.
-    pub corners: &'static [(Address, &'static str)],
+    pub corners: &'static [(Address, Phrase)],
     /// Addresses allowed after a comma; the simulation ignores them.
     pub comma_addresses: AddressSet,
     /// Extension of a program file, without the dot.

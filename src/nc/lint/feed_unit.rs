@@ -3,7 +3,7 @@
 use super::super::ast::{Block, Stmt, Word};
 use super::context::Lint;
 use super::roles::{CALL, CURVED, DWELL, END, LINEAR, OTHER_FEED, PER_MINUTE, RAPID, RETURN, SPECIAL, SUB};
-use crate::controls::{Address, Alarm, Code};
+use crate::controls::{Address, Alarm, Code, CodeDef, CodeId, Group};
 use crate::msg;
 use crate::text::Span;
 
@@ -26,6 +26,8 @@ enum FeedUse {
 pub(super) struct FeedUnit {
     /// Feed is per revolution; `None` where unknown.
     per_revolution: Option<bool>,
+    /// The code that set the unit; none where it is the one after power-on.
+    set_by: Option<CodeId>,
     /// The last F, with its block, and whether it was per revolution.
     feed: Option<(u32, Span, bool)>,
     /// The last F, lost by a change of its unit on a control that does not keep it.
@@ -106,7 +108,12 @@ impl FeedUnit {
     fn units(&mut self, lint: &Lint, block: &Block, words: &[Word]) {
         let rows = words.iter().filter_map(|word| lint.parsed.codes().row_of(word));
         let skips = block.skip > 0 || words.iter().any(|word| word.letter == Address::Skip);
-        let now = rows.filter_map(|row| unit_of(row.code)).next_back().filter(|_| !skips);
+        let present = self.per_revolution;
+        let changed = rows.filter_map(|row| Some((row.id, unit_after(row, present)?))).next_back().filter(|_| !skips);
+        let now = changed.map(|row| row.1);
+        if now != present {
+            self.set_by = changed.map(|row| row.0);
+        }
         self.set_unit(now, lint.control.limits.feed_kept);
     }
 
@@ -121,7 +128,8 @@ impl FeedUnit {
             let row = lint.control.codes.iter().find(|row| unit_of(row.code) == Some(unit));
             row.map_or_else(String::new, |row| lint.control.code_name(row.id))
         };
-        let (before, now) = (code(before), code(now));
+        let now = self.set_by.map_or_else(|| code(now), |id| lint.control.code_name(id));
+        let before = code(before);
         let (place, word) = lint.written(at, axis.span(block));
         let feed = lint.written(given, span).1;
         let message = match kept {
@@ -132,6 +140,16 @@ impl FeedUnit {
             }
         };
         lint.warn(place, message);
+    }
+}
+
+/// Unit of the feed behind a code: per revolution or per minute. Where the codes of the surface speed belong to its group, G96 makes it per
+/// revolution, and G97 leaves it as it is.
+fn unit_after(row: &CodeDef, present: Option<bool>) -> Option<bool> {
+    match row.code {
+        Code::SurfaceSpeed if row.group == Group::FeedUnit => Some(true),
+        Code::SurfaceSpeedOff if row.group == Group::FeedUnit => present,
+        code => unit_of(code),
     }
 }
 

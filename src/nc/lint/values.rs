@@ -214,6 +214,16 @@ impl Vars<'_> {
             let (place, formula) = lint.written(site.block, lint.part(site.block, inner));
             lint.warn(place, msg!("lint.cut-decimal", formula, value, function, result));
         }
+        let atan = self.control.syntax.functions.iter().filter(|row| row.1 == Function::Atan).map(|row| row.0);
+        let atan: Vec<&str> = atan.collect();
+        for site in &self.divided_angles {
+            let (place, formula) = lint.written(site.block, lint.part(site.block, site.id));
+            // Only as it would be written for a control with an arc tangent of two numbers.
+            let compact: String = formula.chars().filter(|c| *c != ' ').collect();
+            if compact.contains("]/[") && atan.iter().any(|name| compact.starts_with(name)) {
+                lint.warn(place, msg!("lint.divided-angle", formula, control = self.control.name));
+            }
+        }
         let exact = self.control.macros.equal_within == 0.0;
         for site in self.equals.iter().filter(|site| exact && self.differs(site)) {
             let (place, condition) = lint.written(site.block, lint.part(site.block, site.id));

@@ -124,6 +124,8 @@ pub(super) struct Vars<'a> {
     pub(super) loose: Vec<FormulaSite>,
     /// FIX and FUP of constants that binary arithmetic leaves slightly beside a whole number.
     pub(super) cuts: Vec<FormulaSite>,
+    /// Arc tangents of one number that are divided.
+    pub(super) divided_angles: Vec<FormulaSite>,
     /// A variable is assigned by a calculated number.
     pub(super) wild: bool,
     /// Number of variables, from 1, local to each level.
@@ -151,6 +153,7 @@ impl<'a> Vars<'a> {
             divisors: Vec::new(),
             loose: Vec::new(),
             cuts: Vec::new(),
+            divided_angles: Vec::new(),
             wild: false,
             operator_set: lint.set,
             local_count: if lint.control.vars.iter().any(|row| row.kind == VarKind::Local) { LOCALS } else { 0 },
@@ -431,8 +434,11 @@ impl<'a> Vars<'a> {
             {
                 self.cuts.push(FormulaSite { id, ..site });
             }
-            Expr::Binary(Op::Divide | Op::Modulo, _, divisor) => {
-                self.divisors.push(FormulaSite { id: divisor, ..site })
+            Expr::Binary(op @ (Op::Divide | Op::Modulo), divided, divisor) => {
+                self.divisors.push(FormulaSite { id: divisor, ..site });
+                if op == Op::Divide && matches!(self.deck.expr(divided), Expr::Call(Function::Atan, _)) {
+                    self.divided_angles.push(FormulaSite { id, ..site });
+                }
             }
             Expr::Binary(op, left, right)
                 if op.opposite() != op

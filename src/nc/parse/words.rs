@@ -266,13 +266,9 @@ impl<'a> Reader<'a> {
         let found =
             words.iter().find_map(|word| Some((*word, corners.iter().find(|corner| corner.0 == word.letter)?.1)));
         if let (true, Some((word, what))) = (motion, found) {
-            let (start, letter) = (word.offset as usize, word.letter);
-            self.not_simulated(
-                IgnoredFeature::Address(word.letter),
-                start,
-                start + word.len as usize,
-                &format!("{letter} ({what})"),
-            );
+            let start = word.offset as usize;
+            let message = msg!("nc.corner-not-simulated", word = word.letter.to_string(), meaning = what);
+            self.report_once(IgnoredFeature::Address(word.letter), start, start + word.len as usize, message);
         }
     }
 

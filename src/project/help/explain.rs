@@ -5,7 +5,8 @@ use serde_json::{Map, Value as Json, json};
 use super::Help;
 use super::content::HelpPlace;
 use super::texts::{self, Text};
-use crate::text::catalog::words;
+use crate::project::meaning::Meaning;
+use crate::text::catalog::{sentence, words};
 use crate::text::{Citation, headed};
 
 /// Further places that are listed at most.
@@ -17,10 +18,14 @@ pub fn found<'h>(help: &'h Help, word: &str) -> Vec<HelpPlace<'h>> {
     named.into_iter().chain(help.search(word)).collect()
 }
 
-/// The first place in full, the others by name.
-pub fn text(found: &[HelpPlace]) -> String {
-    let Some(first) = found.first() else { return String::new() };
-    let mut out = format!("{} – {}\n", title(first), first.page.title);
+/// The meaning of a word of the language, then the first place in full, the others by name.
+pub fn text(own: Option<&Meaning>, found: &[HelpPlace]) -> String {
+    let mut out = own.map(|meaning| meaning.text() + "\n").unwrap_or_default();
+    let Some(first) = found.first() else { return out };
+    if own.is_some() {
+        out.push('\n');
+    }
+    out.push_str(&format!("{} – {}\n", title(first), first.page.title));
     let mut paragraph = |text: &str| out.push_str(&format!("  {text}\n"));
     if let Some(entry) = first.entry {
         entry.text.iter().for_each(|text| paragraph(&texts::words(text)));
@@ -59,8 +64,8 @@ pub fn title(place: &HelpPlace) -> String {
     }
 }
 
-/// All places, the first in full.
-pub fn json(found: &[HelpPlace]) -> Json {
+/// The meaning of a word of the language, and all places.
+pub fn json(own: Option<&Meaning>, found: &[HelpPlace]) -> Json {
     let list = |all: &[Text]| all.iter().map(texts::words).collect::<Vec<_>>();
     let place = |place: &HelpPlace| {
         let Some(entry) = place.entry else {
@@ -74,5 +79,9 @@ pub fn json(found: &[HelpPlace]) -> Json {
             "text": list(&entry.text), "facts": facts,
             "source": entry.cite.map(|cite| cite.source), "grade": entry.cite.map(|cite| cite.grade) })
     };
-    json!({ "found": found.iter().map(place).collect::<Vec<_>>() })
+    let own = own.map(|meaning| {
+        json!({ "word": meaning.word, "text": meaning.says.iter().map(sentence).collect::<Vec<_>>(), "unit": meaning.unit,
+            "source": meaning.cite.map(|cite| cite.source), "grade": meaning.cite.map(|cite| cite.grade) })
+    });
+    json!({ "meaning": own, "found": found.iter().map(place).collect::<Vec<_>>() })
 }

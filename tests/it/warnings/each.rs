@@ -43,6 +43,7 @@ const ROWS: &[Row] = &[
     row("lint.calls-itself", "M98", ""),
     row("lint.calls-own-program", "M98 P1", ""),
     row("lint.cut-decimal", "#1=FIX[0.29*100]", "R1=TRUNC(0.29*100)"),
+    row("lint.divided-angle", "#1=ATAN[1.]/[-1.]", ""),
     row("lint.dwell-again", "G04 X1. P500", ""),
     row("lint.dwell-without-time", "G04 F2.", ""),
     row("lint.endless-loop", "#1=1\nWHILE[#1EQ1]DO1\nG00 X1.\nEND1", "R1=1\nAB: G0 X1\nIF R1==1 GOTOB AB"),

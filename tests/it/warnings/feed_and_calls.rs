@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use super::{E60, GSK, KND};
+use super::{E60, GSK, KND, NAMED};
 
 /// The GSK keeps the number of F at a change of its unit.
 #[test]
@@ -48,6 +48,14 @@ fn cut_behind_a_lost_feed_is_a_warning() {
     // What a block skip leaves out, and a jump.
     KND.quiet(&text.replace("G99\n", "/G99\n"));
     KND.quiet(&text.replace("G99\n", "G99\nIF[#1032 GT 0]GOTO10\nN10\n"));
+}
+
+/// On a SINUMERIK G96 switches to feed per revolution, and G97 leaves it so.
+#[test]
+fn surface_speed_that_loses_the_feed_is_a_warning() {
+    NAMED.check("N10 G90 G94 S100 M3 F100\nN20 G1 X10\nN30 G96 S150\nN40 X20\nN50 M30", expect![[r#""#]]);
+    NAMED.check("N10 G90 G96 S100 M3 F0.1\nN20 G1 X10\nN25 G97\nN30 G94\nN40 X20\nN50 M30", expect![[r#""#]]);
+    NAMED.quiet("N10 G90 G95 S100 M3 F0.1\nN20 G1 X10\nN30 G96 S150\nN40 X20\nN50 G97 S100\nN60 X30\nN70 M30");
 }
 
 /// The KND's calls by code stand alone in their blocks; S would become a variable, M would not act.

@@ -11,7 +11,6 @@ use macroline::text::{FileId, LineIndex, Place, Span};
 
 use super::convert::Lines;
 use super::documents::Programs;
-use super::findings::meaning_text;
 
 fn plain(value: String) -> MarkupContent {
     MarkupContent { kind: MarkupKind::PlainText, value }
@@ -27,7 +26,7 @@ impl Programs {
         let start = index.start(line);
         let (span, meaning) = self.setup.words().at(index.line(text, line), byte - start)?;
         let range = lines.range(Span::new(start + span.start, start + span.end));
-        Some(Hover { contents: HoverContents::Markup(plain(meaning_text(&meaning))), range: Some(range) })
+        Some(Hover { contents: HoverContents::Markup(plain(meaning.text())), range: Some(range) })
     }
 
     /// Completion proposals at a position. They depend on the typed prefix, so the client asks again.
@@ -55,7 +54,7 @@ impl Programs {
                 ProposalKind::Program => CompletionItemKind::MODULE,
             }),
             detail: Some(proposal.line()).filter(|text| !text.is_empty()),
-            documentation: proposal.meaning.as_ref().map(|it| Documentation::MarkupContent(plain(meaning_text(it)))),
+            documentation: proposal.meaning.as_ref().map(|it| Documentation::MarkupContent(plain(it.text()))),
             sort_text: Some(format!("{at:05}")),
             filter_text: Some(filter(&proposal)),
             text_edit: Some(CompletionTextEdit::Edit(TextEdit { range, new_text: proposal.text })),

@@ -9,9 +9,8 @@ use lsp_types::{
 use macroline::msg;
 use macroline::nc;
 use macroline::project::findings::check::{FixChoice, fixes};
-use macroline::project::meaning::Meaning;
-use macroline::text::catalog::{sentence, words};
-use macroline::text::{Diagnostic, FileId, Fix, Phrase, Place, Severity, Span, headed};
+use macroline::text::catalog::sentence;
+use macroline::text::{Diagnostic, FileId, Fix, Phrase, Place, Severity, Span};
 
 use super::convert::Lines;
 use super::documents::Programs;
@@ -49,7 +48,7 @@ impl Programs {
         self.of_file(file).map(one).collect()
     }
 
-    /// Code actions for the findings that meet a range of a file, and one that makes all fixes without an alternative.
+    /// Code actions for the findings that meet a range of a file, and one that makes all its fixes without an alternative.
     pub(super) fn actions(&self, file: FileId, range: Range, related: bool) -> Vec<CodeActionOrCommand> {
         let Some((address, text)) = self.get(file) else { return Vec::new() };
         let lines = Lines::new(text);
@@ -69,23 +68,22 @@ impl Programs {
                 }));
             }
         }
-        all.extend(self.all_fixes().map(CodeActionOrCommand::CodeAction));
+        all.extend(self.all_fixes(file).map(CodeActionOrCommand::CodeAction));
         all
     }
 
-    /// One action with every fix that has no alternative, in all files.
-    fn all_fixes(&self) -> Option<CodeAction> {
-        let files = self.parsed.files();
-        let (fixed, count) = nc::fix_all(files, fixes(&self.found, FixChoice::Certain).filter(|fix| can_be_made(fix)));
-        let whole = |(at, (old, new)): (u16, (&nc::File, &nc::File))| {
-            let place = Place { file: FileId(at), span: Span::new(0, old.text.len() as u32) };
-            (old.text != new.text).then(|| (place, new.text.clone()))
-        };
-        let edits: Vec<(Place, String)> = (0..).zip(files.0.iter().zip(&fixed.0)).filter_map(whole).collect();
+    /// One action with every fix that has no alternative and changes this file alone: an editor that carries it out at every save must
+    /// not change files that nobody opened.
+    fn all_fixes(&self, file: FileId) -> Option<CodeAction> {
+        let is_own = |fix: &&Fix| can_be_made(fix) && fix.edits.iter().all(|(place, _)| place.file == file);
+        let (fixed, count) = nc::fix_all(self.parsed.files(), fixes(&self.found, FixChoice::Certain).filter(is_own));
+        let (_, old) = self.get(file)?;
+        let new = fixed.0.into_iter().nth(usize::from(file.0))?.text;
+        let whole = Place { file, span: Span::new(0, old.len() as u32) };
         (count > 0).then(|| CodeAction {
             title: sentence(&msg!("page.fix-all", count = count as u32)),
             kind: Some(FIX_ALL),
-            edit: Some(self.edit(&edits)),
+            edit: Some(self.edit(&[(whole, new)])),
             ..CodeAction::default()
         })
     }
@@ -130,13 +128,4 @@ fn diagnostic(finding: &Diagnostic, address: &Url, range: Range, related: bool) 
         message: if related { message } else { [vec![message], more].concat().join("\n") },
         ..lsp_types::Diagnostic::default()
     }
-}
-
-/// A meaning with its unit and source, as lines of plain text.
-pub(super) fn meaning_text(meaning: &Meaning) -> String {
-    let says: Vec<String> = meaning.says.iter().map(sentence).collect();
-    let unit = (!meaning.unit.is_empty()).then(|| headed(words("lsp.unit"), meaning.unit));
-    let source = meaning.cite.map(|cite| headed(words("lsp.source"), cite.source.words()));
-    let lines = [Some(headed(&meaning.word, says.join("\n"))), unit, source];
-    lines.into_iter().flatten().collect::<Vec<_>>().join("\n")
 }

@@ -25,9 +25,30 @@ pub const SYNTAX: Syntax = Syntax {
 /// Calls, arguments and values of macro programs.
 pub const MACROS: Macros = Macros {
     code_calls: &[
-        CodeCalls::Each { kind: CallKind::Macro, letter: Address::G, first: 6050, count: 10, program: 9010 },
-        CodeCalls::Each { kind: CallKind::Macro, letter: Address::M, first: 6080, count: 10, program: 9020 },
-        CodeCalls::Each { kind: CallKind::Sub, letter: Address::M, first: 6071, count: 9, program: 9001 },
+        CodeCalls::Each {
+            kind: CallKind::Macro,
+            negative: Some(CallKind::Modal),
+            letter: Address::G,
+            first: 6050,
+            count: 10,
+            program: 9010,
+        },
+        CodeCalls::Each {
+            kind: CallKind::Macro,
+            negative: None,
+            letter: Address::M,
+            first: 6080,
+            count: 10,
+            program: 9020,
+        },
+        CodeCalls::Each {
+            kind: CallKind::Sub,
+            negative: None,
+            letter: Address::M,
+            first: 6071,
+            count: 9,
+            program: 9001,
+        },
     ],
     user_alarm_prefix: "MC",
     ..super::MACROS

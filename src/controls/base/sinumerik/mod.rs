@@ -27,7 +27,7 @@ use crate::controls::{Address, AddressSet, AnalogOutput, AxisScaling, ScalingKin
 use crate::controls::{DriveSystem, FeedKnob, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::KnobRange;
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Grade, Phrase};
 
 /// Drive systems of the maker.
 pub const DRIVES: &[DriveSystem] = joined![
@@ -126,16 +126,16 @@ pub const SYNTAX: Syntax = Syntax {
     point_alarm: false,
     increment_addresses: AddressSet::letters(""),
     corners: &[
-        (Address::Chf, "chamfer"),
-        (Address::Chr, "chamfer"),
-        (Address::Rnd, "rounded corner"),
-        (Address::Ang, "angle of a contour"),
-        (Address::Frc, "feed of corners"),
-        (Address::Rndm, "rounded corners from here on"),
-        (Address::Frcm, "feed of all corners"),
-        (Address::Ap, "polar angle"),
-        (Address::Rp, "polar radius"),
-        (Address::Sf, "start angle of a thread"),
+        (Address::Chf, Phrase::new("chamfer")),
+        (Address::Chr, Phrase::new("chamfer")),
+        (Address::Rnd, Phrase::new("rounded corner")),
+        (Address::Ang, Phrase::new("angle of a contour")),
+        (Address::Frc, Phrase::new("feed of corners")),
+        (Address::Rndm, Phrase::new("rounded corners from here on")),
+        (Address::Frcm, Phrase::new("feed of all corners")),
+        (Address::Ap, Phrase::new("polar angle")),
+        (Address::Rp, Phrase::new("polar radius")),
+        (Address::Sf, Phrase::new("start angle of a thread")),
     ],
     comma_addresses: AddressSet::letters(""),
     extension: "MPF",

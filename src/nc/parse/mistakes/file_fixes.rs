@@ -171,11 +171,14 @@ impl Reader<'_> {
         let is_result =
             |span: &Span| self.file.text.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
         let (assigned, results) = (numbers(&is_assigned), numbers(&is_result));
+        let read = numbers(&|span| !is_assigned(span) && !is_result(span));
         let mut used = numbers(&|_| true);
         for row in &misused {
             let mut finding = self.misuse(row);
-            // Only written variables are replaced as scratch variables; variables of another control's PLC, clock or screen are not.
+            // Only variables that the file writes and reads are replaced as scratch variables. What is only written is meant for another
+            // control's PLC, offsets or screen, what is only read comes from there.
             let is_scratch = row.alarm == Alarm::VariableRange
+                && read.contains(&row.number)
                 && matches!(row.number, 0..1000 | 1200..3000)
                 && (assigned.contains(&row.number) || results.contains(&row.number));
             let free = if is_scratch { self.free_variable(&used, &assigned) } else { None };

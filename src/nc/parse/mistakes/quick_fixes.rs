@@ -134,14 +134,20 @@ impl Reader<'_> {
         failure
     }
 
-    /// Reports `=` after an address, which these controls do not have, and reads on after it.
+    /// Reports `=` after an address, which these controls do not have, and reads on after it. Before what begins a value the `=` can go;
+    /// before letters, `X=R1+4`, the value is that of another control.
     pub(in crate::nc::parse) fn equals_in_word(&mut self) {
         let at = self.cursor.at;
         while self.next_byte() == b'=' {
             self.cursor.at += 1;
         }
         let to = self.ended_at();
-        self.report_replaced(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
+        let is_value = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'#' | b'[' | b'.' | b'+' | b'-');
+        if is_value(self.next_byte()) {
+            self.report_replaced(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
+        } else {
+            self.report(Alarm::Format, at, to, msg!("nc.equals-in-word"));
+        }
     }
 
     /// The number after an address that starts with the letter O in place of the digit 0; it is read as a number. `None` for other text.

@@ -453,8 +453,8 @@ impl Reader<'_> {
         let earlier = self.deck.words.iter().rev().take(64);
         seen.odd |= earlier.clone().any(|word| word.letter == letter && word.offset < start as u16);
         if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
-            let what = format!("{address} ({})", row.1);
-            self.not_simulated(IgnoredFeature::Address(letter), start, self.cursor.at, &what);
+            let message = msg!("nc.corner-not-simulated", word = address, meaning = row.1);
+            self.report_once(IgnoredFeature::Address(letter), start, self.cursor.at, message);
         }
         self.push_long(start, letter, value)
     }
