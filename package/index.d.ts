@@ -215,6 +215,8 @@ export interface Repairs {
   still_failing: number;
   /** Number of errors of the form that stay: the export is refused. */
   errors: number;
+  /** Ids of the results that are to be checked with all changes, and were not before. */
+  new_warnings: string[];
 }
 
 export interface Design {

@@ -3,7 +3,7 @@
 use super::machine::Samples;
 use crate::controls::Address;
 use crate::motion::Snapshot;
-use crate::view::{Chart, ChartLimit, Series};
+use crate::view::{Chart, ChartAxis, ChartLimit, Series};
 
 /// A line of a chart of a machine `M`.
 pub struct ChartLine<M: 'static> {
@@ -61,7 +61,7 @@ pub fn charts<M>(
         title: row.title,
         unit: row.unit,
         least_span: row.least_span,
-        x_unit: "s",
+        x: ChartAxis::Time,
         series: row.lines.iter().map(drawn).collect(),
         limits: (row.limits)(machine),
     };

@@ -95,6 +95,20 @@ impl Chance {
         self.share(self.hold) / 100.0
     }
 
+    /// Good if every machine holds, a failure if none does.
+    pub fn verdict(&self) -> Verdict {
+        match self.hold {
+            hold if hold == self.draws => Verdict::Ok,
+            0 => Verdict::Fail,
+            _ => Verdict::Warn,
+        }
+    }
+
+    /// The share of the machines that hold, in a line.
+    pub fn answer(&self) -> String {
+        sentence(&msg!("chance.answer", percent = (self.share(self.hold), 1)))
+    }
+
     /// The chance as an object.
     pub fn json(&self) -> Json {
         let fails = |row: &(&str, &str, u32)| json!({ "result": row.0, "draws": row.2 });

@@ -133,12 +133,15 @@ pub fn repairs_json(repairs: &Repairs) -> Json {
         json!({ "change": sentence(&change.text), "sets": sets })
     };
     let changes: Vec<Json> = repairs.changes.iter().map(change).collect();
-    json!({ "changes": changes, "still_failing": repairs.still_failing, "errors": repairs.errors })
+    let new_warnings: Vec<&str> = repairs.new_warnings.iter().map(|(id, _)| *id).collect();
+    json!({
+        "changes": changes, "still_failing": repairs.still_failing, "errors": repairs.errors, "new_warnings": new_warnings,
+    })
 }
 
 /// The changes with which the failing results hold, as a line; empty without one.
 pub fn repairs_text(repairs: &Repairs) -> String {
-    repairs.message().map_or(String::new(), |message| sentence(&message) + "\n")
+    repairs.messages().iter().map(|message| sentence(message) + "\n").collect()
 }
 
 /// Results as lines: verdict, label, value, unit, limit, advice.

@@ -46,7 +46,7 @@ pub fn ways(project: &Project) -> Vec<RepairWay> {
     }
     let way = |(changes, after): (Vec<Repair>, Trial)| RepairWay {
         consequences: before.differing(&after),
-        repairs: after.repairs(changes),
+        repairs: before.repairs(&after, changes),
     };
     ways.into_iter().map(way).collect()
 }
@@ -60,8 +60,9 @@ fn fields(changes: &[Repair]) -> BTreeSet<&'static str> {
 /// Entries that the customer orders (essential, not facts of the machine) are changed only if no other remedy lowers the number of failing
 /// results. Where no remedy alone lowers it, two together may.
 pub fn repairs(project: &Project) -> Repairs {
-    let (changes, after) = found_after(Trial::of(project.clone()), Vec::new());
-    after.repairs(changes)
+    let before = Trial::of(project.clone());
+    let (changes, after) = found_after(before.clone(), Vec::new());
+    before.repairs(&after, changes)
 }
 
 /// The search after some changes, with the project to which it leads.
@@ -118,9 +119,17 @@ impl Trial {
         Trial { project, faults, readouts: design.readouts }
     }
 
-    /// The changes that led to this project.
-    fn repairs(&self, changes: Vec<Repair>) -> Repairs {
-        Repairs { changes, still_failing: self.faults.failing, errors: self.faults.errors }
+    /// The changes that lead from this project to another one.
+    fn repairs(&self, after: &Trial, changes: Vec<Repair>) -> Repairs {
+        let is_warned = |readout: &&Readout| readout.verdict == Verdict::Warn;
+        let was_warned: Vec<&str> = self.readouts.iter().filter(is_warned).map(|readout| readout.id).collect();
+        let new = after.readouts.iter().filter(|readout| is_warned(readout) && !was_warned.contains(&readout.id));
+        Repairs {
+            changes,
+            still_failing: after.faults.failing,
+            errors: after.faults.errors,
+            new_warnings: new.map(|readout| (readout.id, readout.label)).collect(),
+        }
     }
 
     /// Headline results whose shown figures change, each before and after.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::field_entry::FieldEntry;
 use crate::msg;
-use crate::text::catalog::sentence;
+use crate::text::catalog::{sentence, words};
 use crate::text::number::{decimals_of_four, figure, four_digits};
 use crate::text::{Citation, Message, MessageValue, Phrase, clauses, units};
 
@@ -161,6 +161,8 @@ pub struct Repairs {
     pub still_failing: usize,
     /// Number of errors that stay with all of them: the export is refused.
     pub errors: usize,
+    /// Results that are to be checked with all of them, and were not before: id, and catalog id of the label.
+    pub new_warnings: Vec<(&'static str, &'static str)>,
 }
 
 impl Repairs {
@@ -169,8 +171,13 @@ impl Repairs {
         self.changes.iter().map(|change| sentence(&change.text)).collect()
     }
 
+    /// The changes, and the results that they leave to be checked; empty where no change helps.
+    pub fn messages(&self) -> Vec<Message> {
+        self.message().into_iter().chain(self.warning()).collect()
+    }
+
     /// The changes with which every result holds, or all but some, and the errors that stay; none where no change helps.
-    pub fn message(&self) -> Option<Message> {
+    fn message(&self) -> Option<Message> {
         let texts = self.texts();
         let (count, changes) = (texts.len() as u32, clauses(&texts));
         match (count, self.still_failing as u32, self.errors as u32) {
@@ -179,6 +186,13 @@ impl Repairs {
             (_, 0, errors) => Some(msg!("form.report.changes-errors", count, changes, errors)),
             (_, left, _) => Some(msg!("form.report.changes-left", count, changes, left)),
         }
+    }
+
+    /// The results that the changes leave to be checked; none without any.
+    pub fn warning(&self) -> Option<Message> {
+        let results = clauses(self.new_warnings.iter().map(|(_, label)| words(label)));
+        let count = self.new_warnings.len() as u32;
+        (count > 0).then(|| msg!("form.report.changes-warn", count, results))
     }
 }
 

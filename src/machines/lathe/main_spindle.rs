@@ -13,7 +13,7 @@ use crate::machines::form::rows::{Member, flag, number};
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::view::Limit::AtMost;
-use crate::view::{Advice, Chart, Series};
+use crate::view::{Advice, Chart, ChartAxis, Series};
 
 /// Motor, ramp of the inverter and friction of a main spindle, by the fields of the form.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -279,7 +279,7 @@ pub(in crate::machines) fn charts_by_speed(curves: SpeedCurves, points: usize) -
         title,
         unit,
         least_span: 0.0,
-        x_unit: "r/min",
+        x: ChartAxis::Speed,
         series,
         limits: Vec::new(),
     };

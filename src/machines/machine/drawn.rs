@@ -4,7 +4,7 @@ use super::samples::Samples;
 use crate::math;
 use crate::motion::Snapshot;
 use crate::text::Message;
-use crate::view::{Chart, DrawnPart, Pose, Scene};
+use crate::view::{Chart, ChartAxis, DrawnPart, Pose, Scene};
 
 /// The viewing conditions of a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,11 @@ pub trait DrawnMachine {
     /// Times (s) up to `until` at which the tool begins its passes over the work.
     fn pass_starts(&self, _run: &dyn Samples, _until: f64) -> Vec<f64> {
         Vec::new()
+    }
+    /// The place of a moment on the x axis of a chart that is not over time: the diameter at the tool, the speed of the spindle; none
+    /// where the run has no such quantity.
+    fn place_on(&self, _axis: ChartAxis, _now: &Snapshot) -> Option<f64> {
+        None
     }
     /// Charts from `from` to `to` seconds with `points` points each.
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;

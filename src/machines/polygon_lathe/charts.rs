@@ -6,7 +6,7 @@ use crate::controls::Address;
 use crate::drives::polygon::{CutterSetup, Section};
 use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
 use crate::math::PI;
-use crate::view::{Chart, ChartLimit, Series};
+use crate::view::{Chart, ChartAxis, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
@@ -46,7 +46,7 @@ fn over_angle(series: Vec<Series>) -> Chart {
         title: "polygon.chart.deviation",
         unit: "µm",
         least_span: 0.0,
-        x_unit: "°",
+        x: ChartAxis::Angle,
         series,
         limits: Vec::new(),
     }
@@ -91,7 +91,7 @@ pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> 
         title: "polygon.chart.radius",
         unit: "µm",
         least_span: 0.0,
-        x_unit: "mm",
+        x: ChartAxis::TipRadius,
         series: vec![line("polygon.chart.lowest", 0, |side| side.1), line("polygon.chart.highest", 1, |side| side.2)],
         limits: Vec::new(),
     })

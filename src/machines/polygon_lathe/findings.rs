@@ -108,9 +108,12 @@ fn cut_faults(lathe: &PolygonLathe, end: &TurnedEnd, fields: &TurnedEndFields) -
     if end.speed > p.main_speed {
         found.push((msg!("polygon.fast-spindle", most = (p.main_speed, 0)), fields.speed));
     }
-    let (least, most) = (limits.feed_increment, limits.feed_max.min(p.slides.x.clamp.min(p.slides.z.clamp)));
-    let thread = (end.pitch > 0.0).then_some((end.pitch, fields.pitch));
-    for (per_turn, field) in [(end.feed, fields.feed)].into_iter().chain(thread) {
+    let least = limits.feed_increment;
+    let along = limits.feed_max.min(p.slides.z.clamp);
+    let both = along.min(p.slides.x.clamp);
+    // A thread moves Z alone.
+    let thread = (end.pitch > 0.0).then_some((end.pitch, along, fields.pitch));
+    for (per_turn, most, field) in [(end.feed, both, fields.feed)].into_iter().chain(thread) {
         let feed = per_turn * end.speed;
         if feed < least {
             found.push((msg!("polygon.feed-too-small", feed = (feed, 6), least), field));

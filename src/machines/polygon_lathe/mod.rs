@@ -65,7 +65,7 @@ use crate::machines::machine::{DrawnMachine, Frame};
 use crate::motion::{Plant, Plc, RunSegment, Snapshot};
 use crate::msg;
 use crate::text::{Message, units};
-use crate::view::{Chart, DrawnPart, Explorer, Pose, Scene, Sheet};
+use crate::view::{Chart, ChartAxis, DrawnPart, Explorer, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 
 impl Machine for PolygonLathe {
@@ -186,6 +186,10 @@ impl DrawnMachine for PolygonLathe {
 
     fn pass_starts(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
         progress::cuts(self, run, until).into_iter().map(|(begin, _)| begin).collect()
+    }
+
+    fn place_on(&self, axis: ChartAxis, now: &Snapshot) -> Option<f64> {
+        (axis == ChartAxis::Speed).then(|| self.spindle_speed(now).abs())
     }
 
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

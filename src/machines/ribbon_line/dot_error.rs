@@ -1,5 +1,6 @@
 //! The position error of a dot, in mm: systematic parts are added, parts that vary from dot to dot as the root of the sum of their squares.
 
+use super::derive::Derived;
 use super::mechanics::ServoAxis;
 use super::resolved::RibbonLine;
 use crate::math::{self, PI};
@@ -37,6 +38,14 @@ impl DotError {
             lag: d.accuracy.register_error.abs(),
             strain: p.pitch * strain(line),
         }
+    }
+
+    /// The parts after a start that misses ribbon, with the knob at its worst position: until the loop has that ribbon, the rollers pass on
+    /// what the start has stretched.
+    pub(super) fn after_start(line: &RibbonLine) -> DotError {
+        let p = &line.params;
+        let tension = worst_start(line).tension.start.max(p.web.tension_before);
+        DotError { strain: p.pitch * tension / p.force_per_strain(), ..DotError::of(line) }
     }
 
     /// Root of the sum of squares of the parts that vary from dot to dot.
@@ -94,6 +103,16 @@ impl ErrorSource {
             ErrorSource::Strain => "ribbon.readout.dot-strain",
         }
     }
+}
+
+/// The results at the position of the knob at which a start pulls the ribbon tightest.
+pub(super) fn worst_start(line: &RibbonLine) -> &Derived {
+    line.worst(|d| d.tension.start)
+}
+
+/// Whether a start stretches the ribbon beyond its tension before the rollers.
+pub(super) fn start_stretches(line: &RibbonLine) -> bool {
+    worst_start(line).tension.start > line.params.web.tension_before
 }
 
 /// Strain of the ribbon in the pull rollers, by the tension T1 before them: `ε = T1 / (E · A)`. The rollers pass the

@@ -53,7 +53,7 @@ pub(super) const EXAMPLES: &[Example] = &[
         about: "ribbon.example.matched.about",
         // The blocks read ahead lay 88 mm when the knob goes from 50 % to its highest position.
         // A turn back takes 36 mm, which the ribbon stretches before the nip has half of what it holds.
-        entries: matched![("dancer", "true"), ("dwell", "0.7"), ("loop-capacity", "600"), ("pinch-force", "200")],
+        entries: matched![("dancer", "true"), ("dwell", "0.9"), ("loop-capacity", "600"), ("pinch-force", "200")],
         faults: &[],
     },
     Example {

@@ -284,8 +284,12 @@ impl Mechanics {
     pub(super) fn new(p: &Params, d: &Derived, tautest: f64) -> Mechanics {
         let web = &p.web;
         let web_mass = p.ribbon_area() * web.span * 1e-9 * web.density;
+        let nip = Nip { friction: p.pinch.friction, force: p.pinch.force };
+        let slip = web.tension_behind + nip.friction * nip.force;
+        // The motor holds no more than the nip passes on.
+        let passed_on = tautest.min(slip.max(web.tension_before));
         let axes = PerAxis {
-            pull: ServoAxis::new(&pull_shaft(p, d, web_mass, tautest), &p.axes.pull, p, d),
+            pull: ServoAxis::new(&pull_shaft(p, d, web_mass, passed_on), &p.axes.pull, p, d),
             print: ServoAxis::new(&print_shaft(p, d), &p.axes.print, p, d),
         };
         let acceleration = d.feeds.line_speed / 60e3 / axes.pull.ramp;
@@ -293,7 +297,6 @@ impl Mechanics {
         let unwinder = unwinder_torque(p, p.unwinding.brake);
         // The load includes the gear's losses in its inertia, so run-up and stop need the same torque.
         let unwinder_rise = unwinder_load(p, unwinder).accelerating(0.0, p.speed_at_10v * RPM, p.inverter_ramp);
-        let nip = Nip { friction: p.pinch.friction, force: p.pinch.force };
         let running = nip.used_share(tension, web_mass * acceleration);
         let taut_nip_use = nip.used_share(tautest - web.tension_behind, 0.0);
         Mechanics {
@@ -302,7 +305,7 @@ impl Mechanics {
             nip_use: running.max(taut_nip_use),
             taut_nip_use,
             allowed_tension: d.tension.allowed.min(web.tension_behind + GRIP / 100.0 * nip.friction * nip.force),
-            slip_or_break_tension: d.tension.breaking.min(web.tension_behind + nip.friction * nip.force),
+            slip_or_break_tension: d.tension.breaking.min(slip),
             unwound: unwound(p, p.unwinding.brake),
             unwinder,
             unwinder_ramp: unwinder + unwinder_rise,

@@ -5,7 +5,7 @@ use crate::controls::Address;
 use crate::drives::speed::surface_speed;
 use crate::machines::chart_rows::{ChartLine, ChartRow, unlimited};
 use crate::machines::lathe::main_spindle::{self, SpeedCurves};
-use crate::view::{Chart, ChartLimit, Series};
+use crate::view::{Chart, ChartAxis, ChartLimit, Series};
 
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
@@ -51,7 +51,7 @@ pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart>
         title,
         unit,
         least_span: 0.0,
-        x_unit: "mm",
+        x: ChartAxis::Diameter,
         series,
         limits: Vec::new(),
     };

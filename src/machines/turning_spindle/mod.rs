@@ -49,7 +49,7 @@ use crate::machines::verdict::results;
 use crate::motion::{Plant, Plc, RunSegment, Snapshot};
 use crate::msg;
 use crate::text::{Message, units};
-use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
+use crate::view::{Chart, ChartAxis, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
 
@@ -157,6 +157,14 @@ impl DrawnMachine for TurningSpindle {
 
     fn pass_starts(&self, run: &dyn Samples, until: f64) -> Vec<f64> {
         run.execution_spans(program::PASS_BEGIN, until).into_iter().map(|(begin, _)| begin).collect()
+    }
+
+    fn place_on(&self, axis: ChartAxis, now: &Snapshot) -> Option<f64> {
+        match axis {
+            ChartAxis::Diameter => Some(self.diameter(now)),
+            ChartAxis::Speed => Some(now.spindle.actual.abs()),
+            ChartAxis::Time | ChartAxis::Angle | ChartAxis::TipRadius => None,
+        }
     }
 
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

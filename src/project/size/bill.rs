@@ -8,7 +8,6 @@ use super::choice::{Candidate, SizedAxis, name, named};
 use super::runs::SizingRuns;
 use crate::drives::holding_brake::{SERVICE, SERVICE_FACTOR};
 use crate::drives::parts::{Part, PartGrade, Ratings, Status};
-use crate::drives::servo::MotorDemand;
 use crate::drives::shaft_motion::ResistorLoad;
 use crate::machines::PreparedMachine;
 use crate::machines::driven::devices::{BillItem, wired};
@@ -365,8 +364,7 @@ fn of_axis(project: &Project, axis: &SizedAxis, figures: Option<String>) -> Vec<
                 }
                 return rows;
             }
-            let MotorDemand { peak, effective, speed } = axis.demand;
-            let duty = msg!("size.bill.motor", peak = (peak, 2), effective = (effective, 2), speed = (speed, 0));
+            let duty = msg!("size.bill.motor", asked = axis.asked());
             let motor = described(BillItem::Motor, Some(axis.name), sentence(&duty), PartGrade::Open);
             let motor = BillRow { open: message.into_iter().collect(), ..motor };
             [motor, open("size.bill.with-motor")].into_iter().chain(of_form()).collect()

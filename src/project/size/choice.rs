@@ -21,7 +21,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::project::parts::{follows, goes_with};
 use crate::text::Message;
-use crate::text::catalog::number_text;
+use crate::text::catalog::{number_text, sentence};
 use crate::view::{FieldEntry, TorqueChart};
 
 /// Greatest length of a motor's name in a form, characters.
@@ -48,6 +48,8 @@ pub struct SizedAxis {
     pub ampere_per_torque: Option<f64>,
     /// Demand on a motor to be bought, with the inertia of the form's rotor.
     pub demand: MotorDemand,
+    /// Speeds to which that demand belongs; none for a motor whose torque is the same at all speeds.
+    pub asked_at: Option<AskedSpeeds>,
     /// Load of the run on the form's motor; none for a motor on an inverter.
     pub motor_load: Option<MotorLoad>,
     /// Energy of the run back from the form's motor; none for a drive behind an inverter, and without such energy.
@@ -64,6 +66,15 @@ pub struct SizedAxis {
     pub candidates: Vec<Candidate>,
 }
 
+/// Speeds (r/min) at the motor of a spindle to which its demand belongs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AskedSpeeds {
+    /// Base speed: the effective torque holds up to it, the power of that torque above it.
+    pub base: f64,
+    /// Speed of the greatest torque for a short time.
+    pub peak_at: f64,
+}
+
 impl SizedAxis {
     /// The motors that pass, the smallest first.
     fn passing(&self) -> impl Iterator<Item = &Candidate> {
@@ -73,20 +84,33 @@ impl SizedAxis {
     /// Sentence with the demand if no motor in production passes, or no passing one has an amplifier; none otherwise.
     pub fn shortage(&self) -> Option<Message> {
         let is_current = |of: &&Candidate| of.part.status == Some(Status::Current);
-        let MotorDemand { peak, effective, speed } = self.demand;
         if is_at_rest(&self.demand) {
             return Some(msg!("size.axis-at-rest"));
         }
-        let (peak, effective, speed) = ((peak, 2), (effective, 2), (speed, 0));
+        let asked = || self.asked();
         if self.least().is_none() {
-            Some(msg!("size.no-motor", peak, effective, speed))
+            Some(msg!("size.no-motor", asked = asked()))
         } else if self.passing().all(|of| of.amplifier.is_none()) {
-            Some(msg!("size.no-motor-with-amplifier", peak, effective, speed))
+            Some(msg!("size.no-motor-with-amplifier", asked = asked()))
         } else if !self.passing().any(|of| is_current(&of)) {
-            Some(msg!("size.no-current-motor", peak, effective, speed))
+            Some(msg!("size.no-current-motor", asked = asked()))
         } else {
             None
         }
+    }
+
+    /// The demand in words, as a maker is asked for a motor.
+    pub fn asked(&self) -> String {
+        let MotorDemand { peak, effective, speed } = self.demand;
+        let (peak, speed) = ((peak, 2), (speed, 0));
+        sentence(&match self.asked_at {
+            Some(AskedSpeeds { base, peak_at }) => {
+                let power = (effective * base * RPM / 1e3, 2);
+                let (effective, base, at) = ((effective, 2), (base, 0), (peak_at, 0));
+                msg!("size.asked-spindle", effective, base, power, peak, at, speed)
+            }
+            None => msg!("size.asked-motor", peak, effective = (effective, 2), speed),
+        })
     }
 
     /// The smallest motor of the catalogue that passes at the speed of the form; none if none does.
@@ -102,7 +126,7 @@ impl SizedAxis {
 
 /// Whether the run asks nothing of a motor: its axis neither moves nor holds.
 fn is_at_rest(demand: &MotorDemand) -> bool {
-    demand.peak == 0.0 && demand.speed == 0.0
+    demand.speed == 0.0
 }
 
 /// A motor for an axis.
@@ -157,6 +181,7 @@ pub(super) fn axes(project: &Project, prepared: &PreparedMachine, of: &SizingRun
             brake: holding_brake::torque(axis.weight),
             gear: gears::of_axis(&axis, &demand.motions, &catalogue),
             ampere_per_torque: ampere_per_torque(project, &axis),
+            asked_at: None,
             demand: MotorDemand { peak: load.peak.torque, effective: load.effective, speed: load.speed / RPM },
             motor_load: Some(load),
             returned: demand.returned(axis.fitted.motor.rotor),

@@ -1,7 +1,7 @@
 //! The choice of the motor on the inverter, and of an inverter with its current, against the demand of the run.
 
 use super::amplifier::smallest;
-use super::choice::{Candidate, SizedAxis, in_order, name, named, share_turning, unknown};
+use super::choice::{AskedSpeeds, Candidate, SizedAxis, in_order, name, named, share_turning, unknown};
 use super::gears;
 use super::refusal::{Rank, Refusal};
 use super::runs::{SizingRuns, WholeRun};
@@ -58,6 +58,10 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         gear: gears::of_inverter(&drive, &catalogue),
         ampere_per_torque: None,
         demand: demand(&drive, &spindles),
+        asked_at: spindles
+            .iter()
+            .map(asked_speeds)
+            .reduce(|worst, next| if next.peak_at > worst.peak_at { next } else { worst }),
         motor_load: None,
         returned: None,
         knob: None,
@@ -66,6 +70,11 @@ pub(super) fn axis(project: &Project, prepared: &PreparedMachine, of: &SizingRun
         chart: None,
         candidates: in_order(candidates),
     })
+}
+
+/// Speeds to which the demand of a spindle belongs.
+fn asked_speeds(spindle: &SpindleRun) -> AskedSpeeds {
+    AskedSpeeds { base: spindle.motor.base, peak_at: spindle.worst_point(&spindle.motor, spindle.rotor).speed }
 }
 
 /// Demand on the motor on an inverter.

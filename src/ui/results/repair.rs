@@ -79,6 +79,9 @@ fn Ways(
             <li>
                 <p>{changes}</p>
                 <p class="dim">{consequences}</p>
+                {(!way.warning.is_empty()).then(|| view! {
+                    <p class="warn"><i aria-hidden="true">{Tone::Warn.sign()}</i> " " {way.warning.clone()}</p>
+                })}
                 <button type="button" aria-label=name on:click=move |_| take(page, &way)>{t("page.repair-take")}</button>
             </li>
         }
@@ -102,6 +105,9 @@ fn take(page: Page, found: &FoundRepairs) {
     page.take_entries(&entries);
     let (changes, left, errors) = (clauses(&found.changes), found.still_failing, found.errors);
     let (tone, message) = match (left, errors) {
+        (0, 0) if !found.warning.is_empty() => {
+            (Tone::Warn, crate::msg!("page.repaired-warned", changes, warning = found.warning.as_str()))
+        }
         (0, 0) => (Tone::Info, crate::msg!("page.repaired", changes)),
         (0, _) => (Tone::Warn, crate::msg!("page.repaired-errors", changes, errors)),
         _ => (Tone::Warn, crate::msg!("page.repaired-but", changes, left)),

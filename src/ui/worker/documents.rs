@@ -57,6 +57,7 @@ fn found_repairs(way: &RepairWay) -> FoundRepairs {
         entries: found.changes.iter().flat_map(|change| &change.entries).map(entry).collect(),
         still_failing: found.still_failing as u32,
         errors: found.errors as u32,
+        warning: found.warning().as_ref().map(sentence).unwrap_or_default(),
     }
 }
 
@@ -82,11 +83,19 @@ pub(super) fn sizing(project: &Project, tell: &mut dyn FnMut(f64)) -> Vec<ShownS
     size_with_progress(project, &project.written(), tell).sections().into_iter().map(shown).collect()
 }
 
-/// The chance that every verdict holds, as a sheet; reports the share done.
-pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> String {
-    let mut out = String::new();
-    table(&mut out, &chance::chance_with_progress(project, chance::DRAWS, chance::SEED, tell).sheet(), project);
-    out
+/// The chance that every verdict holds, as a section of the sizing; reports the share done.
+pub(super) fn chance(project: &Project, tell: &mut dyn FnMut(f64)) -> ShownSection {
+    let chance = chance::chance_with_progress(project, chance::DRAWS, chance::SEED, tell);
+    let sheet = chance.sheet();
+    let mut html = String::new();
+    table(&mut html, &sheet, project);
+    ShownSection {
+        id: sheet.id.to_owned(),
+        title: t(sheet.title).to_owned(),
+        tone: chance.verdict().into(),
+        answer: chance.answer(),
+        html,
+    }
 }
 
 /// The rows in which the present settings and the variants of a project differ, under titles; cells that differ from the present ones are

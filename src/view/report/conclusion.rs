@@ -12,10 +12,12 @@ const NAMED: usize = 3;
 
 /// The conclusion as HTML, with its figures in bold.
 pub(super) fn conclusion(report: &Report) -> String {
-    let [draft, work, part, changes] = [draft(report), Some(work(report)), part(report), report.repairs.message()]
-        .map(|message| message.as_ref().map(emphasized));
+    let [draft, work, part] =
+        [draft(report), Some(work(report)), part(report)].map(|message| message.as_ref().map(emphasized));
     let [verdicts, exceeded] = [Some(verdicts(report)), exceeded(report)].map(|message| message.as_ref().map(plain));
-    sentences([draft, work, part, verdicts, exceeded, changes].into_iter().flatten())
+    let changes = report.repairs.messages();
+    let changes = changes.iter().map(emphasized);
+    sentences([draft, work, part, verdicts, exceeded].into_iter().flatten().chain(changes))
 }
 
 /// A sentence as HTML, its values in bold.

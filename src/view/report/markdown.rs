@@ -75,8 +75,8 @@ fn findings(out: &mut String, report: &Report) {
             let _ = writeln!(out, "  - {}", escape::markdown(&sentence(&advice.message)));
         }
     }
-    if let Some(changes) = report.repairs.message() {
-        let _ = writeln!(out, "\n{}", escape::markdown(&sentence(&changes)));
+    for message in report.repairs.messages() {
+        let _ = writeln!(out, "\n{}", escape::markdown(&sentence(&message)));
     }
 }
 

@@ -96,5 +96,11 @@ pub(super) fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
     if p.lead == 0.0 {
         return ok(None);
     }
-    fail(None, [msg!("polygon.no-twist", speed = (d.twist.tool_speed, 3)).into()])
+    let (speed, rough) = ((d.twist.tool_speed, 3), (d.twist.rough_tool_speed, 3));
+    let message = if d.times.passes > 1.0 && d.feeds.rough != d.feeds.finish {
+        msg!("polygon.no-twist-passes", speed, rough)
+    } else {
+        msg!("polygon.no-twist", speed)
+    };
+    fail(None, [message.into()])
 }

@@ -1,6 +1,6 @@
 //! The results of a dot: its error budget, and the room between heads and between dots.
 
-use crate::machines::ribbon_line::dot_error::{DotError, strain};
+use crate::machines::ribbon_line::dot_error::{DotError, start_stretches, strain};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
@@ -57,6 +57,17 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         formula: "#107 · T1 / (E · width · thickness)",
         cite: BUDGET,
         value: |line| DotError::of(line).strain,
+        ..ReadoutRow::BASE
+    },
+    ReadoutRow {
+        id: "start-dot-error",
+        label: "ribbon.readout.start-dot-error",
+        unit: "mm",
+        decimals: 3,
+        formula: "error of a dot with the strain at the tension of a start that misses ribbon, at the worst position of the knob",
+        cite: Citation::new("sizing facts 2.6, v₁T₁ - v₂T₂", Grade::Inferred),
+        value: |line| DotError::after_start(line).total(),
+        shown: start_stretches,
         ..ReadoutRow::BASE
     },
     ReadoutRow {

@@ -1,9 +1,9 @@
 //! The rules of a dot: all parts of its error together stay within its tolerance, heads fit on the roller, dots stay apart.
 
-use super::slack::equal_entries;
+use super::slack::{equal_entries, with_dwell};
 use crate::machines::form::entry::{NumberEntry, at_least, at_most};
 use crate::machines::ribbon_line::axes::LineAxis;
-use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource};
+use crate::machines::ribbon_line::dot_error::{DotError, ErrorSource, worst_start};
 use crate::machines::ribbon_line::params::{AXIS_FIELDS, FIELDS};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::sheets::say;
@@ -16,6 +16,7 @@ use crate::view::Limit::{AtLeast, AtMost};
 /// All rules of a dot.
 pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred)),
+    Rule::new("start-dot-error", error_after_start, Citation::new("sizing facts 2.6, v₁T₁ - v₂T₂", Grade::Inferred)),
     Rule::new("head-gap", head_gap, Citation::new("sizing facts 3.1", Grade::Inferred)),
     Rule::new("dot-gap", dot_gap, Citation::new("sizing facts 3.2", Grade::Inferred)),
 ];
@@ -65,6 +66,24 @@ fn error(line: &RibbonLine) -> Option<Judgement> {
         msg!("ribbon.dot-error-of-several", error, tolerance, part, part_error)
     };
     warn(limit, [Advice::from(advice).setting(button, entries)])
+}
+
+/// Judges the dots that are printed on ribbon that a start has stretched, by the tolerance of all dots; the remedy is the dwell with which no
+/// start misses ribbon.
+fn error_after_start(line: &RibbonLine) -> Option<Judgement> {
+    let (p, of, start) = (&line.params, DotError::after_start(line), worst_start(line));
+    let limit = AtMost(p.dot_tolerance);
+    if limit.holds(of.total()) {
+        return ok(limit);
+    }
+    let message = msg!(
+        "ribbon.start-dot-error",
+        percent = (start.unwinder.effective_override, 1),
+        missing = (start.slack.missing, 1),
+        tension = (start.tension.start, 1),
+        error = (of.total(), 3)
+    );
+    warn(limit, [with_dwell(line, message)])
 }
 
 /// An advice with a button for a print head of at most `longest` mm; without the button if the form does not accept it.

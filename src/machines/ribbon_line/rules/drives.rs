@@ -185,6 +185,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
         msg!("ribbon.nip-slips", percent = (fast, 1), force = (force, 1))
     };
     let mut advice = vec![Advice::from(message).setting(msg!("advice.set-pinch", force = (force, 1)), [set])];
+    // Against ribbon that is missing, ribbon helps: more force would stretch it further.
     if is_taut {
         let tension = (tautest, 0);
         let way = if slack::is_drawn_taut(line) {
@@ -192,7 +193,7 @@ fn grip(line: &RibbonLine) -> Option<Judgement> {
         } else {
             msg!("ribbon.nip-slack", tension)
         };
-        advice.push(slack::advice_against_taut(line, way));
+        advice.insert(0, slack::advice_against_taut(line, way));
     }
     if fast > 100.0 { fail(limit, advice) } else { warn(limit, advice) }
 }

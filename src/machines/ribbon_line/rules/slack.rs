@@ -134,8 +134,7 @@ fn most_added(line: &RibbonLine) -> &Derived {
 /// Ribbon (mm) that each product adds to the loop beyond the trim of a dancer: `start + stop - λ · l`, with the length l of a product, at the
 /// worst position of the knob; negative where the dancer takes it away. Source: ribbon line facts, 7.
 pub(in crate::machines::ribbon_line) fn loop_growth(line: &RibbonLine) -> f64 {
-    let d = most_added(line);
-    d.slack.start + d.slack.stop - line.params.loop_trim() * d.product.length
+    growth_at(line, most_added(line))
 }
 
 /// Whether a loop that many products leave is known.
@@ -143,7 +142,13 @@ pub(in crate::machines::ribbon_line) fn settles(line: &RibbonLine) -> bool {
     line.params.loop_trim() > 0.0 && line.derived.slack.before.is_finite()
 }
 
-/// Warns where each product lays more ribbon than the dancer takes away while it runs, so that the operator has to take up the loop.
+/// Ribbon (mm) that each product adds beyond the trim at one position of the knob.
+fn growth_at(line: &RibbonLine, at: &Derived) -> f64 {
+    at.slack.start + at.slack.stop - line.params.loop_trim() * at.product.length
+}
+
+/// Judges products that lay more ribbon than the dancer takes away while they run. A line that does so at the set position of the knob cannot
+/// go on by itself: its loop fills with each product until the sensor holds the program. At other positions the operator takes up the loop.
 pub(in crate::machines::ribbon_line) fn grows(line: &RibbonLine) -> Option<Judgement> {
     let limit = AtMost(0.0);
     if limit.holds(loop_growth(line)) {
@@ -153,6 +158,13 @@ pub(in crate::machines::ribbon_line) fn grows(line: &RibbonLine) -> Option<Judge
     let laid = worst.slack.start + worst.slack.stop;
     let (percent, taken) = ((worst.unwinder.effective_override, 1), (trim * worst.product.length, 0));
     let length = ((laid / trim).ceil(), 0);
+    let now = growth_at(line, &line.derived);
+    if now > 0.0 {
+        // Each product needs the room of one more than has room now.
+        let room = line.params.loop_capacity - line.derived.slack.laid_to_the_end();
+        let count = ((room / now).floor().max(0.0) + 1.0, 0);
+        return fail(limit, [msg!("ribbon.loop-fills-by-products", added = (now, 0), taken, count, length).into()]);
+    }
     warn(limit, [msg!("ribbon.loop-grows", percent, laid = (laid, 0), taken, length).into()])
 }
 
@@ -403,6 +415,17 @@ fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
     DweltForm { form: Params { wait: Wait::Dwell, dwell, ..form }, typed, change }
 }
 
+/// Adds the dwell with which no start misses ribbon, and the loop that the ribbon of that dwell then needs.
+pub(in crate::machines::ribbon_line) fn with_dwell(line: &RibbonLine, message: Message) -> Advice {
+    let dwelt = with_matching_dwell(line, line.params.clone());
+    let needed = greatest(&line.with(&dwelt.form), |d| d.slack.loop_needed);
+    if needed > line.params.loop_capacity {
+        with_loop(message.into(), needed, vec![dwelt.change])
+    } else {
+        taking(message.into(), vec![dwelt.change])
+    }
+}
+
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.
 const DRIFT: f64 = 50.0;
 
@@ -599,9 +622,7 @@ pub(in crate::machines::ribbon_line) fn advice_against_taut(line: &RibbonLine, m
     if is_drawn_taut(line) {
         return with_dancer(line, message);
     }
-    let dwell = matching_dwell(line, &line.params);
-    let button = msg!("advice.set-dwell", time = dwell.text.as_str());
-    Advice::from(message).setting(button, [dwell])
+    with_dwell(line, message)
 }
 
 /// Warns about more than 100 stops per minute. The result, the remaining share of the speed, has no limit.

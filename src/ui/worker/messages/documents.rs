@@ -18,6 +18,8 @@ pub(crate) struct FoundRepairs {
     pub still_failing: u32,
     /// Number of errors of the form that stay.
     pub errors: u32,
+    /// The results that are to be checked then and were not before, as a sentence; empty without any.
+    pub warning: String,
 }
 
 /// Sheets as HTML, by the tab that shows them.

@@ -56,7 +56,7 @@ requests! {
     ReviewProgram -> Vec<Finding>,
     WriteSheets -> Sheets,
     SizeProject -> Vec<ShownSection>,
-    DrawMachines -> String,
+    DrawMachines -> ShownSection,
     FindFlips -> Vec<String>,
     FindRepairs -> Vec<FoundRepairs>,
     CompareVariants -> ComparedVariants,

@@ -1,7 +1,7 @@
 //! Charts as pictures and as files: lines, grid, figures and limits; columns.
 
 use macroline::text::{Grade, Phrase};
-use macroline::view::{Chart, ChartLimit, Column, Row, Series, Sheet, SheetKind, csv, plot};
+use macroline::view::{Chart, ChartAxis, ChartLimit, Column, Row, Series, Sheet, SheetKind, csv, plot};
 
 fn chart(points: Vec<(f64, f64)>) -> Chart {
     let series = vec![Series { label: "ribbon.chart.x", tone: 1, address: None, points }];
@@ -10,7 +10,7 @@ fn chart(points: Vec<(f64, f64)>) -> Chart {
         title: "ribbon.chart.feeds",
         unit: "mm/min",
         least_span: 0.5,
-        x_unit: "s",
+        x: ChartAxis::Time,
         series,
         limits: Vec::new(),
     }

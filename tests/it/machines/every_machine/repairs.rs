@@ -61,7 +61,7 @@ fn repairs_say_which_errors_stay() {
     let found = repairs(&project);
     let (_, left) = repaired(&project);
     assert_eq!((left, found.errors), (0, 1));
-    let message = sentence(&found.message().unwrap());
+    let message = sentence(&found.messages()[0]);
     assert!(message.contains("every result holds, but 1 error of the form stays: Set Spindle ramp to"), "{message}");
 }
 
