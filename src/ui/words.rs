@@ -159,6 +159,16 @@ pub(crate) fn clock(seconds: f64) -> String {
     format!("{minutes:02}:{:02}.{:04}", rest / 10_000, rest % 10_000)
 }
 
+/// Seconds of a time as it is written: `12.5`, `12.5 s`, or as [`clock`] writes it, `00:12.5`.
+pub(crate) fn read_clock(text: &str) -> Option<f64> {
+    let text = text.trim().trim_end_matches(['s', 'S']).trim_end();
+    let (minutes, seconds) = text
+        .split_once([':', '：'])
+        .map_or((Some(0.0), text), |(minutes, seconds)| (minutes.trim().parse::<u32>().ok().map(f64::from), seconds));
+    let seconds = number::read(seconds).filter(|seconds| *seconds >= 0.0)?;
+    Some(60.0 * minutes? + seconds)
+}
+
 /// A day with its time, as people of the language write it; empty where it is not known.
 pub(crate) fn day(milliseconds: f64) -> String {
     if milliseconds <= 0.0 {
@@ -259,6 +269,8 @@ mod tests {
     #[wasm_bindgen_test]
     fn clock_has_minutes_and_four_decimals() {
         assert_eq!([0.0, 61.5, 3599.99995].map(clock), ["00:00.0000", "01:01.5000", "59:59.9999"]);
+        let read = ["12.5", "2,5 s", "01:01.5", "0:12", "abc", "-3", "1:2:3"].map(read_clock);
+        assert_eq!(read, [Some(12.5), Some(2.5), Some(61.5), Some(12.0), None, None, None]);
         assert_eq!(clock(-1.0), "00:00.0000");
     }
 

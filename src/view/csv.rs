@@ -18,7 +18,7 @@ pub fn charts(charts: &[Chart]) -> String {
     let over_time = charts.iter().filter(|chart| chart.over_time());
     let lines: Vec<_> = over_time.flat_map(|chart| chart.series.iter().map(move |line| (chart.unit, line))).collect();
     let (Some(first), Some((_, line))) = (charts.first(), lines.first()) else { return String::new() };
-    let mut out = format!("t [{}]", first.x_unit);
+    let mut out = format!("t [{}]", first.x_unit());
     for (unit, line) in &lines {
         let _ = write!(out, ",{}", quoted(&format!("{} [{unit}]", words(line.label))));
     }

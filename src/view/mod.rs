@@ -39,7 +39,7 @@ pub mod torque_chart;
 
 pub mod report;
 
-pub use chart::{Chart, ChartLimit, Series};
+pub use chart::{Chart, ChartAxis, ChartLimit, Series};
 pub use comparison::{ComparedRow, Comparison, VariantCell};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Slider};

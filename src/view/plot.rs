@@ -1,7 +1,7 @@
 //! A chart as SVG, drawn by plotters on our own backend: classes instead of colours, fractions of a pixel, no text measuring.
 //!
 //! Grid and lines stretch with their place in the page; the figures at the edges do not. Left and right edge of the picture are the ends of
-//! the time axis, so a cursor only needs its share of the width. The figures are over the grid and below the lines.
+//! the time axis, so a cursor only needs its share of the width. The figures are over grid and lines, each in a halo of the ground.
 
 use core::convert::Infallible;
 use core::fmt::Write;
@@ -71,7 +71,7 @@ pub fn svg(chart: &Chart) -> String {
 /// Draws a chart. Points with NaN or infinity are omitted.
 pub fn draw(chart: &Chart) -> Plot {
     let points = || chart.series.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
-    let x = ends(points().map(|point| point.0)).filter(|(from, to)| from < to).unwrap_or((0.0, 1.0));
+    let x = chart.ends().unwrap_or((0.0, 1.0));
     let lines = ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0));
     let limits = near(chart, room(lines, chart.least_span));
     let values = limits.iter().map(|limit| limit.value).chain([lines.0, lines.1]);
@@ -82,8 +82,8 @@ pub fn draw(chart: &Chart) -> Plot {
     let mut svg = String::with_capacity(16 * points().count() + 3072);
     svg.push_str("<svg class=\"chart-lines\" width=\"100%\" height=\"100%\">");
     stretched(&mut svg, |out| grid(out, x, y));
-    figures(&mut svg, x, y, chart.x_unit);
     stretched(&mut svg, |out| lines_of(out, (chart, &limits), x, y));
+    figures(&mut svg, x, y, chart.x_unit());
     names(&mut svg, (chart, &limits), x, y);
     svg.push_str("</svg>");
     Plot { svg, x, y }

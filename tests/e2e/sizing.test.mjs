@@ -48,6 +48,7 @@ test('machines are drawn when their section is opened', () =>
     await openSizing(page);
     await page.click('#sizing-chance > summary');
     await page.getByText(/Every verdict holds in .* % of 10000 machines/).waitFor({ timeout: 60_000 });
+    await page.locator('#sizing-chance > summary', { hasText: /Every verdict holds in .* % of the machines/ }).waitFor();
   }));
 
 test('cancelled draw of machines runs again by a button', () =>

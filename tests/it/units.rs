@@ -11,7 +11,7 @@ use macroline::text::catalog::sentence;
 use macroline::text::units::{self, Lengths};
 use macroline::view::report::{self, OpenPoints};
 use macroline::view::svg::picture;
-use macroline::view::{Chart, ChartLimit, Pose, Series, Theme};
+use macroline::view::{Chart, ChartAxis, ChartLimit, Pose, Series, Theme};
 use macroline::{controls, nc};
 use proptest::prelude::*;
 
@@ -39,8 +39,8 @@ fn fields() -> Vec<FieldInfo> {
 fn charts_have_lines_and_limits_in_the_units_that_are_shown() {
     let line = Series { label: "ribbon.chart.x", tone: 1, address: None, points: vec![(2.0, 254.0)] };
     let limits = vec![ChartLimit { label: "ribbon.loop-capacity", value: 508.0 }];
-    let (id, title, unit, x_unit) = ("any", "ribbon.chart.slack", "mm", "s");
-    let chart = Chart { id, title, unit, least_span: 0.0, x_unit, series: vec![line], limits };
+    let (id, title, unit, x) = ("any", "ribbon.chart.slack", "mm", ChartAxis::Time);
+    let chart = Chart { id, title, unit, least_span: 0.0, x, series: vec![line], limits };
     let shown = in_inches(|| chart.shown());
     assert_eq!((shown.unit, shown.series[0].points[0], shown.limits[0].value), ("in", (2.0, 10.0), 20.0));
 }

@@ -15,6 +15,8 @@ use crate::project::Project;
 use crate::project::files::decode::{Decoded, Encoding};
 use crate::project::import::{FileKind, MAX_PROGRAM, is_program, open};
 use crate::project::saved::with_line;
+use crate::text::catalog::{Language, spoken};
+use crate::text::headed;
 use crate::ui::dom;
 use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Tab;
@@ -57,9 +59,14 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
             if let Some(other) = decoded.other {
                 return page.notices.notify(Tone::Fail, format!("{}: {}", file.name(), sentence(&other)));
             }
-            let gbk = decoded.encoding == Encoding::Unknown && page.project.with_untracked(reads_gbk);
-            let text = gbk.then(|| dom::gbk(&buffer)).flatten().unwrap_or(decoded.text);
-            texts.push(nc::File { name: file.name(), text });
+            let is_set = page.project.with_untracked(reads_gbk);
+            // A shop that reads this page in Chinese saves its programs in GBK; text of other countries could be read as GBK too.
+            let tries_gbk = decoded.encoding == Encoding::Unknown && (is_set || spoken() == Language::Chinese);
+            let gbk = if tries_gbk { dom::gbk(&buffer) } else { None };
+            if gbk.is_some() && !is_set {
+                page.notices.notify(Tone::Warn, sentence(&crate::msg!("page.read-as-gbk", file = file.name())));
+            }
+            texts.push(nc::File { name: file.name(), text: gbk.unwrap_or(decoded.text) });
         }
         read(page, worker, texts);
     });
@@ -88,7 +95,9 @@ fn read_programs(page: Page, files: &[nc::File]) -> bool {
     let project_file = files.iter().find(|file| FileKind::of(&file.text) == FileKind::Project);
     let text = project_file.map_or("", |file| &file.text);
     for finding in &opened.diagnostics {
-        page.notices.notify(Tone::from(finding.severity), with_line(finding, text));
+        let says = with_line(finding, text);
+        let says = project_file.map_or_else(|| says.clone(), |file| headed(&file.name, &says));
+        page.notices.notify(Tone::from(finding.severity), says);
     }
     let Some(project) = opened.project else { return false };
     if project.edited.is_none() || project_file.is_some() {

@@ -159,3 +159,29 @@ pub(crate) fn ProgressBar(
         </div>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, pause};
+    use crate::ui::worker::messages::SizeProject;
+
+    #[wasm_bindgen_test]
+    async fn request_cancelled_during_its_delay_is_not_sent() {
+        const REST: Duration = Duration::from_millis(60);
+        let bench = mount(|| {
+            Client::here().answer_here(|_, _| SizeProject.answer(&Vec::new()));
+            let sections = follow(SizeProject, REST);
+            let is_answered = move || sections.answer.with(|answer| *answer == Answered::Of(Vec::new()));
+            view! { <ProgressBar work="page.runs-work" progress=sections.progress /> <p>{move || is_answered().to_string()}</p> }
+        })
+        .await;
+        bench.press(".working button").await;
+        pause(120).await;
+        assert_eq!((bench.text(".working span").as_str(), bench.text("p").as_str()), (t("page.cancelled"), "false"));
+        bench.press_button(t("page.again")).await;
+        assert_eq!(bench.text("p"), "true");
+    }
+}

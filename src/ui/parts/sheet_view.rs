@@ -31,16 +31,14 @@ pub(crate) fn SheetView(
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
-
     use leptos::wasm_bindgen::JsValue;
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::parts::followed::{ProgressBar, follow, follow_sheets};
-    use crate::ui::testing::{mount, pause, settled};
+    use crate::ui::parts::followed::follow_sheets;
+    use crate::ui::testing::{mount, settled};
     use crate::ui::worker::client::Client;
-    use crate::ui::worker::messages::{Ask, DrawMachines, Sheets, WriteSheets};
+    use crate::ui::worker::messages::{Ask, Sheets, WriteSheets};
 
     fn plc(text: &str) -> Option<JsValue> {
         WriteSheets.answer(&Sheets { plc: format!("<b>{text}</b>"), ..Sheets::default() })
@@ -66,23 +64,6 @@ mod tests {
         settled().await;
         assert_eq!(bench.text("b"), "Customer");
         assert_eq!(bench.text(".sheets + .sheets"), t("page.no-sheet"));
-    }
-
-    #[wasm_bindgen_test]
-    async fn request_cancelled_during_its_delay_is_not_sent() {
-        const REST: Duration = Duration::from_millis(60);
-        let bench = mount(|| {
-            Client::here().answer_here(|_, _| DrawMachines.answer(&String::new()));
-            let sheets = follow(DrawMachines, REST);
-            view! { <ProgressBar work="page.runs-work" progress=sheets.progress /> <SheetView sheets=sheets /> }
-        })
-        .await;
-        bench.press(".working button").await;
-        pause(120).await;
-        assert_eq!(bench.text(".working span"), t("page.cancelled"));
-        assert_eq!(bench.text(".sheets"), t("page.reading"));
-        bench.press_button(t("page.again")).await;
-        assert_eq!(bench.text(".sheets"), t("page.no-sheet"));
     }
 
     #[wasm_bindgen_test]

@@ -6,7 +6,7 @@ use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 
-use super::take::{listed, set, take};
+use super::take::{set, take, take_row};
 use crate::machines::PreparedMachine;
 use crate::machines::form::{FieldInfo, Value, Values};
 use crate::project::Project;
@@ -113,9 +113,8 @@ pub(crate) fn ExploreTab() -> impl IntoView {
             .then(|| view! { <div class="chips" role="group" aria-label=t("page.explored")>{chips(names)}</div> })
     };
     let choose = move |event: leptos::ev::MouseEvent| {
-        if let Some(values) = listed(page, &event) {
+        if take_row(page, &event) {
             draft.set(None);
-            take(page, None, values);
         }
     };
     view! {

@@ -6,15 +6,14 @@ use std::time::Duration;
 use leptos::ev::MouseEvent;
 use leptos::prelude::*;
 
-use super::take::{listed, take};
+use super::take::take_row;
 use super::variants::Variants;
 use crate::msg;
 use crate::project::chance;
 use crate::ui::dom;
 use crate::ui::parts::followed::{Answered, ProgressBar, follow};
-use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{sentence, t};
+use crate::ui::words::{Tone, sentence, t};
 use crate::ui::worker::messages::{DrawMachines, ShownSection, SizeProject};
 
 /// Delay after the last change before the project is sized, so that a dragged number asks once.
@@ -26,9 +25,9 @@ pub(crate) fn SizingTab() -> impl IntoView {
     let page = Page::here();
     let sizing = follow(SizeProject, REST);
     let choose = move |event: MouseEvent| {
-        if let Some(values) = listed(page, &event) {
-            take(page, None, values);
-        } else if let Some(t) = moment(&event) {
+        if !take_row(page, &event)
+            && let Some(t) = moment(&event)
+        {
             page.player.seek(t);
         }
     };
@@ -75,6 +74,9 @@ pub(crate) fn SizingTab() -> impl IntoView {
 fn Section(
     /// The section; none while it is taken away.
     section: Memo<Option<ShownSection>>,
+    /// Shown above the sheets once the section is opened.
+    #[prop(optional)]
+    children: Option<ChildrenFn>,
 ) -> impl IntoView {
     let is_built = RwSignal::new(false);
     let of = move |read: fn(&ShownSection) -> String| {
@@ -88,6 +90,7 @@ fn Section(
                 <span class="title">{title}</span>
                 <span class=class><i aria-hidden="true">{sign}</i> " " {answer}</span>
             </summary>
+            {move || is_built.get().then(|| children.as_ref().map(|children| children()))}
             <div class="sheets" inner_html=move || is_built.get().then(sheets).unwrap_or_default()></div>
         </details>
     }
@@ -96,25 +99,33 @@ fn Section(
 /// The chance that every verdict holds; thousands of machines are drawn when the section is opened.
 #[component]
 fn Chances() -> impl IntoView {
-    let drawn = RwSignal::new(false);
-    view! {
-        <details class="section" id="sizing-chance" on:toggle=move |_| put(drawn, true)>
-            <summary>
-                <span class="title">{t("sheet.chance")}</span>
-                <span class="answer none">{sentence(&msg!("page.chance", count = chance::DRAWS))}</span>
-            </summary>
-            <Show when=move || drawn.get()>
-                <ChanceSheet />
-            </Show>
-        </details>
-    }
+    let drawn = RwSignal::new(Answered::Waiting);
+    let section = Memo::new(move |_| {
+        let without = |answer| ShownSection {
+            id: "chance".to_owned(),
+            title: t("sheet.chance").to_owned(),
+            tone: Tone::Plain,
+            answer,
+            html: String::new(),
+        };
+        Some(match drawn.get() {
+            Answered::Waiting => without(sentence(&msg!("page.chance", count = chance::DRAWS))),
+            Answered::Nothing => without(t("page.no-answer").to_owned()),
+            Answered::Of(section) => section,
+        })
+    });
+    view! { <Section section><DrawnMachines drawn /></Section> }
 }
 
-/// Sheet of the drawn machines.
+/// Draws the machines, and draws them again after every change of the project.
 #[component]
-fn ChanceSheet() -> impl IntoView {
-    let sheet = follow(DrawMachines, REST);
-    view! { <ProgressBar work="page.chance-work" progress=sheet.progress /> <SheetView sheets=sheet /> }
+fn DrawnMachines(
+    /// Takes the answer.
+    drawn: RwSignal<Answered<ShownSection>>,
+) -> impl IntoView {
+    let chance = follow(DrawMachines, REST);
+    Effect::new(move |_| put(drawn, chance.answer.get()));
+    view! { <ProgressBar work="page.chance-work" progress=chance.progress /> }
 }
 
 /// Time (s) of the part of the run whose line in a chart was clicked.
@@ -131,7 +142,6 @@ mod tests {
     use super::*;
     use crate::machines::form::Value;
     use crate::ui::testing::{mount, pause, settled, until};
-    use crate::ui::words::Tone;
     use crate::ui::worker::client::Client;
     use crate::ui::worker::messages::{Ask, Request};
 
@@ -169,12 +179,37 @@ mod tests {
             (value("motor-x"), value("motor-peak-x")),
             (Value::Text("Works; M=1".to_owned()), Value::Number(7.5))
         );
+        assert!(bench.notices().iter().any(|notice| notice.contains("Works; M=1")), "{:?}", bench.notices());
         // Sized again, the section stays open.
         pause(500).await;
         assert!(bench.has("#sizing-x[open] tr button") && !bench.has("#sizing-bill[open]"));
         bench.page.undo();
         settled().await;
         assert_ne!(value("motor-peak-x"), Value::Number(7.5));
+    }
+
+    #[wasm_bindgen_test]
+    async fn chance_is_the_answer_of_its_section() {
+        let bench = mount(|| {
+            Client::here().answer_here(|_, request| match request {
+                Request::SizeProject(_) => sections(""),
+                Request::DrawMachines(_) => DrawMachines.answer(&ShownSection {
+                    id: "chance".to_owned(),
+                    title: "Chance".to_owned(),
+                    tone: Tone::Warn,
+                    answer: "92 %".to_owned(),
+                    html: "<p>Brake</p>".to_owned(),
+                }),
+                _ => None,
+            });
+            view! { <SizingTab /> }
+        })
+        .await;
+        until(|| bench.has("#sizing-chance")).await;
+        assert!(bench.text("#sizing-chance summary").contains(&sentence(&msg!("page.chance", count = chance::DRAWS))));
+        bench.press("#sizing-chance summary").await;
+        until(|| bench.has("#sizing-chance p")).await;
+        assert!(bench.text("#sizing-chance .answer.warn").contains("92 %"));
     }
 
     #[wasm_bindgen_test]

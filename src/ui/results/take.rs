@@ -29,8 +29,19 @@ pub(super) fn take(page: Page, key: Option<EditKey>, values: Values) {
     page.edit_as(key, |project| project.values = values);
 }
 
+/// Takes the values of the clicked row into the form and says so over the drawing, because the fields may be folded; `false` if the click
+/// hit no such row.
+pub(super) fn take_row(page: Page, event: &MouseEvent) -> bool {
+    let Some(values) = row_values(page, event) else { return false };
+    if page.project.with_untracked(|project| project.values != values) {
+        take(page, None, values);
+        page.notices.confirm(page.notices.announcement.get_untracked());
+    }
+    true
+}
+
 /// Values of the form with those of the clicked row; `None` if the click hit no such row.
-pub(super) fn listed(page: Page, event: &MouseEvent) -> Option<Values> {
+fn row_values(page: Page, event: &MouseEvent) -> Option<Values> {
     let row = dom::closest(event, "[data-entries]")?;
     let entries = row.get_attribute("data-entries")?;
     let entries = entries.split('\n').filter_map(|entry| entry.split_once('='));

@@ -5,6 +5,7 @@ use web_sys::{Element, HtmlElement};
 
 use crate::math;
 use crate::text::number::filled;
+use crate::text::units;
 use crate::ui::dom;
 use crate::ui::parts::chart_figure;
 use crate::ui::state::player::RunMoment;
@@ -21,7 +22,10 @@ pub(in crate::ui::machine) struct Charts {
     chosen: usize,
     cursors: Vec<HtmlElement>,
     values: Vec<(Element, bool)>,
+    /// Ends of the shown time.
     axis: (f64, f64),
+    /// Ends of the x axis of the chart in the page.
+    ends: (f64, f64),
     plans: Option<u32>,
 }
 
@@ -44,10 +48,9 @@ impl Charts {
             self.chosen = chosen;
             self.draw(host);
         }
-        self.move_cursor(moment.now.t);
+        self.move_cursor(self.place(moment));
         if moment.slow {
-            let head = moment.now.t;
-            self.write_values(moment.machine.charts(moment.run, head, head, 1));
+            self.write_values(&self.values_at(moment));
         }
         changed
     }
@@ -55,9 +58,11 @@ impl Charts {
     fn draw(&mut self, host: &Element) {
         let mut out = String::with_capacity(16 << 10);
         if let Some(chart) = self.chart() {
-            chart_figure::html(&mut out, chart);
+            chart_figure::html_with_cursor(&mut out, chart);
         }
         host.set_inner_html(&out);
+        let is_over_time = self.chart().is_some_and(Chart::over_time);
+        self.ends = self.chart().and_then(Chart::ends).filter(|_| !is_over_time).unwrap_or(self.axis);
         self.cursors = dom::all(host, ".cursor").into_iter().filter_map(|e| e.dyn_into().ok()).collect();
         let whole: Vec<bool> =
             self.lines().iter().map(|line| line.points.iter().all(|point| point.1.fract() == 0.0)).collect();
@@ -68,13 +73,32 @@ impl Charts {
         self.charts.get(self.chosen).or(self.charts.first())
     }
 
-    /// The lines over time.
     fn lines(&self) -> &[Series] {
-        self.chart().filter(|chart| chart.over_time()).map_or(&[], |chart| &chart.series)
+        self.chart().map_or(&[], |chart| &chart.series)
     }
 
-    /// Name, value and unit of each line over time, from all charts computed at one moment: interpolation between the
-    /// drawn points would not give the exact value.
+    /// The place of a moment on the x axis, in its shown unit.
+    fn place(&self, moment: &RunMoment) -> Option<f64> {
+        let chart = self.chart()?;
+        if chart.over_time() {
+            return Some(moment.now.t);
+        }
+        moment.machine.place_on(chart.x, moment.now).map(|place| units::value(place, chart.x.unit()))
+    }
+
+    /// The value of each line at a moment. Those over time are computed anew, because interpolation between the drawn points would not
+    /// give the exact value.
+    fn values_at(&self, moment: &RunMoment) -> Vec<Option<f64>> {
+        if self.chart().is_some_and(Chart::over_time) {
+            let head = moment.now.t;
+            let values = self.values(moment.machine.charts(moment.run, head, head, 1));
+            return values.into_iter().map(|(_, value, _)| Some(value)).collect();
+        }
+        let place = self.place(moment);
+        self.lines().iter().map(|line| line.at(place?)).collect()
+    }
+
+    /// Name, value and unit of each line over time, from all charts computed at one moment.
     fn values(&self, at: Vec<Chart>) -> Vec<(&'static str, f64, &'static str)> {
         let chosen = self.chart().filter(|chart| chart.over_time()).map(|chart| chart.id);
         let chart = at.into_iter().find(|chart| Some(chart.id) == chosen).map(Chart::shown);
@@ -82,10 +106,11 @@ impl Charts {
         chart.iter().flat_map(|chart| chart.series.iter().filter_map(|line| value(line, chart.unit))).collect()
     }
 
-    fn move_cursor(&self, head: f64) {
-        let (from, to) = self.axis;
-        let part = math::clamp((head - from) / (to - from), 0.0, 1.0) * 100.0;
-        let at = filled("translateX(#%)", &[part]);
+    /// Moves the cursor to a place on the x axis; away without one.
+    fn move_cursor(&self, place: Option<f64>) {
+        let (from, to) = self.ends;
+        let part = |place: f64| math::clamp((place - from) / (to - from), 0.0, 1.0) * 100.0;
+        let at = place.map_or("translateX(-100%)".to_owned(), |place| filled("translateX(#%)", &[part(place)]));
         for cursor in &self.cursors {
             let _ = cursor.style().set_property("transform", &at);
         }
@@ -97,11 +122,12 @@ impl Charts {
         self.values(at).into_iter().map(text).collect()
     }
 
-    /// Writes the values at the play head; counting lines have no decimals.
-    fn write_values(&self, at: Vec<Chart>) {
-        for ((_, value, unit), (place, whole)) in self.values(at).into_iter().zip(&self.values) {
-            let digits = if *whole { 0 } else { digits(value, unit) };
-            dom::set_text(place, &figure(value, digits));
+    /// Writes the values at the play head; counting lines have no decimals, and a line that ends before it has a dash.
+    fn write_values(&self, values: &[Option<f64>]) {
+        let unit = self.chart().map_or("", |chart| chart.unit);
+        for (value, (place, whole)) in values.iter().zip(&self.values) {
+            let text = value.map(|value| figure(value, if *whole { 0 } else { digits(value, unit) }));
+            dom::set_text(place, text.as_deref().unwrap_or("–"));
         }
     }
 }

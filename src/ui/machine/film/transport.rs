@@ -7,12 +7,12 @@ use crate::msg;
 use crate::text::LineIndex;
 use crate::text::catalog::number_text;
 use crate::ui::dom;
-use crate::ui::parts::input::{Choice, number};
+use crate::ui::parts::input::Choice;
 use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
 use crate::ui::state::planning::HORIZON;
 use crate::ui::state::player::{PlannedPart, SPEEDS};
-use crate::ui::words::{clock, sentence, speed_text, t};
+use crate::ui::words::{Tone, clock, read_clock, sentence, speed_text, t};
 
 /// The transport.
 #[component]
@@ -115,14 +115,20 @@ fn sequence_number(text: &str) -> Option<&str> {
 /// Input of a time (s) to which the play head goes.
 #[component]
 fn GoTo() -> impl IntoView {
-    let player = Page::here().player;
+    let page = Page::here();
     let go = move |event: web_sys::Event| {
-        if let Some(t) = number(&event) {
-            player.playing.set(false);
-            player.seek(t);
-            // The clock shows the time from now on.
-            event_target::<web_sys::HtmlInputElement>(&event).set_value("");
+        let input = event_target::<web_sys::HtmlInputElement>(&event);
+        let text = input.value();
+        match read_clock(&text) {
+            Some(t) => {
+                page.player.playing.set(false);
+                page.player.seek(t);
+            }
+            None if text.trim().is_empty() => {}
+            None => page.notices.confirm_as(Tone::Warn, sentence(&msg!("page.no-time", text))),
         }
+        // The clock shows the time from now on.
+        input.set_value("");
     };
     view! {
         <input id="go-to" class="goto" type="text" inputmode="decimal" aria-label=t("page.go-to") placeholder=t("page.go-to") on:change=go />
@@ -203,6 +209,9 @@ mod tests {
         shows(&bench, "00:02.5000").await;
         bench.choose("#go-to", "soon").await;
         assert_eq!(bench.page.player.head(), 2.5);
+        assert!(bench.notices().iter().any(|notice| notice.contains("soon")), "{:?}", bench.notices());
+        bench.choose("#go-to", "00:01.25").await;
+        shows(&bench, "00:01.2500").await;
     }
 
     #[wasm_bindgen_test]
