@@ -4,7 +4,7 @@ use crate::controls::options::SwitchOption;
 use crate::controls::{CodeDef, Control, Switch, Switches};
 use crate::msg;
 use crate::text::catalog::{sentence, words};
-use crate::text::{Citation, Grade, clauses};
+use crate::text::{Citation, Grade, clauses, with_aside};
 use crate::view::report::{OpenFacts, OpenPoints, OpenSetting};
 
 /// Settings and facts of a control that no manual confirms, and settings that differ from their default.
@@ -50,7 +50,7 @@ fn facts(control: &Control) -> Vec<OpenFacts> {
             .chain(control.scaling.map(|row| (row.cite, "form.open.scaling")))
             .chain(control.zero_return.map(|cite| (cite, "form.open.zero-return")))
             .filter(|(cite, _)| is_open(cite))
-            .map(|(cite, what)| format!("{} ({})", words(what), cite.source))
+            .map(|(cite, what)| with_aside(words(what), cite.source.words()))
             .collect(),
         ),
         (

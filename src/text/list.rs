@@ -1,6 +1,7 @@
 //! Lists, sentences and headings, joined by the rules of the language in use.
 
 use super::catalog;
+use crate::msg;
 
 /// Items separated by commas.
 pub fn listed<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
@@ -20,6 +21,16 @@ pub fn sentences<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
 /// A name, a colon and a text.
 pub fn headed(name: impl AsRef<str>, text: impl AsRef<str>) -> String {
     [name.as_ref(), between("list.headed"), text.as_ref()].concat()
+}
+
+/// A name and a detail of it, for labels: `Smear, 10 ×`.
+pub fn detailed(name: impl AsRef<str>, detail: impl AsRef<str>) -> String {
+    [name.as_ref(), between("list.detail"), detail.as_ref()].concat()
+}
+
+/// A text and an aside in parentheses.
+pub fn with_aside(text: &str, aside: &str) -> String {
+    catalog::sentence(&msg!("list.aside", text, aside))
 }
 
 /// The items as a choice: `M02, M30 or M99`.

@@ -2,8 +2,8 @@
 
 use super::options::{SwitchKind, SwitchOption};
 use super::table::{Key, text_key};
-use crate::text::Citation;
 use crate::text::catalog::words;
+use crate::text::{Citation, with_aside};
 
 /// A point of a control that is not certain; the user may set it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,7 +47,7 @@ impl Switch {
     /// The label, with the control's own parameter.
     pub fn text(&self) -> String {
         let label = words(self.label);
-        if self.parameter.is_empty() { label.to_owned() } else { format!("{label} ({})", words(self.parameter)) }
+        if self.parameter.is_empty() { label.to_owned() } else { with_aside(label, words(self.parameter)) }
     }
 
     /// Options by id and catalog id of their label, the default first; empty for free text.

@@ -6,7 +6,7 @@ use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, AlarmDef, Control};
 use crate::project::meaning::{code_says, signal_says, variable_says};
 use crate::text::catalog::{sentence, words};
-use crate::text::{Grade, Message, clauses, sentences};
+use crate::text::{Grade, Message, clauses, headed, sentences};
 
 /// The page of a control.
 pub(super) fn page(control: &'static Control, texts: &Texts) -> HelpPage {
@@ -108,7 +108,7 @@ fn parameters(control: &Control, texts: &Texts) -> HelpSection {
     for row in control.params {
         let title = match row.name {
             "" => row.text.words().to_owned(),
-            name => format!("{name}: {}", row.text.words()),
+            name => headed(name, row.text.words()),
         };
         let mut entry = HelpEntry::new(HelpKind::Parameter, format!("param.{}", row.number), row.number, title);
         entry.fact(texts.words("fact.unit"), row.unit.text());

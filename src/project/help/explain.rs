@@ -7,7 +7,7 @@ use super::content::HelpPlace;
 use super::texts::{self, Text};
 use crate::project::meaning::Meaning;
 use crate::text::catalog::{sentence, words};
-use crate::text::{Citation, headed};
+use crate::text::{Citation, headed, with_aside};
 
 /// Further places that are listed at most.
 const FURTHER: usize = 9;
@@ -33,7 +33,7 @@ pub fn text(own: Option<&Meaning>, found: &[HelpPlace]) -> String {
             paragraph(&headed(fact.name, texts::words(&fact.value)));
         }
         if let Some(Citation { source, grade: known }) = entry.cite {
-            paragraph(&format!("{}: {}", source.words(), known.words()));
+            paragraph(&headed(source.words(), known.words()));
         }
     } else {
         first.section.text.iter().for_each(|text| paragraph(&texts::words(text)));
@@ -46,7 +46,7 @@ pub fn text(own: Option<&Meaning>, found: &[HelpPlace]) -> String {
         .skip(1)
         .filter(|place| place.id() != first.id())
         .take(FURTHER)
-        .map(|place| format!("  {} ({})\n", title(place), place.page.title))
+        .map(|place| format!("  {}\n", with_aside(&title(place), &place.page.title)))
         .collect();
     if !further.is_empty() {
         out.push_str(&format!("{}\n{}", words("help.further"), further.concat()));

@@ -12,7 +12,7 @@ use crate::math::RPM;
 use crate::msg;
 use crate::project::parts::source_title;
 use crate::text::catalog::{number_text, sentence};
-use crate::text::{Citation, Diagnostic, Grade, headed, listed, units};
+use crate::text::{Citation, Diagnostic, Grade, headed, listed, units, with_aside};
 use crate::view::{Column, MotorPoint, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
 const RUNS: Citation = Citation::new("run of the program in the virtual control", Grade::Inferred);
@@ -306,7 +306,7 @@ impl Sizing {
                 Some(own)
                     if (row.is_worst || row.verdict == Verdict::Fail) && Some(&own) != self::limit(of).as_ref() =>
                 {
-                    format!("{} ({own})", value(row))
+                    with_aside(&value(row), &own)
                 }
                 _ => value(row),
             };

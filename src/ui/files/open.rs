@@ -57,7 +57,7 @@ fn take(page: Page, (large, worker): (LargeFile, Client), files: Vec<File>) {
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
             let decoded = Decoded::new(bytes);
             if let Some(other) = decoded.other {
-                return page.notices.notify(Tone::Fail, format!("{}: {}", file.name(), sentence(&other)));
+                return page.notices.notify(Tone::Fail, headed(file.name(), sentence(&other)));
             }
             let is_set = page.project.with_untracked(reads_gbk);
             // A shop that reads this page in Chinese saves its programs in GBK; text of other countries could be read as GBK too.

@@ -5,6 +5,7 @@ use leptos::prelude::*;
 use crate::msg;
 use crate::nc;
 use crate::project::Project;
+use crate::text::headed;
 use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
 use crate::ui::words::{Tone, sentence, t};
@@ -22,7 +23,7 @@ pub(super) fn take(page: Page, worker: Client, table: &nc::File) {
             return page.notices.notify(Tone::Fail, t("page.no-answer").to_owned());
         };
         for (refuses, text) in remarks.iter().take(NAMED) {
-            page.notices.notify(if *refuses { Tone::Fail } else { Tone::Info }, format!("{name}: {text}"));
+            page.notices.notify(if *refuses { Tone::Fail } else { Tone::Info }, headed(&name, text));
         }
         if remarks.len() > NAMED {
             page.notices

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 use crate::controls::Control;
 use crate::interp::inspect::Change;
 use crate::project::program::Written;
-use crate::text::LineIndex;
+use crate::text::{LineIndex, with_aside};
 use crate::ui::parts::input::EntryField;
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
@@ -34,7 +34,7 @@ pub(super) fn DebuggerBar() -> impl IntoView {
         let words = t(words);
         view! {
             <button
-                type="button" class="icon" title=format!("{words} ({key})") aria-label=words
+                type="button" class="icon" title=with_aside(words, key) aria-label=words
                 on:click=move |_| command.run(page)
             >
                 {sign}
@@ -78,7 +78,7 @@ impl State {
             (text.clone(), value)
         };
         State {
-            under_way: stepper.going.then(|| format!("{} s", clock(stepper.t()))),
+            under_way: stepper.going.then(|| clock(stepper.t())),
             changed: stop.map(|_| changes(stepper, control)),
             levels: levels(stepper, written),
             points: points(stepper, written),

@@ -10,7 +10,7 @@ use crate::nc;
 use crate::project::operator::{name, typed_time};
 use crate::project::run;
 use crate::project::saved::{panel_from_json, with_line};
-use crate::text::{Message, listed};
+use crate::text::{Message, headed, listed};
 use crate::ui::dom;
 use crate::ui::words::{Tone, clock, sentence, short, t, value_of};
 
@@ -44,7 +44,7 @@ pub(crate) fn act(page: Page, action: Action) {
             sentence(&crate::msg!("page.changed-values", values = listed(changes)))
         };
         let done = page.project.with_untracked(|project| name(&event.action, project.control));
-        player.changed.set(format!("{} s: {done} · {effect}", clock(event.t)));
+        player.changed.set(headed(clock(event.t), format!("{done} · {effect}")));
         dom::mark("knob-answered");
         dom::measure("knob", "knob-turned", "knob-answered");
     });

@@ -11,6 +11,7 @@ use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::messages::{Ask, Finding, Question, Reply, Request, SHOWN, TextReport};
 use super::{documents, editor, help, pictures, shelf};
+use crate::msg;
 use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::findings::silence::silence;
@@ -18,7 +19,7 @@ use crate::project::help::texts::Texts;
 use crate::project::sensitivity::Sensitivity;
 use crate::text::units::{self, Lengths};
 use crate::text::{Diagnostic, LineIndex, catalog};
-use crate::ui::words::{Tone, counts, sentence_with_hints, t};
+use crate::ui::words::{Tone, counts, sentence, sentence_with_hints};
 
 /// Greatest number of findings in the report of a large text.
 const ROWS: usize = 200;
@@ -154,9 +155,11 @@ fn check(text: String, project: &Project) -> TextReport {
     silence(&mut found, &project.silenced);
     let row = |diagnostic: &Diagnostic| {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
-        let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
-        let text = format!("{} {line}: {alarm} {}", t("page.line"), sentence_with_hints(diagnostic));
-        (diagnostic.severity.into(), text)
+        let text = match (&diagnostic.alarm, sentence_with_hints(diagnostic)) {
+            (Some(alarm), text) => format!("{alarm} {text}"),
+            (None, text) => text,
+        };
+        (diagnostic.severity.into(), sentence(&msg!("page.line", line, text)))
     };
     TextReport {
         lines: lines.count(),

@@ -4,7 +4,7 @@ use crate::msg;
 use crate::project::Project;
 use crate::project::meaning::{self, Subject, Table};
 use crate::project::size::sections::SizingSection;
-use crate::text::{Grade, columns};
+use crate::text::{Grade, columns, headed};
 use crate::ui::words::{sentence, t};
 use crate::view::svg::escape;
 use crate::view::{Column, Row, Sheet, SheetKind};
@@ -201,11 +201,8 @@ fn graded(out: &mut String, tag: &str, row: &Row) {
     out.push_str(&format!("<{tag} class=\"grade{open}\" title=\""));
     escape(out, row.source.words());
     out.push_str("\">");
-    if tag == "p" {
-        escape(out, row.source.words());
-        out.push_str(": ");
-    }
-    escape(out, row.grade.words());
+    let grade = row.grade.words();
+    if tag == "p" { escape(out, &headed(row.source.words(), grade)) } else { escape(out, grade) }
     out.push_str(&format!("</{tag}>"));
 }
 

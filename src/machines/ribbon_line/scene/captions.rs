@@ -2,12 +2,13 @@
 
 use crate::machines::ribbon_line::params::Params;
 use crate::machines::sheets::say;
-use crate::text::units;
+use crate::text::{detailed, units};
 
 /// Names above unwinder, pull rollers and print roller, with their diameters.
 pub(crate) fn names(p: &Params) -> [String; 3] {
-    let name =
-        |id: &'static str, axis: &str, diameter: f64| format!("{}{axis}, Ø {}", say(id), units::dimension(diameter, 1));
+    let name = |id: &'static str, axis: &str, diameter: f64| {
+        detailed(say(id) + axis, format!("Ø {}", units::dimension(diameter, 1)))
+    };
     let print = format!(" {}", p.print_axis.address());
     [
         name("ribbon.scene.unwinder", "", p.press_roller_diameter),

@@ -9,7 +9,7 @@ use crate::machines::sheets::say;
 use crate::math;
 use crate::text::catalog::number_text as show;
 use crate::text::number::{figure, filled};
-use crate::text::{columns, units};
+use crate::text::{columns, detailed, units};
 use crate::view::letters::LETTER_BOX;
 use crate::view::scene::{LETTER, LINE};
 use crate::view::{Anchor, Callout, Drawing, Font, Look, Paint, SceneGroup};
@@ -88,7 +88,7 @@ fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
         (&layout.unwinder, "ribbon.scene.inverter", "reduction-ratio", p.reduction_ratio),
         (&layout.pull, "ribbon.scene.servo", "gear-x", p.axes.pull.gear),
     ] {
-        let text = format!("{}, {} : 1", say(id), show(ratio, 2));
+        let text = detailed(say(id), format!("{} : 1", show(ratio, 2)));
         // In the middle below the cabinet, or beside the text before.
         let half = 0.5 * wide(&text);
         let middle = (station.x - 3.0 * station.scale).max(end + half);
@@ -153,7 +153,7 @@ pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let mut limit = units::text(line.params.loop_capacity, 1, "mm");
     if layout.slack.share < 1.0 {
         let factor = 1.0 / layout.slack.share;
-        limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
+        limit = detailed(limit, format!("1:{}", show(factor, u8::from(factor < 10.0))));
     }
     drawing.text((middle, layout.full + 15.0 * unit), Anchor::Middle, &limit, Font::Label, Paint::Dim);
 }
@@ -163,7 +163,7 @@ pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (x, y, r) = layout.lens;
     let bad = line.derived.surface.smear > line.params.smear_limit;
     let letter = LETTER * layout.unit;
-    let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
+    let (low, name) = (y + 0.52 * r, detailed(say("ribbon.scene.smear"), times(layout.magnified)));
     let paint = if bad { Paint::Bad } else { Paint::Ink };
     drawing.lens((x, y, r), |drawing| {
         drawing.text((x, low), Anchor::Middle, &name, Font::Label, Paint::Dim);

@@ -10,6 +10,7 @@ use crate::math;
 use crate::motion::Event;
 use crate::msg;
 use crate::project::operator::{in_steps, name, time_step};
+use crate::text::headed;
 use crate::text::number::filled;
 use crate::ui::dom;
 use crate::ui::state::operator::{announce_action, change, event_at, place_after, remove};
@@ -120,7 +121,7 @@ fn Mark(
         Some((moving, seconds)) if moving == at => seconds,
         _ => event.with(|event| event.as_ref().map_or(0.0, |event| event.0)),
     };
-    let title = move || event.with(|event| event.as_ref().map(|(t, name)| format!("{} s: {name}", clock(*t))));
+    let title = move || event.with(|event| event.as_ref().map(|(t, name)| headed(clock(*t), name)));
     let away = move || {
         let (from, to) = state.axis.get();
         !(from..=to).contains(&seconds())

@@ -7,8 +7,8 @@ use super::action_marks::ActionMarks;
 use crate::controls::{Code, Control};
 use crate::motion::{Milestone, Mode};
 use crate::msg;
-use crate::text::columns;
 use crate::text::number::filled;
+use crate::text::{columns, headed};
 use crate::ui::dom;
 use crate::ui::state::player::RunMoment;
 use crate::ui::state::{Page, put};
@@ -178,7 +178,7 @@ pub(in crate::ui::machine) fn Marks(
         let of =
             move |what: fn(&Placed) -> String| move || mark.with(|mark| mark.as_ref().map(what).unwrap_or_default());
         let class = |mark: &Placed| if mark.side == Some(Side::Left) { "event left" } else { "event" }.to_owned();
-        let title = |mark: &Placed| format!("{} s: {}", clock(mark.t), mark.words);
+        let title = |mark: &Placed| headed(clock(mark.t), &mark.words);
         let words = |mark: &Placed| mark.side.map_or_else(String::new, |_| mark.words.clone());
         let at = of(|mark| filled("#", &[mark.at]));
         let go = move |_| {

@@ -388,7 +388,7 @@ mod tests {
         bench.seek(3.0).await;
         bench.type_into("#spindle-knob", "50").await;
         let told = bench.text("#changed");
-        assert!(told.starts_with("00:03.0000 s: ") && told.contains(" 50 %"), "{told}");
+        assert!(told.starts_with("00:03.0000: ") && told.contains(" 50 %"), "{told}");
         // The text scrolls, and the button stays.
         assert!(bench.has("#changed[tabindex='0']") && !bench.has("#changed .clear"));
         bench.press(".changed .clear").await;

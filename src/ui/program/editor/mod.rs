@@ -9,7 +9,7 @@ use leptos::wasm_bindgen::JsValue;
 use leptos::wasm_bindgen::closure::Closure;
 
 use crate::nc::tokens;
-use crate::text::{FileId, Span, utf16};
+use crate::text::{FileId, Span, utf16, with_aside};
 use crate::ui::dom::{
     self,
     script::{call, load, object, set, table},
@@ -213,7 +213,7 @@ fn Commands(
         };
         view! {
             <button
-                type="button" class="quiet" title=format!("{words} ({keys})") aria-label=words
+                type="button" class="quiet" title=with_aside(words, keys) aria-label=words
                 aria-keyshortcuts=keys.replace("Ctrl", "Control") data-asks=(name == "meaning").then_some("")
                 on:click=move |_| run(name)
             >
