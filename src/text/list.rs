@@ -28,6 +28,11 @@ pub fn detailed(name: impl AsRef<str>, detail: impl AsRef<str>) -> String {
     [name.as_ref(), between("list.detail"), detail.as_ref()].concat()
 }
 
+/// Both ends of a range of figures.
+pub fn ranged(first: impl AsRef<str>, last: impl AsRef<str>) -> String {
+    [first.as_ref(), between("list.range"), last.as_ref()].concat()
+}
+
 /// A text and an aside in parentheses.
 pub fn with_aside(text: &str, aside: &str) -> String {
     catalog::sentence(&msg!("list.aside", text, aside))

@@ -37,7 +37,7 @@ pub use citation::{Citation, Grade, Provenance};
 pub use columns::columns;
 pub use diagnostic::{Diagnostic, DiagnosticKind, Fix, Severity};
 pub use lines::{LineIndex, Position};
-pub use list::{clauses, detailed, either, headed, listed, sentences, with_aside};
+pub use list::{clauses, detailed, either, headed, listed, ranged, sentences, with_aside};
 pub use message::{Message, MessageValue};
 pub use phrase::Phrase;
 pub use span::{FileId, Place, Span};

@@ -220,6 +220,14 @@ pub fn figure(number: f64, decimals: u8) -> String {
     out
 }
 
+/// A number with the minus sign of figures; see [`Figures`].
+pub fn with_minus(number: String) -> String {
+    match FIGURES.get() {
+        Figures::Spaced => number.replacen('-', "\u{2212}", 1),
+        Figures::Plain => number,
+    }
+}
+
 /// Writes a text with numbers in place of its `#`, with at most two decimals, for drawings.
 pub fn fill(out: &mut String, form: &str, numbers: &[f64]) {
     let mut numbers = numbers.iter();

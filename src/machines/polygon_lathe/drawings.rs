@@ -7,8 +7,10 @@ use crate::drives::polygon::Section;
 use crate::machines::MachineFile;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
+use crate::msg;
 use crate::nc::File;
-use crate::text::catalog::number_text as show;
+use crate::text::catalog::{number_text as show, sentence};
+use crate::text::detailed;
 use crate::view::outline::{Dimension, LineKind, Outline, OutlineShape, Plate};
 
 /// Arcs per cut side: on a usual part they deviate from it by less than 0.01 µm.
@@ -37,8 +39,9 @@ fn title(lathe: &PolygonLathe, one: &PolygonLathe, name: &'static str) -> String
     if lathe.further.is_empty() {
         return String::new();
     }
-    let [near, far] = [one.params.from_face, one.params.far_end()].map(|at| show(-at, 3));
-    format!("{}, Z {near} .. {far}", say(name))
+    let [first, last] = [one.params.from_face, one.params.far_end()].map(|at| show(-at, 3));
+    // In words: a dash beside a minus would be misread.
+    detailed(say(name), format!("Z {}", sentence(&msg!("form.open.range", first, last))))
 }
 
 /// The finished section, the ideal polygon and the stock, with centre lines and dimensions.

@@ -14,7 +14,7 @@ use crate::machines::stops;
 use crate::math::{self, PI};
 use crate::text::catalog::number_text as show;
 use crate::text::units::{self, Lengths};
-use crate::text::{Citation, Grade, clauses};
+use crate::text::{Citation, Grade, clauses, ranged};
 use crate::view::{Column, FieldEntry, Row, Sheet, SheetKind};
 
 /// All sheets.
@@ -117,7 +117,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             show(choice.relief * 180.0 / PI, 2),
             show(choice.work_speed, 0),
             show(choice.tool_speed, 0),
-            format!("{} .. {}", surface_speed(choice.cutting_speed.0), surface_speed(choice.cutting_speed.1)),
+            ranged(surface_speed(choice.cutting_speed.0), surface_speed(choice.cutting_speed.1)),
         ];
         let terms = (f64::from(choice.ratio.tool()), f64::from(choice.ratio.work()));
         let mut entries = own_shape(lathe.params.sides, (choice.cutter + 1) as f64, terms);
@@ -179,7 +179,7 @@ fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
                 units::dimension(p.size(pass), 3),
                 show(p.per_minute(p.feed_of(pass)), 3),
                 show(cut.relief * 180.0 / PI, 2),
-                format!("{} .. {}", speed(cut.speeds.0), speed(cut.speeds.1)),
+                ranged(speed(cut.speeds.0), speed(cut.speeds.1)),
             ];
             row(cells, cite)
         }));

@@ -12,6 +12,7 @@ use crate::math::RPM;
 use crate::msg;
 use crate::project::parts::source_title;
 use crate::text::catalog::{number_text, sentence};
+use crate::text::number::with_minus;
 use crate::text::{Citation, Diagnostic, Grade, headed, listed, units, with_aside};
 use crate::view::{Column, MotorPoint, Row, Sheet, SheetKind, TornadoBar, TornadoChart, TorqueWords, Verdict};
 
@@ -156,7 +157,7 @@ impl Sizing {
                 _ if !of.holds => (say("size.none-holds"), String::new()),
                 // The end of the search is no limit.
                 None if !of.is_used_up => (format!("> {value}"), String::new()),
-                Some(_) | None => (value, with_minus(format!("{:+.0}\u{a0}%", 100.0 * of.margin))),
+                Some(_) | None => (value, signed_percent(of.margin)),
             };
             row([say(of.label), value, margin, binding], RUNS_OF_FORM)
         };
@@ -344,6 +345,12 @@ fn beside(binding: String, failing_anyway: &[ResultName]) -> String {
     if failing_anyway.is_empty() { binding } else { sentence(&msg!("size.failing-anyway", binding, results)) }
 }
 
+/// A share with its sign, without a line break: `+23 %`.
+fn signed_percent(share: f64) -> String {
+    let percent = with_minus(format!("{:+.0}", 100.0 * share));
+    sentence(&msg!("size.margin", percent)).replace(' ', "\u{a0}")
+}
+
 /// A value, marked as a lower bound if its run was cut.
 fn at_least(is_truncated: bool, value: String) -> String {
     if is_truncated { format!("> {value}") } else { value }
@@ -378,11 +385,6 @@ impl Sizing {
 fn limit(of: &EnvelopeRow) -> Option<String> {
     let limit = of.limit?;
     Some(format!("{} {}", limit.sign(), with_minus(units::text(limit.value(), of.decimals, of.unit))))
-}
-
-/// A number with the sign of print in place of the hyphen.
-fn with_minus(number: String) -> String {
-    number.replacen('-', "\u{2212}", 1)
 }
 
 /// A value of the envelope with its unit, with a cross beyond its limit.

@@ -732,7 +732,7 @@ fn taken_way_gives_the_figures_of_its_row() {
                 shown("relief", 2),
                 shown("work-speed", 0),
                 shown("tool-speed", 0),
-                format!("{slowest} .. {fastest}"),
+                format!("{slowest}–{fastest}"),
             ];
             let row: Vec<&String> = [4].into_iter().chain(6..12).map(|at| &way.cells[at]).collect();
             assert_eq!(row, expected.iter().collect::<Vec<_>>(), "{changes:?} {sets:?}");

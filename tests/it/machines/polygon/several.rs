@@ -110,7 +110,7 @@ fn exported_sections_hold_every_polygon_by_name() {
     let project = two(&third);
     let files = project.export().into_files();
     let file = |name: &str| &files.iter().find(|file| file.name == name).unwrap().text;
-    let names = ["First polygon, Z 0 .. -15", "Second polygon, Z -30 .. -45", "Third polygon, Z -60 .. -75"];
+    let names = ["First polygon, Z 0 to -15", "Second polygon, Z -30 to -45", "Third polygon, Z -60 to -75"];
     let drawing = Drawing::load(&mut file("section.dxf").as_bytes()).unwrap();
     let mut contours = 0;
     let mut circles = Vec::new();

@@ -80,10 +80,10 @@ fn machine_sheets_have_the_expected_rows() {
     .assert_eq(&rows(&[("work-start", "90")], "sequence"));
     let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");
     expect![[r#"
-        1 | 2 | 2:1 | 45 | 0.0284 | none | -0.0284 | 0 | 4.76 | 392 | 784 | 246 .. 250
-        2 | 1 | 4:1 | 45 | 0.2487 | the sides are hollow; the sides are not flat enough | 0 | 0.2487 | 2.5 | 207 | 828 | 247 .. 249
-        3 | 1 | -4:1 | 45 | 0.759 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.759 | 2.77 | 232 | -928 | 246 .. 249
-        4 | 2 | -2:1 | 45 | 0.9914 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.9914 | 5.86 | 490 | -980 | 242 .. 250
+        1 | 2 | 2:1 | 45 | 0.0284 | none | -0.0284 | 0 | 4.76 | 392 | 784 | 246–250
+        2 | 1 | 4:1 | 45 | 0.2487 | the sides are hollow; the sides are not flat enough | 0 | 0.2487 | 2.5 | 207 | 828 | 247–249
+        3 | 1 | -4:1 | 45 | 0.759 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.759 | 2.77 | 232 | -928 | 246–249
+        4 | 2 | -2:1 | 45 | 0.9914 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.9914 | 5.86 | 490 | -980 | 242–250
     "#]].assert_eq(&choices);
     // The work turns counter-clockwise: S is negative, P stays positive. R turns the work back for E; A is the lead.
     let turned = [("shape", "own"), ("work-ratio", "-1"), ("tool-ratio", "-2"), ("tool-start", "30"), ("lead", "-80")];
