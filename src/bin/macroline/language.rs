@@ -16,7 +16,7 @@ use macroline::text::catalog::{self, Language, sentence, words};
 use macroline::text::{Message, clauses, headed, listed};
 
 use crate::args::CommandLine;
-use crate::output::print_error;
+use crate::output::{print_error, reason};
 
 /// Name of the option.
 const OPTION: &str = "language";
@@ -212,5 +212,5 @@ fn error_message(error: &Error) -> Message {
 
 /// Names the path before an error of reading or writing it.
 pub(crate) fn failed(path: &Path, error: &io::Error) -> String {
-    headed(path.display().to_string(), error.to_string())
+    headed(path.display().to_string(), reason(error))
 }

@@ -8,7 +8,7 @@ use macroline::project::findings::file_findings::{FileFindings, has_errors, list
 use macroline::project::findings::render::summary;
 use macroline::project::requests::check_request::Refused;
 use macroline::text::Message;
-use macroline::text::catalog::sentence;
+use macroline::text::catalog::{sentence, words};
 use macroline::text::escape::terminal;
 use serde_json::{Value as Json, json};
 
@@ -41,9 +41,24 @@ impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Failure {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Closed,
-            _ => Failure::Outside(error.to_string()),
+            _ => Failure::Outside(reason(&error)),
         }
     }
+}
+
+/// Why a file or folder could not be read or written, in the language in use; rare reasons in the words of the system.
+pub(crate) fn reason(error: &io::Error) -> String {
+    let common = match error.kind() {
+        io::ErrorKind::NotFound => "cli.io.not-found",
+        io::ErrorKind::PermissionDenied => "cli.io.no-access",
+        io::ErrorKind::AlreadyExists => "cli.io.exists",
+        io::ErrorKind::IsADirectory => "cli.io.folder",
+        io::ErrorKind::NotADirectory => "cli.io.no-folder",
+        io::ErrorKind::StorageFull => "cli.io.full",
+        io::ErrorKind::ReadOnlyFilesystem => "cli.io.read-only",
+        _ => return error.to_string(),
+    };
+    words(common).to_owned()
 }
 
 /// The exit status of a command, after the reason for its failure is printed.
