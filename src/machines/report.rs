@@ -3,7 +3,8 @@
 use super::form::{FieldInfo, FieldKindInfo, Origins, Provenance, Value, Values};
 use super::machine::{AnyMachine, ControlContext, PreparedMachine};
 use super::open_points::open_points;
-use crate::text::catalog::{number_text, words};
+use crate::msg;
+use crate::text::catalog::{number_text, sentence, words};
 use crate::text::{Diagnostic, listed, units};
 use crate::view::report::{Input, ListedPart, Report, RunReport, SizingReport, TitleBlock};
 use crate::view::{DrawnPart, Readout, Repairs};
@@ -21,9 +22,12 @@ pub fn report(
     let ControlContext { control, switches } = on;
     let design = prepared.design(origins);
     let inputs = inputs(machine, prepared, values, origins);
-    let title = [words(machine.name()), control.name, name];
+    let machine_and_control = sentence(&msg!("form.report.machine", machine = words(machine.name()), control = control.name));
     Report {
-        title: listed(title.into_iter().filter(|part| !part.is_empty())),
+        title: match name {
+            "" => machine_and_control,
+            name => sentence(&msg!("form.report.titled", name, machine = machine_and_control)),
+        },
         project: name.to_owned(),
         customer: customer(machine, values),
         block: TitleBlock::default(),

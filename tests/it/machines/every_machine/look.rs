@@ -355,7 +355,7 @@ fn report_has_inputs_with_origin_verdicts_and_open_points() {
     let report = report::report(machine(), &prepared, "ribbon 8 mm", (&values, &origins), on, &[]);
     let text = view::report::markdown(&report);
     for part in [
-        "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",
+        "# ribbon 8 mm – Ribbon line, Mitsubishi E60\n",
         "- Roller : ribbon speed: fails\n",
         "| Vector feed F | 119391.393 mm/min | at most 810810.811 mm/min | ok |",
         "| Supply reel and loop | Dancer or trim |  | no | measured |",

@@ -271,7 +271,7 @@ fn sheets_behind_the_first_have_title_revision_date_and_number() {
     assert!(!style.contains(" size:"), "the printer decides on the paper");
     let strip = style.lines().last().unwrap();
     for part in [
-        "Ribbon line, Mitsubishi E60, A\\22 B\\3c /style\\3e \\5c \";",
+        "A\\22 B\\3c /style\\3e \\5c  \\2013  Ribbon line, Mitsubishi E60\";",
         "\"Number ML-4711-08 · Revision B · 2026-11-22\\a Sheet \" counter(page) \" / \" counter(pages);",
     ] {
         assert!(strip.contains(part), "{part}: {strip}");
