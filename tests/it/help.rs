@@ -285,6 +285,11 @@ fn search_finds_codes_variables_and_words() {
         ] {
             finds(&help, query, expected);
         }
+        // Words of makers and workshops lead to the glossary's term.
+        for (query, term) in [("引数", "argument"), ("计算参数", "r-parameter"), ("刀补", "tool-offset")] {
+            let found = help.search(query);
+            assert!(found.iter().any(|place| place.id() == format!("terms/term.{term}")), "{query}");
+        }
     });
 }
 

@@ -57,6 +57,8 @@ pub struct HelpEntry {
     pub cite: Option<Citation>,
     /// Further ids within the page that lead here.
     pub also: Vec<String>,
+    /// Words of other makers and of workshops, which the search finds and no page shows.
+    pub synonyms: String,
     /// First and last variable of a range.
     pub numbers: Option<(u32, u32)>,
 }
@@ -130,6 +132,7 @@ impl HelpEntry {
             facts: Vec::new(),
             cite: None,
             also: Vec::new(),
+            synonyms: String::new(),
             numbers: None,
         }
     }

@@ -19,7 +19,7 @@ pub(super) fn page(control: &'static Control, texts: &Texts) -> HelpPage {
             sections.push(HelpSection::new(format!("terms-{}", slug(english)), if chinese { other } else { english }));
         }
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-        let ["", english, term, _, _, ""] = cells.as_slice() else { continue };
+        let ["", english, term, note, _, ""] = cells.as_slice() else { continue };
         let Some(section) = sections.last_mut().filter(|_| *english != "English" && !english.starts_with("---")) else {
             continue;
         };
@@ -30,6 +30,7 @@ pub(super) fn page(control: &'static Control, texts: &Texts) -> HelpPage {
         let (own, other) = if chinese { (term, english) } else { (english, term) };
         let mut entry = HelpEntry::new(HelpKind::Term, id.clone(), "", *own);
         entry.text.extend(texts.text(&id));
+        entry.synonyms = note.to_lowercase();
         entry.fact(texts.words("fact.other-language"), *other);
         section.entries.push(entry);
     }

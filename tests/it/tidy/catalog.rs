@@ -317,7 +317,7 @@ fn sentences_name_the_list_of_projects_by_its_title() {
 }
 
 /// Words that the glossary bars, and the term in their place.
-const BARRED: [(&str, &str); 10] = [
+const BARRED: [(&str, &str); 16] = [
     ("控制器", "系统 or 数控系统"),
     ("告警", "报警"),
     ("警报", "报警"),
@@ -328,6 +328,12 @@ const BARRED: [(&str, &str); 10] = [
     ("刀片", "车刀"),
     ("程序块", "程序段"),
     ("持续转矩", "连续转矩"),
+    ("带材", "带料"),
+    ("料带", "带料"),
+    ("滑差", "转差"),
+    ("电动机", "电机"),
+    ("起动", "启动"),
+    ("快移", "快速移动"),
 ];
 
 /// Faults of a Chinese sentence: words that the glossary bars, marks, spaces.
