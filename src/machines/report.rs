@@ -22,7 +22,8 @@ pub fn report(
     let ControlContext { control, switches } = on;
     let design = prepared.design(origins);
     let inputs = inputs(machine, prepared, values, origins);
-    let machine_and_control = sentence(&msg!("form.report.machine", machine = words(machine.name()), control = control.name));
+    let machine_and_control =
+        sentence(&msg!("form.report.machine", machine = words(machine.name()), control = control.name));
     Report {
         title: match name {
             "" => machine_and_control,

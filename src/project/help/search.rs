@@ -163,7 +163,10 @@ fn of_entry(entry: &HelpEntry, wanted: &[String]) -> Option<u32> {
         let facts = entry.facts.iter().any(|fact| texts::words(&fact.value).to_lowercase().contains(wanted.as_str()));
         let synonym = || entry.synonyms.contains(wanted.as_str()).then_some(150);
         let text = || entry.text.iter().any(|text| texts::words(text).to_lowercase().contains(wanted.as_str()));
-        (facts && entry.kind == HelpKind::Term).then_some(280).or_else(synonym).or_else(|| (facts || text()).then_some(50))
+        (facts && entry.kind == HelpKind::Term)
+            .then_some(280)
+            .or_else(synonym)
+            .or_else(|| (facts || text()).then_some(50))
     };
     wanted.iter().map(score).sum()
 }

@@ -202,7 +202,11 @@ fn graded(out: &mut String, tag: &str, row: &Row) {
     escape(out, row.source.words());
     out.push_str("\">");
     let grade = row.grade.words();
-    if tag == "p" { escape(out, &headed(row.source.words(), grade)) } else { escape(out, grade) }
+    if tag == "p" {
+        escape(out, &headed(row.source.words(), grade))
+    } else {
+        escape(out, grade)
+    }
     out.push_str(&format!("</{tag}>"));
 }
 
