@@ -173,16 +173,28 @@ fn clear_start(hairline: [Place; 2], lines: &[Area], taken: &[Obstacle]) -> Opti
     begins(hairline, lines).into_iter().find(is_clear)
 }
 
-/// Lines of a label in a lens that are within it and not on the lines above.
+/// Whether a line has words: a value may be empty at the moment, and its box is then a point, or at the drawing's corner.
+fn has_words(line: &Area) -> bool {
+    line[0] < line[2]
+}
+
+/// Number of the first lines of a label in a lens that are within it and not on the lines above. An empty line takes no room.
 fn seen_in(label: &Label, lens: Area) -> usize {
-    let is_below = |at: usize| at == 0 || label.lines[at][1] >= label.lines[at - 1][3];
-    let is_within = |at: &usize| label.lines[*at][0] >= lens[0] && label.lines[*at][2] <= lens[2] && is_below(*at);
-    (0..label.lines.len()).take_while(is_within).count()
+    let mut bottom = f64::NEG_INFINITY;
+    let is_within = |line: &&Area| {
+        if !has_words(line) {
+            return true;
+        }
+        let is_below = line[1] >= bottom;
+        bottom = line[3];
+        line[0] >= lens[0] && line[2] <= lens[2] && is_below
+    };
+    label.lines.iter().take_while(is_within).count()
 }
 
 /// The lines of a label that have words, the first `count` of them, moved.
 fn seen(label: &Label, count: usize, by: Place) -> Vec<Area> {
-    label.lines.iter().take(count).filter(|line| line[0] < line[2]).map(|line| shifted(*line, by)).collect()
+    label.lines.iter().take(count).filter(|line| has_words(line)).map(|line| shifted(*line, by)).collect()
 }
 
 /// Place of a label with so many lines: the nearest one where it is free and, if that is not far, no drawn part is below it. Its hairline
@@ -511,6 +523,19 @@ mod tests {
         let mut close = figures;
         close.lines[1][1] = close.lines[0][3] - 1.0;
         assert_eq!(placed_alone(&[close]), [((0.0, 0.0), 1)]);
+    }
+
+    #[wasm_bindgen_test]
+    fn empty_line_in_a_lens_hides_no_later_line() {
+        let lens = Some([100.0, 0.0, 180.0, 80.0]);
+        let mut scale = Label { lens, ..label(110.0, 10.0, &[60.0, 0.0, 50.0], true) };
+        assert_eq!(placed_alone(&[scale.clone()]), [((0.0, 0.0), 3)]);
+        // Some browsers put the box of an empty text at the corner of the drawing.
+        scale.lines[1] = [0.0; 4];
+        assert_eq!(placed_alone(&[scale.clone()]), [((0.0, 0.0), 3)]);
+        // The last line is compared with the last one that has words.
+        scale.lines[2][1] = scale.lines[0][3] - 1.0;
+        assert_eq!(placed_alone(&[scale]), [((0.0, 0.0), 2)]);
     }
 
     #[wasm_bindgen_test]
