@@ -197,6 +197,12 @@ fn seen(label: &Label, count: usize, by: Place) -> Vec<Area> {
     label.lines.iter().take(count).filter(|line| has_words(line)).map(|line| shifted(*line, by)).collect()
 }
 
+/// Fewest lines that a label is shown with: its name and the first value that has words. A name alone would seem to be a label without values.
+fn fewest(label: &Label) -> usize {
+    let value = label.lines.iter().skip(1).position(has_words);
+    value.map_or(1, |at| at + 2)
+}
+
 /// Place of a label with so many lines: the nearest one where it is free and, if that is not far, no drawn part is below it. Its hairline
 /// crosses nothing, or `may_cross`.
 fn place(
@@ -236,7 +242,7 @@ fn place(
 type Room<'a> = (Area, &'a [Obstacle], &'a [Area]);
 
 /// Places the labels: labels in lenses keep their place; then come labels with hairlines, then the others, those with values before single
-/// words and figures. A label without room loses lines from its end, the name last.
+/// words and figures. A label without room loses lines from its end, and all of them where only its name would be left.
 fn placed(labels: &[Label], frame: Area, parts: &[Area]) -> Vec<LabelPlacement> {
     let mut taken: Vec<Obstacle> = Vec::new();
     let mut placements = vec![LabelPlacement::default(); labels.len()];
@@ -257,7 +263,7 @@ fn placed(labels: &[Label], frame: Area, parts: &[Area]) -> Vec<LabelPlacement> 
         }
         for (label, placement) in free {
             let ways = if leads { &shifts } else { &near };
-            let counts = (1..=label.lines.len()).rev();
+            let counts = (fewest(label)..=label.lines.len()).rev();
             let mut tries = counts.flat_map(|count| [(count, false), (count, true)]);
             if let Some(found) = tries.find_map(|how| place(label, how, ways, (frame, &taken, parts))) {
                 *placement = found;
@@ -458,17 +464,29 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    fn name_of_a_part_outlives_values_and_other_labels() {
-        // Full rows above and below.
+    fn label_without_room_for_a_value_is_hidden() {
+        // Full rows above and below leave room for one line.
         let labels = [
             label(10.0, 100.0, &[280.0], false),
             label(10.0, 64.0, &[280.0], true),
             label(10.0, 118.0, &[280.0], true),
             label(10.0, 82.0, &[100.0, 290.0], true),
             label(60.0, 82.0, &[90.0, 90.0], true),
+            label(60.0, 82.0, &[90.0, 0.0], true),
         ];
         let here = (0.0, 0.0);
-        assert_eq!(placed_alone(&labels), [(here, 0), (here, 1), (here, 1), (here, 2), ((68.0, 0.0), 1)]);
+        let all = [(here, 0), (here, 1), (here, 1), (here, 2), (here, 0), ((68.0, 0.0), 2)];
+        assert_eq!(placed_alone(&labels), all);
+    }
+
+    #[wasm_bindgen_test]
+    fn label_loses_later_values_but_not_its_first() {
+        // A full row where the third line would be, then where the second one would be.
+        let lines = |top: f64| {
+            let labels = [label(10.0, top, &[280.0], true), label(10.0, 10.0, &[80.0, 80.0, 80.0], true)];
+            placed(&labels, [0.0, 0.0, 300.0, 63.0], &[])[1].lines
+        };
+        assert_eq!([lines(46.0), lines(28.0)], [2, 0]);
     }
 
     #[wasm_bindgen_test]
