@@ -37,10 +37,10 @@ for (const [width, height] of [[800, 600], [800, 900], [1024, 480], [780, 1000],
     }));
 }
 
-test('chart on a phone is between the drawing and the verdicts', () =>
+test('verdicts on a phone are between the drawing and the chart', () =>
   withPage(app, { viewport: { width: 390, height: 844 } }, async ({ page }) => {
     const [drawing, plot, cards] = [await box(page, '#machine'), await box(page, '.film .plot'), await box(page, '.cards')];
-    assert.ok(drawing.y + drawing.height <= plot.y && plot.y + plot.height <= cards.y, JSON.stringify({ drawing, plot, cards }));
+    assert.ok(drawing.y + drawing.height <= cards.y && cards.y + cards.height <= plot.y, JSON.stringify({ drawing, plot, cards }));
   }));
 
 test('page opens playing, or at rest if motion is reduced', { skip: FIREFOX }, async () => {
