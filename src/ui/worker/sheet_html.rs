@@ -117,11 +117,16 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
     let prose = matches!(sheet.columns.last(), Some(Column::Prose(_))) && shown.len() > 3;
     // In a narrow layout, sentences in several columns go below one another, each with its head: see `.told`.
     let has_sentences = !prose && shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
+    // In a narrow layout, more columns than fit go below one another, each with its head: see `.dense`.
+    let is_dense = !prose && !has_sentences && shown.len() > IN_A_ROW;
+    let has_heads = has_sentences || is_dense;
     // A source that all rows share is shown once.
     let common = sheet.common_source().filter(|_| !has_sentences);
     out.push_str("<table class=\"sheet");
     if has_sentences {
         out.push_str(" told");
+    } else if is_dense {
+        out.push_str(" dense");
     } else if prose {
         out.push_str(&format!(" stacked n{}", shown.len() - 1));
         out.push_str(if common.is_some() { " ungraded" } else { "" });
@@ -140,14 +145,19 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
         let cells: Vec<(Option<&Column>, &String)> =
             shown.iter().filter_map(|at| Some((sheet.columns.get(*at), row.cells.get(*at)?))).collect();
         match cells.as_slice() {
-            [(_, first), rest @ ..] if !row.entries.is_empty() => {
-                offer(out, row, first);
-                rest.iter().for_each(|(_, cell)| tagged(out, "td", cell));
+            [(column, first), rest @ ..] if !row.entries.is_empty() => {
+                offer(out, row, column.filter(|_| is_dense), first);
+                for (column, cell) in rest {
+                    out.push_str(if is_dense && columns(cell) > SENTENCE { "<td class=\"long\">" } else { "<td>" });
+                    head_of(out, column.filter(|_| is_dense));
+                    escape(out, cell);
+                    out.push_str("</td>");
+                }
             }
             cells => {
                 out.push_str("<tr>");
                 for (column, cell) in cells {
-                    table_cell(out, *column, cell, has_sentences, project);
+                    table_cell(out, *column, cell, has_heads, project);
                 }
             }
         }
@@ -162,20 +172,29 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
     }
 }
 
-/// Opens a row whose entries the form can take, with its first cell as a button.
-fn offer(out: &mut String, row: &Row, first: &str) {
+/// Writes the head of a column into a cell of it.
+fn head_of(out: &mut String, column: Option<&Column>) {
+    if let Some(column) = column {
+        tagged(out, "small", t(column.head()));
+    }
+}
+
+/// Opens a row whose entries the form can take, with its first cell as a button, below the head of its column if that is given.
+fn offer(out: &mut String, row: &Row, column: Option<&Column>, first: &str) {
     let entries: Vec<String> = row.entries.iter().map(|entry| format!("{}={}", entry.field, entry.text)).collect();
     out.push_str("<tr data-entries=\"");
     escape(out, &entries.join("\n"));
-    out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
+    out.push_str("\"><td>");
+    head_of(out, column);
+    out.push_str("<button type=\"button\" class=\"chip\" aria-label=\"");
     escape(out, &format!("{} {first}", t("page.take")));
     out.push_str("\">");
     escape(out, first);
     out.push_str("</button></td>");
 }
 
-/// A cell of a column, with the head of the column where the table has sentences.
-fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_sentences: bool, project: &Project) {
+/// A cell of a column, with the head of the column where cells have heads.
+fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_heads: bool, project: &Project) {
     match column {
         Some(Column::Parameter(_)) if meaning::of(project, cell, Table::Parameters).is_some() => {
             out.push_str("<td data-means=\"parameters\">");
@@ -184,10 +203,10 @@ fn table_cell(out: &mut String, column: Option<&Column>, cell: &str, has_sentenc
         }
         Some(Column::Prose(_) | Column::Product(_)) => tagged(out, "td", cell),
         // An empty cell needs no head.
-        _ if has_sentences && cell.is_empty() => out.push_str("<td></td>"),
-        Some(column) if has_sentences => {
+        _ if has_heads && cell.is_empty() => out.push_str("<td></td>"),
+        Some(_) if has_heads => {
             out.push_str("<td>");
-            tagged(out, "small", t(column.head()));
+            head_of(out, column);
             escape(out, cell);
             out.push_str("</td>");
         }
@@ -209,6 +228,9 @@ fn graded(out: &mut String, tag: &str, row: &Row) {
     }
     out.push_str(&format!("</{tag}>"));
 }
+
+/// Number of columns that fit a narrow layout.
+const IN_A_ROW: usize = 9;
 
 /// Letters of a first cell that stays on one line: a register, a parameter, a short block.
 const ONE_LINE: usize = 20;
@@ -274,6 +296,31 @@ mod tests {
         let mut out = String::new();
         table(&mut out, &sheet, &project());
         out
+    }
+
+    #[wasm_bindgen_test]
+    fn cells_of_a_wide_choice_have_their_heads() {
+        let cite = Citation::new("catalogue", Grade::Manual);
+        let cells = core::array::from_fn::<String, 10, _>(|at| "7".repeat(if at == 5 { SENTENCE + 1 } else { 1 }));
+        let way = Row { entries: vec![FieldEntry::new("tip-radius", "45".to_owned())], ..row(cells, cite) };
+        let mut sheet = Sheet {
+            id: "choices",
+            kind: SheetKind::Plain,
+            title: "polygon.sheet.choices",
+            columns: vec![Column::Plain("polygon.sheet.rank"); 10],
+            rows: vec![way.clone(), way],
+            drawing: String::new(),
+        };
+        let written = |sheet: &Sheet| {
+            let mut out = String::new();
+            table(&mut out, sheet, &project());
+            out
+        };
+        let wide = written(&sheet);
+        let counts = ["sheet dense", "<small>", "class=\"long\""].map(|part| wide.matches(part).count());
+        assert_eq!(counts, [1, 20, 2]);
+        sheet.columns.pop();
+        assert!(!written(&sheet).contains("<small>"));
     }
 
     #[wasm_bindgen_test]
