@@ -19,14 +19,14 @@ pub struct TornadoBar<'a> {
 /// The chart of a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TornadoChart<'a> {
-    /// The result.
+    /// The result and its present value, as a sentence.
     pub title: &'a str,
     /// Unit of its values.
     pub unit: &'a str,
     /// Present value of the result.
     pub value: f64,
-    /// Limit of the result.
-    pub limit: Option<f64>,
+    /// Limit of the result, and its name.
+    pub limit: Option<(f64, &'a str)>,
     /// Decimals shown.
     pub decimals: u8,
     /// Names of the changes: less and more of a fact.
@@ -38,7 +38,7 @@ pub struct TornadoChart<'a> {
 /// Width of the picture, margin at its sides for the figures, height of the heading, of a bar with its name, and of a bar without it.
 const WIDTH: f64 = 340.0;
 const SIDE: f64 = 44.0;
-const HEAD: f64 = 44.0;
+const HEAD: f64 = 50.0;
 const ROW: f64 = 27.0;
 const BAR: f64 = 10.0;
 
@@ -46,7 +46,9 @@ impl TornadoChart<'_> {
     /// The chart as SVG with the classes of the page. Bars without finite ends are omitted.
     pub fn svg(&self) -> String {
         let bars: Vec<_> = self.bars.iter().filter(|bar| bar.ends.0.is_finite() && bar.ends.1.is_finite()).collect();
-        let ends = || bars.iter().flat_map(|bar| [bar.ends.0, bar.ends.1]).chain([self.value]);
+        let limit = self.limit.filter(|(limit, _)| limit.is_finite());
+        let fixed = [Some(self.value), limit.map(|(limit, _)| limit)];
+        let ends = || bars.iter().flat_map(|bar| [bar.ends.0, bar.ends.1]).chain(fixed.into_iter().flatten());
         let (low, high) =
             ends().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
         let place = |value: f64| {
@@ -57,29 +59,38 @@ impl TornadoChart<'_> {
         let _ =
             write!(out, "<svg class=\"torque\" viewBox=\"0 0 {WIDTH} {height}\" xmlns=\"http://www.w3.org/2000/svg\">");
         self.heading(&mut out);
+        if let Some((limit, name)) = limit {
+            limit_line(&mut out, place(limit), height, name);
+        }
         for (at, bar) in bars.iter().enumerate() {
             let top = HEAD + ROW * at as f64;
             self.bar(&mut out, bar, top, place);
-            // Only beside the bars, because the names are between them.
-            let across = |out: &mut String, dashes: &str, value: f64| {
+            // Only beside the bars, because the names are between them. In a bar, the limit is a gap.
+            let across = |out: &mut String, class: &str, value: f64| {
                 let (x, y) = (place(value), top + ROW - BAR - 4.0);
-                let _ = write!(out, "<line class=\"s-ink\"{dashes}");
+                let _ = write!(out, "<line class=\"{class}\"");
                 fill(out, " x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[x, y, x, y + BAR + 4.0]);
             };
-            across(&mut out, "", self.value);
-            if let Some(limit) = self.limit.filter(|limit| (low..=high).contains(limit)) {
-                across(&mut out, " stroke-dasharray=\"3 2\"", limit);
+            if let Some((limit, _)) = limit.filter(|(limit, _)| self.reaches(bar, *limit)) {
+                across(&mut out, "s-pane", limit);
             }
+            across(&mut out, "s-ink", self.value);
         }
         out.push_str("</svg>");
         out
     }
 
-    /// Writes title, present value and the key of both halves of a bar.
+    /// Whether a bar covers a value.
+    fn reaches(&self, bar: &TornadoBar, value: f64) -> bool {
+        let (low, high) = (bar.ends.0.min(bar.ends.1), bar.ends.0.max(bar.ends.1));
+        (low.min(self.value)..=high.max(self.value)).contains(&value)
+    }
+
+    /// Writes the title and the key of both halves of a bar.
     fn heading(&self, out: &mut String) {
         out.push_str("<text class=\"f-ink\" x=\"0\" y=\"12\">");
         escape(out, self.title);
-        let _ = write!(out, ": {}</text>", units::text(self.value, self.decimals, self.unit));
+        out.push_str("</text>");
         for (class, word, x) in [("f-dim", self.changes.0, 0.0), ("f-accent", self.changes.1, 0.5 * WIDTH)] {
             fill(out, &format!("<rect class=\"{class}\" x=\"#\" y=\"20\" width=\"14\" height=\"9\"/>"), &[x]);
             fill(out, "<text class=\"small f-dim\" x=\"#\" y=\"28\">", &[x + 19.0]);
@@ -124,4 +135,14 @@ impl TornadoChart<'_> {
         }
         out.push_str("</g>");
     }
+}
+
+/// Writes the line of the limit over all rows, with its name above it. The names of the facts are written over it.
+fn limit_line(out: &mut String, x: f64, height: f64, name: &str) {
+    out.push_str("<line class=\"s-ink\" stroke-dasharray=\"3 2\"");
+    fill(out, " x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>", &[x, HEAD - 4.0, x, height]);
+    out.push_str("<text class=\"small f-ink\" text-anchor=\"middle\"");
+    fill(out, " x=\"#\" y=\"#\">", &[x, HEAD - 7.0]);
+    escape(out, name);
+    out.push_str("</text>");
 }

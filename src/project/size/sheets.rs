@@ -464,12 +464,15 @@ fn part_grade(of: PartGrade) -> String {
 fn tornado_chart(tornado: &Tornado) -> String {
     let names: Vec<String> = tornado.swings.iter().map(|swing| say(swing.label)).collect();
     let bar = |(name, swing): (_, &Swing)| TornadoBar { name, ends: (100.0 * swing.low, 100.0 * swing.high) };
-    let (title, less, more) = (say(tornado.readout.label), say("sheet.tenth-less"), say("sheet.tenth-more"));
+    let (less, more, limit) = (say("sheet.tenth-less"), say("sheet.tenth-more"), say("size.tornado.limit"));
+    let result = say(tornado.readout.label);
+    let share = units::text(100.0 * tornado.share, 1, "%");
+    let title = sentence(&msg!("size.tornado.title", result, share));
     let chart = TornadoChart {
         title: &title,
         unit: "%",
         value: 100.0 * tornado.share,
-        limit: Some(100.0),
+        limit: Some((100.0, &limit)),
         decimals: 1,
         changes: (&less, &more),
         bars: names.iter().map(String::as_str).zip(&tornado.swings).map(bar).collect(),
