@@ -2,10 +2,12 @@
 
 use core::fmt::Write;
 
-use super::letters::Anchor;
+use super::letters::{Anchor, LETTER_BOX};
 use super::plot::{decimals, keys};
 use super::svg::escape;
+use crate::math;
 use crate::text::catalog::number_text;
+use crate::text::columns;
 use crate::text::number::{Plain, fill};
 
 /// Speed in r/min and torque in Nm.
@@ -53,6 +55,15 @@ const PASSING: f64 = 0.01;
 /// Width of the strip along a line that reacts to the pointer.
 const HIT: f64 = 10.0;
 
+/// Share of the motor's greatest torque below which the run sets the scale: its lines would otherwise be a smear on the zero line. Torque at the
+/// top is then a multiple of the run's greatest torque.
+const SMALL: f64 = 0.25;
+const SHOWN: f64 = 3.0;
+
+/// Letter size of the labels, and pixels between them and lines.
+const LETTERS: f64 = 10.0;
+const GAP: f64 = 1.5;
+
 /// Words of the picture.
 #[derive(Debug, Clone, Copy)]
 pub struct TorqueWords<'a> {
@@ -83,7 +94,31 @@ impl Plane {
         let (speed, top) = (most(&mut all().map(|point| point.0)), most(&mut all().map(|point| point.1)));
         let least = all().map(|point| point.1).fold(0.0_f64, f64::min);
         let room = |value: f64| if value > 0.0 { 1.08 * value } else { 1.0 };
-        Plane { speed: room(speed), torque: (1.08 * least, room(top)) }
+        let of_run = ends().chain([chart.effective]).map(|point| point.1.abs()).filter(|torque| torque.is_finite());
+        let required = most(&mut { of_run });
+        let is_small = required > 0.0 && required < SMALL * top;
+        Plane { speed: room(speed), torque: (1.08 * least, if is_small { SHOWN * required } else { room(top) }) }
+    }
+
+    /// The parts of a curve below the upper edge, in the picture.
+    fn shown(&self, points: &[MotorPoint]) -> Vec<Vec<MotorPoint>> {
+        let top = self.torque.1;
+        let mut parts: Vec<Vec<MotorPoint>> = vec![Vec::new()];
+        for (at, point) in points.iter().enumerate() {
+            let before = at.checked_sub(1).and_then(|at| points.get(at));
+            if let Some(before) = before.filter(|before| (before.1 <= top) != (point.1 <= top)) {
+                let part = (top - before.1) / (point.1 - before.1);
+                let crossing = (before.0 + part * (point.0 - before.0), top);
+                parts.last_mut().into_iter().for_each(|part| part.push(crossing));
+            }
+            if point.1 <= top {
+                parts.last_mut().into_iter().for_each(|part| part.push(*point));
+            } else {
+                parts.push(Vec::new());
+            }
+        }
+        parts.retain(|part| !part.is_empty());
+        parts.iter().map(|part| part.iter().map(|(x, y)| (self.x(*x), self.y(*y))).collect()).collect()
     }
 
     fn x(&self, speed: f64) -> f64 {
@@ -93,6 +128,48 @@ impl Plane {
     fn y(&self, torque: f64) -> f64 {
         let (low, high) = self.torque;
         SIZE.1 - MARGINS.3 - (SIZE.1 - MARGINS.2 - MARGINS.3) * (torque - low) / (high - low)
+    }
+}
+
+/// Point of a label's base line, and the part of its text at the point.
+type LabelPlace = (f64, f64, Anchor);
+
+/// Labels of the picture, clear of its lines and of each other.
+#[derive(Default)]
+struct ChartLabels {
+    /// Areas of lines and labels: left, top, right, bottom.
+    taken: Vec<[f64; 4]>,
+}
+
+impl ChartLabels {
+    /// Keeps labels off a line.
+    fn keep_off(&mut self, from: MotorPoint, to: MotorPoint) {
+        let count = (math::hypot(to.0 - from.0, to.1 - from.1) / 6.0).ceil().max(1.0);
+        let at = |share: f64| (from.0 + (to.0 - from.0) * share, from.1 + (to.1 - from.1) * share);
+        for piece in 0..count as u32 {
+            let (a, b) = (at(f64::from(piece) / count), at(f64::from(piece + 1) / count));
+            self.taken.push([a.0.min(b.0), a.1.min(b.1), a.0.max(b.0), a.1.max(b.1)]);
+        }
+    }
+
+    /// Writes a label at the first place that is free, else at the first one.
+    fn put(&mut self, out: &mut String, text: &str, places: &[LabelPlace]) {
+        let area = |(x, y, anchor): LabelPlace| LETTER_BOX.area((x, y), anchor, LETTERS, columns(text));
+        let is_free = |place: &LabelPlace| {
+            let [left, top, right, bottom] = area(*place);
+            let is_within = left >= MARGINS.0 && right <= SIZE.0 && top >= 0.0 && bottom <= SIZE.1 - MARGINS.3;
+            let is_beside = |taken: &[f64; 4]| {
+                left > taken[2] + GAP || right < taken[0] - GAP || top > taken[3] + GAP || bottom < taken[1] - GAP
+            };
+            is_within && self.taken.iter().all(is_beside)
+        };
+        let Some(place) = places.iter().find(|place| is_free(place)).or(places.first()) else { return };
+        self.taken.push(area(*place));
+        let (x, y, anchor) = *place;
+        let _ = write!(out, "<text class=\"small f-ink\" text-anchor=\"{}\"", anchor.name());
+        fill(out, " x=\"#\" y=\"#\">", &[x, y]);
+        escape(out, text);
+        out.push_str("</text>");
     }
 }
 
@@ -170,32 +247,71 @@ impl TorqueChart {
         }
     }
 
-    /// Writes the motor's curves and its effective torque.
+    /// Writes the motor's curves and its effective torque. A curve that leaves the picture has its greatest torque at the upper edge.
     fn motor(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
+        let mut labels = ChartLabels::default();
+        for line in self.lines.iter().filter(|line| line.torque.is_finite()) {
+            let y = plane.y(line.torque);
+            labels.keep_off((plane.x(line.speeds.0), y), (plane.x(line.speeds.1), y));
+        }
+        let mut names: Vec<(String, Vec<LabelPlace>)> = Vec::new();
         for (points, word, dashes) in
             [(&self.continuous, words.continuous, ""), (&self.peak, words.peak, " stroke-dasharray=\"6 4\"")]
         {
-            let points: Vec<_> = points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+            let points: Vec<_> = points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
             let Some((_, first)) = points.first() else { continue };
-            let _ =
-                write!(out, "<polyline class=\"s-ink f-none\" fill=\"none\" stroke-width=\"1.5\"{dashes} points=\"");
-            points.iter().for_each(|(x, y)| fill(out, "#,# ", &[plane.x(*x), plane.y(*y)]));
-            out.push_str("\"/>");
-            fill(out, "<text class=\"small f-ink\" x=\"#\" y=\"#\">", &[plane.x(0.0) + 6.0, plane.y(*first) - 5.0]);
-            escape(out, word);
-            out.push_str("</text>");
+            for part in plane.shown(&points) {
+                let _ = write!(
+                    out,
+                    "<polyline class=\"s-ink f-none\" fill=\"none\" stroke-width=\"1.5\"{dashes} points=\""
+                );
+                part.iter().for_each(|(x, y)| fill(out, "#,# ", &[*x, *y]));
+                out.push_str("\"/>");
+                part.windows(2).for_each(|ends| labels.keep_off(ends[0], ends[1]));
+            }
+            let greatest = points.iter().map(|point| point.1).fold(*first, f64::max);
+            if greatest > plane.torque.1 {
+                names.push((format!("{word} {} Nm ↑", number_text(greatest, 3)), at_the_top()));
+            } else {
+                names.push((word.to_owned(), beside_a_curve(plane, *first)));
+            }
         }
         let (x, y) = (plane.x(self.effective.0), plane.y(self.effective.1));
-        if x.is_finite() && y.is_finite() {
+        let has_point = x.is_finite() && y.is_finite();
+        if has_point {
             fill(out, "<circle class=\"s-ink f-pane\" stroke-width=\"1.5\" cx=\"#\" cy=\"#\" r=\"4\"/>", &[x, y]);
-            // Toward the side with more space.
-            let (anchor, side) = if x > 0.6 * SIZE.0 { (Anchor::End, -8.0) } else { (Anchor::Start, 8.0) };
-            let _ = write!(out, "<text class=\"small f-ink\" text-anchor=\"{}\"", anchor.name());
-            fill(out, " x=\"#\" y=\"#\">", &[x + side, y - 7.0]);
-            escape(out, words.effective);
-            let _ = write!(out, " {} Nm</text>", number_text(self.effective.1, 3));
+            labels.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
+        }
+        for (text, places) in &names {
+            labels.put(out, text, places);
+        }
+        if has_point {
+            let text = format!("{} {} Nm", words.effective, number_text(self.effective.1, 3));
+            labels.put(out, &text, &beside_a_point(x, y));
         }
     }
+}
+
+/// Places of a label at the upper edge, from left to right, then below it.
+fn at_the_top() -> Vec<LabelPlace> {
+    let (left, right) = (MARGINS.0 + 6.0, SIZE.0 - MARGINS.1 - 2.0);
+    let row = |y: f64| [(left, y, Anchor::Start), (right, y, Anchor::End)];
+    [10.0, 24.0, 38.0].into_iter().flat_map(|down| row(MARGINS.2 + down)).collect()
+}
+
+/// Places of the name of a curve that begins at a torque: above and below its start, then further to the right.
+fn beside_a_curve(plane: &Plane, torque: f64) -> Vec<LabelPlace> {
+    let y = plane.y(torque);
+    let lefts = (0..6).map(|step| plane.x(0.0) + 6.0 + 36.0 * f64::from(step));
+    lefts.flat_map(|x| [(x, y - 5.0, Anchor::Start), (x, y + 12.0, Anchor::Start)]).collect()
+}
+
+/// Places of a label beside a point: above and below on the side with more space, then on the other, then further away.
+fn beside_a_point(x: f64, y: f64) -> Vec<LabelPlace> {
+    let (right, left) = ((8.0, Anchor::Start), (-8.0, Anchor::End));
+    let sides = if x > 0.6 * SIZE.0 { [left, right] } else { [right, left] };
+    let rows = [-7.0, 14.0, -20.0, 27.0, -33.0, 40.0, -46.0];
+    rows.iter().flat_map(|down| sides.map(|(side, anchor)| (x + side, y + down, anchor))).collect()
 }
 
 /// Writes grid, figures and units.
