@@ -18,8 +18,9 @@ use crate::text::units;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
-/// Turn (degrees per frame) beyond which the jaws blur.
+/// Turn (degrees per frame) beyond which the jaws blur, and opacity of the blur.
 const SEEN: f64 = 40.0;
+const BLURRED: f64 = 0.35;
 
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
@@ -43,7 +44,7 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     for group in [group::JAWS_FAR, group::JAWS_NEAR] {
         placements.push(Placement { opacity: seen, ..Placement::of(group) });
     }
-    placements.push(Placement { opacity: 0.7 * (1.0 - seen), ..Placement::of(group::BLUR) });
+    placements.push(Placement { opacity: BLURRED * (1.0 - seen), ..Placement::of(group::BLUR) });
     let knob = scene::knob(spindle.stage.max(1), spindle.bound == Bound::Shift, p.stages().count());
     placements.push(Placement { dx: knob.0, dy: knob.1, ..Placement::of(group::KNOB) });
     scene::pose_work(lathe, &layout, progress, spindle.turns, &mut pose.paths);

@@ -96,15 +96,15 @@ impl Chuck {
         });
     }
 
-    /// The jaws before the part, and the ring that they blur to.
+    /// The jaws before the part, and the shadow that they blur to: dark, because bright rings would look like parts.
     pub(super) fn draw_near_jaws(&self, drawing: &mut Drawing) {
         drawing.within(group::JAWS_NEAR, |drawing| jaws(drawing, node::NEAR));
         let (step, base) = self.ends();
         drawing.within_hidden(group::BLUR, |drawing| {
             for (x, end) in [((0.0, BASE), base), ((BASE, STEP), step)] {
                 let (from, to) = (self.face + x.0, self.face + x.1);
-                drawing.path(solid::body(&[(from, end), (to, end)]), Look::fill(Paint::SteelShade));
-                drawing.path(solid::ring(to, end, self.grip), Look::fill(Paint::Steel));
+                drawing.path(solid::body(&[(from, end), (to, end)]), Look::fill(Paint::DarkShade));
+                drawing.path(solid::ring(to, end, self.grip), Look::fill(Paint::Dark));
             }
         });
     }
