@@ -108,11 +108,11 @@ test('a divider is moved by its keys and remembered', () =>
 test('chart reads values at the pointer, press sets play head', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('.plot .over').waitFor();
-    await page.getByRole('button', { name: 'Speed of the axes' }).click();
+    await page.getByRole('button', { name: 'Axis speeds' }).click();
     await page.locator('.legend', { hasText: 'Y' }).waitFor();
     const { x, y, width } = await box(page, '.plot');
     await page.mouse.move(x + width / 2, y + 30);
-    const [, told] = /^(\d+\.\d+) s {2}X 7.577 {2}Y 7.578$/.exec(await page.locator('.pointed').textContent());
+    const [, told] = /^(\d+\.\d+) s {2}X 7.577 mm\/min {2}Y 7.578 mm\/min$/.exec(await page.locator('.pointed').textContent());
     await page.mouse.down();
     await page.mouse.up();
     // The readout has three decimals, the clock four.

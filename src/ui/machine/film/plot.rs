@@ -9,10 +9,16 @@ use super::charts::Charts;
 use crate::math;
 use crate::text::catalog::number_text;
 use crate::text::number::filled;
+use crate::text::{columns, units};
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::player::Player;
 use crate::ui::words::t;
+use crate::view::Chart;
+
+/// Pixels of a letter of the readout, and of its margins.
+const LETTER: f64 = 7.3;
+const MARGINS: f64 = 26.0;
 
 /// Fingers on the chart, by their number and place in pixels.
 #[derive(Clone, Copy)]
@@ -85,8 +91,9 @@ pub(super) fn Plot(
     film: NodeRef<html::Section>,
 ) -> impl IntoView {
     let player = Page::here().player;
-    // The time under the pointer, as a part of the axis.
+    // The time under the pointer, as a part of the axis, and the pixels of the axis.
     let pointed = RwSignal::new(None::<f64>);
+    let width = StoredValue::new(0.0_f64);
     let time = move |part: f64| {
         let (from, to) = axis.get();
         from + part * (to - from)
@@ -100,7 +107,10 @@ pub(super) fn Plot(
     let point = move |event: PointerEvent| {
         let over = dom::closest(&event, ".over");
         let area = over.map(|over| over.get_bounding_client_rect());
-        let share = |area: DomRect| (f64::from(event.client_x()) - area.left()) / area.width();
+        let share = |area: DomRect| {
+            width.set_value(area.width());
+            (f64::from(event.client_x()) - area.left()) / area.width()
+        };
         let part = area.map(|area| math::clamp(share(area), 0.0, 1.0));
         pointed.set(part);
         touch(&event, event.buttons() & 1 == 1);
@@ -117,18 +127,32 @@ pub(super) fn Plot(
         }
     };
     keys(player, film, move || pointed.get_untracked().map(|part| untrack(|| time(part))));
+    // The values with their unit: one chart of all has values to show.
+    let values = move |at: f64| {
+        let with_unit = |chart: Chart| {
+            let unit = units::unit(chart.unit);
+            let texts = charts.with_value(|charts| charts.value_texts(vec![chart]));
+            (!texts.is_empty())
+                .then(move || texts.into_iter().map(move |text| format!("{text} {unit}").trim_end().to_owned()))
+        };
+        let texts = player.charts(at..=at, 1).into_iter().find_map(with_unit);
+        texts.into_iter().flatten().collect::<Vec<_>>().join("  ")
+    };
     let readout = move || {
         let part = pointed.get()?;
         let seconds = time(part);
-        let values = charts.with_value(|charts| charts.value_texts(player.charts(seconds..=seconds, 1)));
-        let text = format!("{} s  {}", number_text(seconds, 3), values.join("  "));
-        let class = if part > 0.5 { "pointed left" } else { "pointed" };
+        let text = format!("{} s  {}", number_text(seconds, 3), values(seconds));
+        // On the left of the pointer only where it would leave the plot on the right.
+        let has_room = (1.0 - part) * width.get_value() >= LETTER * columns(&text) as f64 + MARGINS;
+        let class = if part > 0.5 && !has_room { "pointed left" } else { "pointed" };
         Some(view! { <span class=class style:left=filled("#%", &[100.0 * part])>{text}</span> })
     };
     let stops_at_once = Memo::new(move |_| player.planned.with(|planned| planned.is_over && planned.end <= 0.0));
     view! {
         <div
-            class="plots" node_ref=plot on:pointerdown=point on:pointermove=point on:wheel=wheel
+            class="plots" class:hairline=move || pointed.get().is_some()
+            style:--pointed=move || filled("#%", &[100.0 * pointed.get().unwrap_or_default()]) node_ref=plot
+            on:pointerdown=point on:pointermove=point on:wheel=wheel
             on:pointerup=move |event| touch(&event, false) on:pointercancel=move |event| touch(&event, false)
             on:pointerleave=move |event| {
                 touch(&event, false);
@@ -172,12 +196,15 @@ mod tests {
         point(&bench, "pointermove", 0.25, 0).await;
         let text = bench.text(".pointed");
         assert!(text.starts_with("0.5") && text.split("  ").count() > 1, "{text}");
-        assert!(!bench.has(".pointed.left"));
-        point(&bench, "pointermove", 0.75, 0).await;
-        assert!(bench.text(".pointed.left").starts_with("1.5"));
+        assert!(text.ends_with(" mm"), "{text}");
+        assert!(!bench.has(".pointed.left") && bench.has(".plots.hairline"));
+        assert_eq!(bench.style(".plots", "--pointed"), "25%");
+        // It changes sides where it would leave the plot.
+        point(&bench, "pointermove", 1.0, 0).await;
+        assert!(bench.text(".pointed.left").starts_with('2'));
         bench.find(".plots").dispatch_event(&event("PointerEvent", "pointerleave", &[])).unwrap();
         bench.drawn().await;
-        assert!(!bench.has(".pointed"));
+        assert!(!bench.has(".pointed") && !bench.has(".hairline"));
     }
 
     #[wasm_bindgen_test]
