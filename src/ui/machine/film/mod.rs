@@ -67,20 +67,7 @@ pub(crate) fn Film() -> impl IntoView {
             </div>
             <div class="chart-bar">
                 <Later>
-                    <div class="chips" role="group" aria-label=t("page.charts")>
-                        <For each=move || titles.get().into_iter().enumerate() key=|(at, title)| (*at, *title) let:row>
-                            <button
-                                type="button" class="chip"
-                                aria-pressed=move || (chosen.get() == row.0).to_string()
-                                on:click=move |_| {
-                                    chosen.set(row.0);
-                                    player.ask();
-                                }
-                            >
-                                {t(row.1)}
-                            </button>
-                        </For>
-                    </div>
+                    <ChartChips titles=titles chosen=chosen />
                     <span class="space"></span>
                     <WindowChoice />
                     <button
@@ -95,6 +82,68 @@ pub(crate) fn Film() -> impl IntoView {
                 </Later>
             </div>
         </section>
+    }
+}
+
+/// Sides on which chips are out of sight.
+#[derive(Clone, Copy, PartialEq, Default)]
+struct CutSides {
+    left: bool,
+    right: bool,
+}
+
+/// The choice of chart, with an arrow to the chips that are out of sight. The place of the arrow is kept, so that it moves nothing.
+#[component]
+fn ChartChips(
+    /// Titles of the charts.
+    titles: RwSignal<Vec<&'static str>>,
+    /// The number of the chosen chart.
+    chosen: RwSignal<usize>,
+) -> impl IntoView {
+    let player = Page::here().player;
+    let chips: NodeRef<html::Div> = NodeRef::new();
+    let cut = RwSignal::new(CutSides::default());
+    let measure = move || {
+        // The page may be gone.
+        if let Some(chips) = chips.try_get_untracked().flatten() {
+            let rest = chips.scroll_width() - chips.client_width() - chips.scroll_left();
+            put(cut, CutSides { left: chips.scroll_left() > 1, right: rest > 1 });
+        }
+    };
+    chips.on_load(move |chips| dom::on_resize(&chips, measure));
+    Effect::new(move |_| {
+        titles.track();
+        dom::soon(measure);
+    });
+    // A part of the chips further, and from the last ones back to the first.
+    let further = move |_| {
+        if let Some(chips) = chips.get_untracked() {
+            let next = chips.scroll_left() + 3 * chips.client_width() / 4;
+            chips.set_scroll_left(if cut.get_untracked().right { next } else { 0 });
+        }
+    };
+    view! {
+        <div
+            class="chips" role="group" aria-label=t("page.charts") node_ref=chips on:scroll=move |_| measure()
+            class:cut-left=move || cut.get().left class:cut-right=move || cut.get().right>
+            <For each=move || titles.get().into_iter().enumerate() key=|(at, title)| (*at, *title) let:row>
+                <button
+                    type="button" class="chip"
+                    aria-pressed=move || (chosen.get() == row.0).to_string()
+                    on:click=move |_| {
+                        chosen.set(row.0);
+                        player.ask();
+                    }
+                >
+                    {t(row.1)}
+                </button>
+            </For>
+        </div>
+        <button
+            type="button" class="further" title=t("page.more-charts") aria-label=t("page.more-charts")
+            class:unseen=move || cut.get() == CutSides::default() on:click=further>
+            {move || if cut.get().right { "›" } else { "‹" }}
+        </button>
     }
 }
 
@@ -191,6 +240,22 @@ mod tests {
         assert!(bench.text("figcaption").starts_with(&title));
         assert_eq!(bench.attribute(".chip:nth-of-type(2)", "aria-pressed"), "true");
         assert_eq!(bench.all(".chip[aria-pressed=true]").len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn arrow_leads_to_chips_out_of_sight_and_back() {
+        let bench = film().await;
+        let chips = bench.find(".chips");
+        chips.set_attribute("style", "width: 120px; overflow-x: auto; display: flex; flex: none").unwrap();
+        until(|| bench.has(".chips.cut-right")).await;
+        assert!(!bench.has(".unseen") && !bench.has(".cut-left"));
+        bench.press(".further").await;
+        until(|| bench.has(".chips.cut-left")).await;
+        chips.set_scroll_left(10_000);
+        until(|| !bench.has(".chips.cut-right")).await;
+        bench.press(".further").await;
+        until(|| bench.has(".chips.cut-right")).await;
+        assert_eq!(chips.scroll_left(), 0);
     }
 
     #[wasm_bindgen_test]
