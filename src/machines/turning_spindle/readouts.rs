@@ -12,7 +12,7 @@ use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);
-const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a sister control", Grade::Sister);
+const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a similar control", Grade::Sister);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
 const KIENZLE: Citation = Citation::new("ISCAR turning catalogue 2017, p.558, groups by their order", Grade::Inferred);
