@@ -1,5 +1,6 @@
 //! A form as data: fields with unit, range, default and help, and their values.
 
+pub mod common;
 pub mod entry;
 pub mod fill;
 pub mod read;

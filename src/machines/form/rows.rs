@@ -6,7 +6,6 @@ use core::ops::RangeInclusive;
 
 use super::{Field, FieldKind, FieldRole};
 use crate::controls::Control;
-use crate::nc::Newline;
 
 /// Getter and setter of a member of the parameters `P`.
 pub type Member<P, T> = (fn(&P) -> T, fn(&mut P, T));
@@ -58,25 +57,6 @@ macro_rules! options {
             }
         }
     };
-}
-
-options! {
-    /// Line ends of the program files.
-    pub enum LineEnds {
-        /// LF.
-        Lf = "lf" "form.newline.lf",
-        /// CR LF.
-        CrLf = "crlf" "form.newline.crlf",
-    }
-}
-
-impl From<LineEnds> for Newline {
-    fn from(ends: LineEnds) -> Newline {
-        match ends {
-            LineEnds::Lf => Newline::Lf,
-            LineEnds::CrLf => Newline::CrLf,
-        }
-    }
 }
 
 /// A whole number in steps of 1, without unit and limits until they are set.
@@ -241,10 +221,4 @@ impl<P> Field<P> {
         }
         self
     }
-}
-
-/// Field of the pause (s) from the end of a run to the next start, in which the drives hold at standstill.
-pub(in crate::machines) const fn pause<P>(group: &'static str, member: Member<P, f64>) -> Field<P> {
-    let row = number("pause", member).group(group).label("form.pause").help("form.pause.help");
-    row.unit("s").range(0.0..=36000.0).default(0.0).decimals(1).step(1.0)
 }

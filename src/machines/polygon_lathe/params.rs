@@ -9,7 +9,8 @@ use crate::machines::driven::scaling;
 use crate::machines::driven::site;
 use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, pause, text};
+use crate::machines::form::common::{self, LineEnds};
+use crate::machines::form::rows::{choice, count, flag, joined, number, text};
 use crate::machines::lathe::main_spindle::{self, SpindleDrive};
 use crate::machines::lathe::materials::Material;
 use crate::machines::lathe::slides::{self, LatheSlides, SlideForm, XDefaults};
@@ -197,7 +198,7 @@ const ROWS: &[&[Field<Params>]] = &[
     flag("hollow", member!(Params.hollow)).group("polygon.group.part").label("polygon.hollow").help("polygon.hollow.help"),
     number("orientation", member!(Params.orientation)).group("polygon.group.part").label("polygon.orientation").help("polygon.orientation.help").symbol("ψ")
         .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0),
-    pause("polygon.group.part", member!(Params.pause)),
+    common::pause("polygon.group.part", member!(Params.pause)),
     number("inserts", member!(Params.inserts)).group("polygon.group.cutter").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
         .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own),
     number("work-ratio", member!(Params.work_ratio)).group("polygon.group.cutter").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")
@@ -363,14 +364,11 @@ const ROWS: &[&[Field<Params>]] = &[
     ],
     &slides::rows(XDefaults { mass: 150.0, friction: 200.0 }),
     &[
-    number("block-time", member!(Params.block_time)).group("polygon.group.control").label("form.block-time").help("form.block-time.help")
-        .unit("ms").range(0.1..=1000.0).default(4.0).decimals(3).step(0.1).fact(),
-    number("macro-time", member!(Params.macro_time)).group("polygon.group.control").label("form.macro-time").help("form.macro-time.help")
-        .unit("ms").range(0.1..=1000.0).default(2.0).decimals(3).step(0.1).fact(),
-    number("preread", member!(Params.preread)).group("polygon.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
-    choice("newline", member!(Params.newline: LineEnds)).group("polygon.group.control").label("form.newline").help("form.newline.help"),
-    text("customer", member!(&Params.customer)).group("polygon.group.control").label("form.customer").help("form.customer.help").characters(22),
-    text("product", member!(&Params.product)).group("polygon.group.control").label("form.product").help("form.product.help").characters(22),
+    common::block_time("polygon.group.control", 4.0, member!(Params.block_time)),
+    common::macro_time("polygon.group.control", 2.0, member!(Params.macro_time)),
+    common::preread("polygon.group.control", 5.0, member!(Params.preread)),
+    common::newline("polygon.group.control", member!(Params.newline: LineEnds)),
+    common::customer("polygon.group.control", member!(&Params.customer)),
+    common::product("polygon.group.control", member!(&Params.product)),
     ],
 ];

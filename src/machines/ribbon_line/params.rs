@@ -8,7 +8,8 @@ use crate::drives::derating::Site;
 use crate::machines::driven::site;
 use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, flag, number, pause, text};
+use crate::machines::form::common::{self, LineEnds};
+use crate::machines::form::rows::{choice, flag, number, text};
 use crate::machines::machine::LOWEST_KNOB;
 use crate::{member, options};
 
@@ -576,7 +577,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .when(Params::is_length),
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
-    pause("ribbon.group.job", member!(Params.pause)),
+    common::pause("ribbon.group.job", member!(Params.pause)),
     number("clamp-x", member!(Params.axes.pull.clamp)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
         .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact().when(Params::has_clamp),
     number("clamp-y", member!(Params.axes.print.clamp)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
@@ -697,12 +698,9 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("°C").range(0.0..=50.0).default(40.0).decimals(1).step(1.0).fact(),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
         .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
-    number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")
-        .unit("ms").range(0.1..=1000.0).default(7.1).decimals(3).step(0.1).fact(),
-    number("macro-time", member!(Params.macro_time)).group("ribbon.group.control").label("form.macro-time").help("form.macro-time.help")
-        .unit("ms").range(0.0..=1000.0).default(3.0).decimals(3).step(0.1).fact(),
-    number("preread", member!(Params.preread)).group("ribbon.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
+    common::block_time("ribbon.group.control", 7.1, member!(Params.block_time)),
+    common::macro_time("ribbon.group.control", 3.0, member!(Params.macro_time)).range(0.0..=1000.0),
+    common::preread("ribbon.group.control", 5.0, member!(Params.preread)),
     choice("variant", member!(Params.variant: Variant)).group("ribbon.group.program").label("ribbon.variant").help("ribbon.variant.help"),
     choice("pi", member!(Params.pi: PiForm)).group("ribbon.group.program").label("ribbon.pi").help("ribbon.pi.help"),
     choice("feed-form", member!(Params.feed_form: FeedForm)).group("ribbon.group.program").label("ribbon.feed-form").help("ribbon.feed-form.help").symbol("F"),
@@ -711,7 +709,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1),
     choice("path-mode", member!(Params.path_mode: PathMode)).group("ribbon.group.program").label("ribbon.path-mode").help("ribbon.path-mode.help")
         .when(Params::stops_exactly),
-    choice("newline", member!(Params.newline: LineEnds)).group("ribbon.group.program").label("form.newline").help("form.newline.help"),
-    text("customer", member!(&Params.customer)).group("ribbon.group.program").label("form.customer").help("form.customer.help").characters(22),
-    text("product", member!(&Params.product)).group("ribbon.group.program").label("form.product").help("form.product.help").characters(22),
+    common::newline("ribbon.group.program", member!(Params.newline: LineEnds)),
+    common::customer("ribbon.group.program", member!(&Params.customer)),
+    common::product("ribbon.group.program", member!(&Params.product)),
 ];

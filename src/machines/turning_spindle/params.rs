@@ -6,7 +6,8 @@ use crate::drives::inertia::STEEL;
 use crate::machines::driven::site;
 use crate::machines::driven::spindle_encoder::{self, EncoderParams};
 use crate::machines::form::Field;
-use crate::machines::form::rows::{LineEnds, choice, count, flag, joined, number, pause, text};
+use crate::machines::form::common::{self, LineEnds};
+use crate::machines::form::rows::{choice, count, flag, joined, number};
 use crate::machines::lathe::main_spindle::{self, SpindleDrive};
 use crate::machines::lathe::materials::Material;
 use crate::machines::lathe::slides::{self, LatheSlides, SlideForm, XDefaults};
@@ -311,7 +312,7 @@ const ROWS: &[&[Field<Params>]] = &[
         .unit("kg/m³").range(1.0..=25000.0).default(STEEL).decimals(0).step(50.0).fact(),
     number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")
         .unit("mm").range(0.01..=1000.0).default(2.0).decimals(3).step(0.1).when(Params::is_facing),
-    pause("turning.group.part", member!(Params.pause)),
+    common::pause("turning.group.part", member!(Params.pause)),
     number("depth", member!(Params.depth)).group("turning.group.cut").label("turning.depth").help("turning.depth.help").symbol("#106")
         .unit("mm").range(0.01..=100.0).default(1.0).decimals(3).step(0.1).essential(),
     choice("speed-mode", member!(Params.speed_mode: SpeedMode)).group("turning.group.cut").label("turning.speed-mode").help("turning.speed-mode.help")
@@ -446,14 +447,11 @@ const ROWS: &[&[Field<Params>]] = &[
     ],
     &slides::rows(XDefaults { mass: 100.0, friction: 150.0 }),
     &[
-    number("block-time", member!(Params.block_time)).group("turning.group.control").label("form.block-time").help("form.block-time.help")
-        .unit("ms").range(0.1..=1000.0).default(5.0).decimals(3).step(0.1).fact(),
-    number("macro-time", member!(Params.macro_time)).group("turning.group.control").label("form.macro-time").help("form.macro-time.help")
-        .unit("ms").range(0.1..=1000.0).default(1.0).decimals(3).step(0.1).fact(),
-    number("preread", member!(Params.preread)).group("turning.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(2.0).decimals(0).step(1.0).fact(),
-    choice("newline", member!(Params.newline: LineEnds)).group("turning.group.control").label("form.newline").help("form.newline.help"),
-    text("customer", member!(&Params.customer)).group("turning.group.control").label("form.customer").help("form.customer.help").characters(22),
-    text("product", member!(&Params.product)).group("turning.group.control").label("form.product").help("form.product.help").characters(22),
+    common::block_time("turning.group.control", 5.0, member!(Params.block_time)),
+    common::macro_time("turning.group.control", 1.0, member!(Params.macro_time)),
+    common::preread("turning.group.control", 2.0, member!(Params.preread)),
+    common::newline("turning.group.control", member!(Params.newline: LineEnds)),
+    common::customer("turning.group.control", member!(&Params.customer)),
+    common::product("turning.group.control", member!(&Params.product)),
     ],
 ];

@@ -1,7 +1,8 @@
 //! The form of the cut-to-length feeder, and the parameters that it fills.
 
 use macroline::machines::form::Field;
-use macroline::machines::form::rows::{LineEnds, choice, number};
+use macroline::machines::form::common::{self, LineEnds};
+use macroline::machines::form::rows::{choice, number};
 use macroline::{member, options};
 
 options! {
@@ -49,11 +50,8 @@ pub(crate) static FIELDS: &[Field<Params>] = &[
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
     number("position-gain", member!(Params.position_gain)).group("toy.group.axis").label("toy.position-gain").help("toy.position-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).fact(),
-    number("block-time", member!(Params.block_time)).group("toy.group.control").label("form.block-time").help("form.block-time.help")
-        .unit("ms").range(0.1..=1000.0).default(5.0).decimals(3).step(0.1).fact(),
-    number("macro-time", member!(Params.macro_time)).group("toy.group.control").label("form.macro-time").help("form.macro-time.help")
-        .unit("ms").range(0.1..=1000.0).default(1.0).decimals(3).step(0.1).fact(),
-    number("preread", member!(Params.preread)).group("toy.group.control").label("form.preread").help("form.preread.help")
-        .range(1.0..=100.0).default(2.0).fact(),
-    choice("newline", member!(Params.newline: LineEnds)).group("toy.group.control").label("form.newline").help("form.newline.help"),
+    common::block_time("toy.group.control", 5.0, member!(Params.block_time)),
+    common::macro_time("toy.group.control", 1.0, member!(Params.macro_time)),
+    common::preread("toy.group.control", 2.0, member!(Params.preread)),
+    common::newline("toy.group.control", member!(Params.newline: LineEnds)),
 ];
