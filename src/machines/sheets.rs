@@ -1,6 +1,7 @@
 //! Sheets beside a program: rows that all machines share.
 
 use crate::controls::{Control, ParamDef, ParamRole};
+use crate::math;
 use crate::msg;
 use crate::text::catalog::{number_text, words};
 use crate::text::{Citation, Diagnostic};
@@ -37,6 +38,71 @@ pub struct AxisUnits<'a> {
 /// Values of a parameter: by axis, or one under an empty name.
 pub type AxisValues<'a> = Vec<(&'a str, ParamValue)>;
 
+/// Parameters with their values.
+pub type ParamValues<'a> = Vec<(ParamRole, AxisValues<'a>)>;
+
+/// A number without an axis.
+pub fn number(value: f64) -> AxisValues<'static> {
+    vec![("", ParamValue::Number(value))]
+}
+
+/// Yes or no without an axis.
+pub fn answer(yes: bool) -> AxisValues<'static> {
+    vec![("", ParamValue::Answer(yes))]
+}
+
+/// A servo axis in the parameters of a control.
+pub struct ServoSettings {
+    /// Name of the axis.
+    pub axis: &'static str,
+    /// Rapid traverse, mm/min.
+    pub rapid: f64,
+    /// Clamp of the cutting feed, mm/min.
+    pub clamp: f64,
+    /// Time constant of the acceleration, ms.
+    pub time_constant: f64,
+    /// Gain of the position loop, 1/s.
+    pub position_gain: f64,
+    /// Greatest acceleration, mm/s², on a control without time constants.
+    pub acceleration: f64,
+}
+
+/// Parameters of two servo axes that move together. `x_counts_diameters`: words of the first one, X; `in_position`: in-position width, mm.
+pub fn servo_axes(axes: &[ServoSettings; 2], x_counts_diameters: bool, in_position: f64) -> ParamValues<'static> {
+    let each = |value: &dyn Fn(&ServoSettings) -> f64| -> AxisValues<'static> {
+        axes.iter().map(|of| (of.axis, ParamValue::Number(value(of)))).collect()
+    };
+    let linear = axes.iter().map(|of| (of.axis, ParamValue::Answer(true))).collect();
+    let [x, other] = axes;
+    vec![
+        (ParamRole::AxisDiameter, vec![(x.axis, ParamValue::Answer(x_counts_diameters))]),
+        (ParamRole::AxisRapid, each(&|of| of.rapid)),
+        (ParamRole::AxisClamp, each(&|of| of.clamp)),
+        // Above what both axes reach together: each of them is clamped by itself.
+        (ParamRole::PathClamp, number(math::hypot(x.clamp, other.clamp).ceil())),
+        (ParamRole::AxisAcceleration, linear),
+        (ParamRole::RapidTimeConstant, each(&|of| of.time_constant)),
+        (ParamRole::AxisTimeConstant, each(&|of| of.time_constant)),
+        (ParamRole::AxisGreatestAcceleration, each(&|of| of.acceleration)),
+        (ParamRole::AxisPositionGain, each(&|of| of.position_gain)),
+        (ParamRole::AxisInPosition, each(&|_| in_position)),
+    ]
+}
+
+/// Parameters that the macro programs of every machine need.
+pub fn for_macros() -> ParamValues<'static> {
+    vec![
+        (ParamRole::CommandUnit, answer(true)),
+        (ParamRole::EditLock, answer(false)),
+        (ParamRole::MacroSingle, answer(false)),
+    ]
+}
+
+/// Parameters that keep the common variables at reset and without power, for programs that use them at the next start.
+pub fn keeping_variables() -> ParamValues<'static> {
+    vec![(ParamRole::VariablesAtReset, answer(false)), (ParamRole::VariablesAtPowerOn, answer(false))]
+}
+
 /// The error of a value (with its unit) that a parameter of the control does not take, if its range is known.
 pub fn beyond_range(
     field: &'static str,
@@ -50,7 +116,7 @@ pub fn beyond_range(
 }
 
 /// Parameters with their values, as far as the control has them.
-pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, AxisValues)>) -> Sheet {
+pub fn parameters(control: &Control, axes: &AxisUnits, values: ParamValues) -> Sheet {
     // In the order of the control's numbers.
     let values = &values;
     let rows = control.params.iter().flat_map(|def| {

@@ -4,7 +4,7 @@ use crate::controls::{Control, ParamRole, ScalingKind};
 use crate::drives::scaling::Fraction;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{Member, number};
-use crate::machines::sheets::{AxisValues, ParamValue};
+use crate::machines::sheets::{ParamValue, ParamValues};
 use crate::machines::verdict::{Judgement, fail, ok, warn};
 use crate::msg;
 use crate::view::Limit::AtMost;
@@ -166,7 +166,7 @@ pub fn judge(control: &Control, drive: &AxisDrive) -> Option<Judgement> {
 }
 
 /// Rows of the parameter sheet for the scaling of axes.
-pub fn parameters(control: &Control, drives: &[AxisDrive]) -> Vec<(ParamRole, AxisValues<'static>)> {
+pub fn parameters(control: &Control, drives: &[AxisDrive]) -> ParamValues<'static> {
     let scaled = drives.iter().filter_map(|drive| Some((drive.axis, drive.scaling(control)?)));
     let values = scaled.flat_map(|(axis, scaling)| scaling.values.into_iter().map(move |value| (axis, value)));
     values.map(|(axis, (role, value))| (role, vec![(axis, ParamValue::Fine(value))])).collect()

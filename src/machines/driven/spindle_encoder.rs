@@ -3,7 +3,7 @@
 use crate::controls::{Control, ParamRole};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{Member, number};
-use crate::machines::sheets::{AxisValues, ParamValue};
+use crate::machines::sheets::{self, AxisValues, ParamValues, answer};
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -71,18 +71,16 @@ impl EncoderParams {
     }
 
     /// Rows of the parameter sheet.
-    pub(in crate::machines) fn parameters(&self, control: &Control) -> Vec<(ParamRole, AxisValues<'static>)> {
-        let number = |value: f64| vec![("", ParamValue::Number(value))];
-        let yes = |on: bool| vec![("", ParamValue::Answer(on))];
+    pub(in crate::machines) fn parameters(&self, control: &Control) -> ParamValues<'static> {
         let [high, low] = self.bits().unwrap_or_default();
         let if_known = |values: AxisValues<'static>| if self.is_known(control) { values } else { Vec::new() };
         vec![
-            (ParamRole::SpindleEncoderLines, number(self.lines)),
-            (ParamRole::SpindleEncoderDirect, yes(true)),
-            (ParamRole::SpindleEncoderTurns, number(self.turns)),
-            (ParamRole::SpindleEncoderSpindleTurns, number(self.spindle_turns)),
-            (ParamRole::SpindleEncoderHigh, if_known(yes(high))),
-            (ParamRole::SpindleEncoderLow, if_known(yes(low))),
+            (ParamRole::SpindleEncoderLines, sheets::number(self.lines)),
+            (ParamRole::SpindleEncoderDirect, answer(true)),
+            (ParamRole::SpindleEncoderTurns, sheets::number(self.turns)),
+            (ParamRole::SpindleEncoderSpindleTurns, sheets::number(self.spindle_turns)),
+            (ParamRole::SpindleEncoderHigh, if_known(answer(high))),
+            (ParamRole::SpindleEncoderLow, if_known(answer(low))),
         ]
     }
 

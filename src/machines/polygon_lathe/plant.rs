@@ -3,6 +3,7 @@
 use super::resolved::PolygonLathe;
 use crate::drives::Stage;
 use crate::drives::speed::STAGES;
+use crate::machines::lathe::slides::IN_POSITION;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The main spindle if the program turns the bar with it; else the spindle of the control's test bench, at rest.
@@ -37,7 +38,7 @@ pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,
-        in_position: 0.02,
+        in_position: IN_POSITION,
         stock: 0.5 * p.stock_diameter,
     }
 }

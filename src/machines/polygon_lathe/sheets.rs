@@ -9,9 +9,9 @@ use super::{ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::machines::driven::scaling;
-use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
+use crate::machines::sheets::{self, AxisUnits, answer, number, row, say};
 use crate::machines::stops;
-use crate::math::{self, PI};
+use crate::math::PI;
 use crate::text::catalog::number_text as show;
 use crate::text::units::{self, Lengths};
 use crate::text::{Citation, Grade, clauses, ranged};
@@ -38,32 +38,19 @@ const FIRST: u32 = 4120;
 
 fn parameters(lathe: &PolygonLathe) -> Sheet {
     let p = &lathe.params;
-    let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
-    let mut values = vec![
-        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.x_per_mm() > 1.0))]),
-        (ParamRole::AxisRapid, slides(p.slides.x.rapid, p.slides.z.rapid)),
-        (ParamRole::AxisClamp, slides(p.slides.x.clamp, p.slides.z.clamp)),
-        // Above what both axes reach together: each of them is clamped by itself.
-        (ParamRole::PathClamp, vec![("", ParamValue::Number(math::hypot(p.slides.x.clamp, p.slides.z.clamp).ceil()))]),
-        (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
-        (ParamRole::RapidTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
-        (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
-        (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),
-        (ParamRole::EditLock, vec![("", ParamValue::Answer(false))]),
-    ];
+    let mut values = p.slides.parameters(lathe.x_per_mm() > 1.0);
+    values.extend(sheets::for_macros());
     if lathe.has_main_spindle() {
-        let number = |value: f64| vec![("", ParamValue::Number(value))];
-        let yes = || vec![("", ParamValue::Answer(true))];
         values.extend([
-            (ParamRole::SpindleCount, yes()),
-            (ParamRole::SpindleConnection, yes()),
+            (ParamRole::SpindleCount, answer(true)),
+            (ParamRole::SpindleConnection, answer(true)),
             (ParamRole::SpindleLimit, number(p.main_speed)),
             (ParamRole::SpindleMaximum, number(p.main_clamp())),
-            (ParamRole::SpindleReached, vec![("", ParamValue::Answer(lathe.dialect.spindle().reached.is_some()))]),
-            (ParamRole::SpindleUnipolar, yes()),
+            (ParamRole::SpindleReached, answer(lathe.dialect.spindle().reached.is_some())),
+            (ParamRole::SpindleUnipolar, answer(true)),
             (ParamRole::SpindleRatedVolts, number(100.0)),
+            (ParamRole::SpindleEncoder, answer(true)),
         ]);
-        values.push((ParamRole::SpindleEncoder, yes()));
         values.extend(p.encoder.parameters(lathe.control));
     }
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));

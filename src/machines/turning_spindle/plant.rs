@@ -7,6 +7,7 @@ use crate::controls::SpindleRules;
 use crate::drives::Stage;
 use crate::drives::speed::{KnobRange, STAGES};
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
+use crate::machines::lathe::slides::IN_POSITION;
 use crate::motion::{Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and limits.
@@ -19,7 +20,7 @@ pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,
-        in_position: 0.02,
+        in_position: IN_POSITION,
         stock: 0.5 * p.stock_diameter,
     }
 }

@@ -8,9 +8,8 @@ use super::resolved::TurningSpindle;
 use super::stops::reactions;
 use crate::controls::{ParamRole, ParamUnit};
 use crate::machines::driven::scaling;
-use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
+use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue, ParamValues, answer, number};
 use crate::machines::stops;
-use crate::math;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
@@ -25,9 +24,6 @@ pub(super) fn sheets(lathe: &TurningSpindle) -> Vec<Sheet> {
 
 fn parameters(lathe: &TurningSpindle) -> Sheet {
     let p = &lathe.params;
-    let number = |value: f64| vec![("", ParamValue::Number(value))];
-    let yes = |on: bool| vec![("", ParamValue::Answer(on))];
-    let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let stage = |speed: f64| if speed > 0.0 { number(speed) } else { Vec::new() };
     // Some controls have a gain here, or units of their own.
     let volts = |role: ParamRole, value: f64| {
@@ -47,14 +43,14 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     let minimum = if rules.low_always { by_stage(&|_| 0.0) } else { number(p.lower_limit) };
     let (shifts, positioning) = (p.has_several_stages(), lathe.positioning());
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
-    let mut values: Vec<(ParamRole, AxisValues)> = vec![
-        (ParamRole::SpindleCount, yes(true)),
-        (ParamRole::SpindleConnection, yes(true)),
-        (ParamRole::OverrideIsCoded, yes(false)),
+    let mut values: ParamValues = vec![
+        (ParamRole::SpindleCount, answer(true)),
+        (ParamRole::SpindleConnection, answer(true)),
+        (ParamRole::OverrideIsCoded, answer(false)),
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
         (ParamRole::SpindleOffsetZero, volts(ParamRole::SpindleOffsetZero, p.offset_zero)),
         (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * shift_volts(lathe))),
-        (ParamRole::ShiftBySignal, if shifts { yes(true) } else { Vec::new() }),
+        (ParamRole::ShiftBySignal, if shifts { answer(true) } else { Vec::new() }),
         (
             ParamRole::SpindleShiftCode,
             if shifts {
@@ -74,48 +70,34 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleGearMaximum(3), stage(p.chuck_limit.min(p.stage_3))),
         (ParamRole::SpindleGearMaximum(4), stage(p.chuck_limit.min(p.stage_4))),
         (ParamRole::SpindleMinimum, minimum),
-        (ParamRole::SpindleUnipolar, yes(p.output == Output::Unipolar)),
+        (ParamRole::SpindleUnipolar, answer(p.output == Output::Unipolar)),
         (ParamRole::SpindleRatedVolts, number(100.0)),
         (ParamRole::SpindleRatioSpindle, by_stage(&|speed| speed)),
         (ParamRole::SpindleRatioMotor, by_stage(&|_| p.spindle.top)),
         (ParamRole::SpindleStageMaximum, by_stage(&|speed| speed)),
         (ParamRole::SpindleTolerance, number(rules.tolerance())),
-        (ParamRole::SpindleReached, yes(rules.reached.is_some())),
+        (ParamRole::SpindleReached, answer(rules.reached.is_some())),
         (ParamRole::SpindleReachedDelay, number(0.0)),
         (ParamRole::PositioningAcceleration, angle(positioning.acceleration)),
         (ParamRole::PositioningSpeed, angle(positioning.speed)),
-        (ParamRole::PositioningClockwise, if lathe.positions() { yes(positioning.clockwise) } else { Vec::new() }),
+        (ParamRole::PositioningClockwise, if lathe.positions() { answer(positioning.clockwise) } else { Vec::new() }),
         (ParamRole::SpindleLowerSet, number(p.lower_limit)),
         (ParamRole::SpindleUpperSet, number(p.chuck_limit)),
         (ParamRole::SpindleSurfaceLimit, number(p.upper_limit)),
-        (ParamRole::TurnsThroughReset, yes(rules.turns_through_reset)),
+        (ParamRole::TurnsThroughReset, answer(rules.turns_through_reset)),
         // The guards for a restart are in the first blocks.
-        (ParamRole::RewindAtReset, yes(true)),
-        (ParamRole::RewindAtEnd, yes(true)),
-        (ParamRole::GearShift, yes(shifts)),
+        (ParamRole::RewindAtReset, answer(true)),
+        (ParamRole::RewindAtEnd, answer(true)),
+        (ParamRole::GearShift, answer(shifts)),
         (ParamRole::GearShiftBefore, number(delay_before(lathe))),
         (ParamRole::GearShiftAfter, number(1000.0 * shift.after)),
-        (ParamRole::StopLast, yes(rules.stop_last)),
-        (ParamRole::VoltsOffAtStop, yes(!rules.volts_stay)),
-        (ParamRole::SpindleEncoder, yes(true)),
-        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.diameters()))]),
-        (ParamRole::AxisRapid, slides(p.slides.x.rapid, p.slides.z.rapid)),
-        (ParamRole::AxisClamp, slides(p.slides.x.clamp, p.slides.z.clamp)),
-        // Above what both axes reach together: each of them is clamped by itself.
-        (ParamRole::PathClamp, vec![("", ParamValue::Number(math::hypot(p.slides.x.clamp, p.slides.z.clamp).ceil()))]),
-        (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
-        (ParamRole::RapidTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
-        (ParamRole::AxisTimeConstant, slides(p.slides.time_constant, p.slides.time_constant)),
-        (
-            ParamRole::AxisGreatestAcceleration,
-            slides(p.slides.greatest_acceleration(&p.slides.x), p.slides.greatest_acceleration(&p.slides.z)),
-        ),
-        (ParamRole::AxisPositionGain, slides(p.slides.position_gain, p.slides.position_gain)),
-        (ParamRole::CommandUnit, yes(true)),
-        (ParamRole::VariablesAtReset, yes(false)),
-        (ParamRole::VariablesAtPowerOn, yes(false)),
-        (ParamRole::EditLock, yes(false)),
+        (ParamRole::StopLast, answer(rules.stop_last)),
+        (ParamRole::VoltsOffAtStop, answer(!rules.volts_stay)),
+        (ParamRole::SpindleEncoder, answer(true)),
     ];
+    values.extend(p.slides.parameters(lathe.diameters()));
+    values.extend(sheets::for_macros());
+    values.extend(sheets::keeping_variables());
     values.extend(p.encoder.parameters(lathe.control));
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     let axes = AxisUnits { in_diameters: if lathe.diameters() { &["X"] } else { &[] }, rotary: &[] };

@@ -393,6 +393,8 @@ fn parameter_sheets_match_their_goldens() {
         1821 Z 5000 Open
         1825 X 3300 0.01/s Open
         1825 Z 3300 0.01/s Open
+        1826 X 20 0.001 mm Open
+        1826 Z 20 0.001 mm Open
         2084 N X 1 Open
         2084 N Z 1 Open
         2085 M X 200 Open
@@ -411,6 +413,7 @@ fn parameter_sheets_match_their_goldens() {
         3771 40 r/min Open
         3772 3000 r/min Open
         4002#1 1 Open
+        6000#5 SBM 0 Open
         6001#6 CCV 1 Open
     "#]]
     .assert_eq(&sheet("knd-k2000t", &changes));
@@ -430,6 +433,8 @@ fn parameter_sheets_match_their_goldens() {
         #2004 G0tL Z 100 ms Sister
         #2007 G1tL X 100 ms Sister
         #2007 G1tL Z 100 ms Sister
+        #2078 G1inps X 0.02 mm Sister
+        #2078 G1inps Z 0.02 mm Sister
         #2201 PC1 X 1 Inferred
         #2201 PC1 Z 1 Inferred
         #2202 PC2 X 1 Inferred
@@ -447,6 +452,7 @@ fn parameter_sheets_match_their_goldens() {
         #3023 smini 0 r/min Open
         #3024 sout 2 Open
         #3025 enc-on 1 Open
+        #8101 MACRO SINGLE 0 Open
         #8105 EDIT LOCK B 0 Sister
     "#]]
     .assert_eq(&sheet("mitsubishi-e60", &changes));

@@ -5,11 +5,15 @@ use crate::controls::Address;
 use crate::drives::block;
 use crate::machines::driven::scaling::{self, AxisDrive, GearTurns};
 use crate::machines::form::Field;
+use crate::machines::sheets::{self, ParamValues, ServoSettings};
 use crate::motion::AxisPlant;
 
 /// The slide across the work, and the one along it.
 pub(in crate::machines) const CROSS: Address = Address::X;
 pub(in crate::machines) const ALONG: Address = Address::Z;
+
+/// In-position width of the slides, mm (assumed: the form does not ask for it).
+pub(in crate::machines) const IN_POSITION: f64 = 0.02;
 
 /// Inputs of both slides of a lathe. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -107,9 +111,17 @@ impl LatheSlides {
         block::ramp(self.time_constant / 1e3, self.position_gain)
     }
 
-    /// Greatest acceleration (mm/s²) of a slide, for which the torque of its motor is sized.
-    pub(in crate::machines) fn greatest_acceleration(&self, slide: &SlideParams) -> f64 {
-        block::greatest_acceleration(slide.rapid, slide.clamp, self.ramp())
+    /// Parameters of both slides. The greatest acceleration is the one for which the torque of the motors is sized.
+    pub(in crate::machines) fn parameters(&self, x_counts_diameters: bool) -> ParamValues<'static> {
+        let settings = |axis, slide: &SlideParams| ServoSettings {
+            axis,
+            rapid: slide.rapid,
+            clamp: slide.clamp,
+            time_constant: self.time_constant,
+            position_gain: self.position_gain,
+            acceleration: block::greatest_acceleration(slide.rapid, slide.clamp, self.ramp()),
+        };
+        sheets::servo_axes(&[settings("X", &self.x), settings("Z", &self.z)], x_counts_diameters, IN_POSITION)
     }
 
     /// Drives of X and Z. A word of X counts `x_units` per mm of its slide: 2 for diameters.

@@ -6,7 +6,7 @@ mod results;
 mod servo;
 
 pub(in crate::machines) use form::MOTORS;
-pub(in crate::machines) use lathe::{ALONG, CROSS, LatheSlides, SlideForm, XDefaults, rows, scaling_rows};
+pub(in crate::machines) use lathe::{ALONG, CROSS, IN_POSITION, LatheSlides, SlideForm, XDefaults, rows, scaling_rows};
 pub(in crate::machines) use results::results;
 pub(in crate::machines) use servo::{HasSlides, ServoSlide, SlideAxes, SlideDuty, SlidePasses};
 
