@@ -186,6 +186,11 @@ impl Panel {
         times.into_iter().flatten().reduce(f64::min)
     }
 
+    /// The last value that actions up to a time (s) have set; `value`: the value that an action sets, if any.
+    pub fn last<T>(&self, t: f64, value: impl Fn(&Action) -> Option<T>) -> Option<T> {
+        self.events.iter().rev().filter(|event| event.t <= t).find_map(|event| value(&event.action))
+    }
+
     /// All events.
     pub fn events(&self) -> &[Event] {
         &self.events

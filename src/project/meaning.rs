@@ -7,7 +7,6 @@ use crate::controls::macros::ARGUMENT;
 use crate::controls::syntax::Function;
 use crate::controls::{Address, Code, CodeDef, CodeId, Control, Group, Signal, VarKind, VarRange};
 use crate::machines::{ControlContext, MachineVariable};
-use crate::motion::Action;
 use crate::msg;
 use crate::nc::symbols::{OutlineItem, Symbol};
 use crate::nc::{IGNORED_STATEMENTS, TokenKind, tokens};
@@ -497,30 +496,12 @@ impl Meaning {
                 SignalRole::SpindleActual => live(now.spindle.actual, "r/min"),
                 SignalRole::SpindleCommand | SignalRole::SpindleFinal => live(now.spindle.command, "r/min"),
                 SignalRole::SpindleOutput => live(now.spindle.volts, "V"),
-                SignalRole::SpindleOverride => live(spindle_override(project, t), "%"),
-                SignalRole::FeedOverride => live(feed_override(project, t), "%"),
+                SignalRole::SpindleOverride => live(project.spindle_override_at(t), "%"),
+                SignalRole::FeedOverride => live(project.feed_override_at(t), "%"),
                 SignalRole::SpindleOverrideCode => None,
                 _ => variable_of(role).map(variable),
             },
             _ => None,
         }
     }
-}
-
-/// The spindle override (%) at a time: the operator's, or that of the form.
-fn spindle_override(project: &Project, t: f64) -> f64 {
-    let turned = |action: &Action| if let Action::SpindleOverride(percent) = action { Some(*percent) } else { None };
-    last(project, t, turned).or(project.prepared().panel().spindle_override).unwrap_or(100.0)
-}
-
-/// The feed override (%) at a time.
-fn feed_override(project: &Project, t: f64) -> f64 {
-    let turned = |action: &Action| if let Action::FeedOverride(percent) = action { Some(*percent) } else { None };
-    last(project, t, turned).unwrap_or(100.0)
-}
-
-/// The last value that actions of the operator up to a time have set.
-fn last(project: &Project, t: f64, value: impl Fn(&Action) -> Option<f64>) -> Option<f64> {
-    let events = project.panel.events().iter().take_while(|event| event.t <= t);
-    events.filter_map(|event| value(&event.action)).last()
 }

@@ -17,6 +17,29 @@ const DECIMALS: u8 = 6;
 /// Speed limit (r/min) that a new action sets until another one is typed.
 const FIRST_LIMIT: f64 = 1000.0;
 
+/// Percent of an override that no knob and no form has changed.
+const UNCHANGED: f64 = 100.0;
+
+impl Project {
+    /// The spindle override (%) at a time (s): the operator's, or that of the form.
+    pub fn spindle_override_at(&self, t: f64) -> f64 {
+        let turned = self.panel.last(t, |action| match action {
+            Action::SpindleOverride(percent) => Some(*percent),
+            _ => None,
+        });
+        turned.or(self.prepared().panel().spindle_override).unwrap_or(UNCHANGED)
+    }
+
+    /// The feed override (%) at a time (s).
+    pub fn feed_override_at(&self, t: f64) -> f64 {
+        let turned = self.panel.last(t, |action| match action {
+            Action::FeedOverride(percent) => Some(*percent),
+            _ => None,
+        });
+        turned.unwrap_or(UNCHANGED)
+    }
+}
+
 /// Actions of one kind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ActionGroup {
@@ -29,7 +52,8 @@ pub struct ActionGroup {
 /// Actions that the machine has on its control, without empty groups.
 pub fn available(project: &Project) -> Vec<ActionGroup> {
     let (control, machine) = (project.control, project.prepared());
-    let overrides = [Action::SpindleOverride, Action::FeedOverride, Action::RapidOverride].map(|turned| turned(100.0));
+    let overrides =
+        [Action::SpindleOverride, Action::FeedOverride, Action::RapidOverride].map(|turned| turned(UNCHANGED));
     let keys = [
         Some(Action::Start),
         Some(Action::Hold),

@@ -254,6 +254,14 @@ fn panel_file_reads_back_equal() {
 }
 
 #[test]
+fn last_turn_up_to_a_time_counts() {
+    let mut project = on("ribbon-line", "mitsubishi-e60");
+    project.panel = Panel::new([feed(1.0, 50.0), at(2.0, Action::Start), feed(3.0, 70.0)]);
+    assert_eq!([0.5, 1.0, 2.5, 3.5].map(|t| project.feed_override_at(t)), [100.0, 50.0, 50.0, 70.0]);
+    assert_eq!(project.spindle_override_at(3.5), 100.0);
+}
+
+#[test]
 fn turns_of_a_knob_at_one_time_are_one_action() {
     let mut panel = Panel::default();
     for percent in [90.0, 80.0, 70.0] {

@@ -132,11 +132,6 @@ pub(crate) fn take_files(page: Page, files: &[nc::File]) {
     }
 }
 
-/// The position of a switch or knob at a time.
-pub(crate) fn standing<T: Copy>(events: &[Event], at: f64, first: T, of: impl Fn(&Action) -> Option<T>) -> T {
-    events.iter().rev().filter(|event| event.t <= at).find_map(|event| of(&event.action)).unwrap_or(first)
-}
-
 /// Names and values at a time that an action may change: variables, feeds, spindle, and positions of the axes if `places`.
 fn watched(page: Page, t: f64, places: bool) -> Vec<(String, String)> {
     let (rows, control) =
@@ -166,19 +161,6 @@ mod tests {
 
     use super::*;
     use crate::ui::testing::{mount, settled};
-
-    #[wasm_bindgen_test]
-    fn last_setting_before_a_time_counts() {
-        let feed = |t, percent| Event { t, action: Action::FeedOverride(percent) };
-        let events = [feed(1.0, 50.0), Event { t: 2.0, action: Action::Start }, feed(3.0, 70.0)];
-        let at = |t| {
-            standing(&events, t, 100.0, |action| match action {
-                Action::FeedOverride(percent) => Some(*percent),
-                _ => None,
-            })
-        };
-        assert_eq!([0.5, 1.0, 2.5, 3.5].map(at), [100.0, 50.0, 50.0, 70.0]);
-    }
 
     #[wasm_bindgen_test]
     async fn action_is_a_step_that_undo_takes_back() {

@@ -5,11 +5,12 @@ use leptos::prelude::*;
 use super::list::OperatorList;
 use crate::math;
 use crate::motion::{Action, Mode};
+use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::{Glyph, Icon, IconButton};
 use crate::ui::state::Page;
-use crate::ui::state::operator::{act, clear, standing};
+use crate::ui::state::operator::{act, clear};
 use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{Tone, t};
 
@@ -19,11 +20,11 @@ const FULL: f64 = 200.0;
 /// Degrees from the first to the last mark of a knob.
 const TURN: f64 = 270.0;
 
-/// A percentage at the play head: the last setting before it.
-fn setting(page: Page, first: impl Fn() -> f64 + Send + Sync + 'static, of: fn(&Action) -> Option<f64>) -> Memo<f64> {
+/// The position of a knob or switch at the play head.
+fn at_head<T: PartialEq + Send + Sync + 'static>(page: Page, position: fn(&Project, f64) -> T) -> Memo<T> {
     Memo::new(move |_| {
         let head = page.player.now.with(|now| now.t);
-        page.project.with(|project| standing(project.panel.events(), head, first(), of))
+        page.project.with(|project| position(project, head))
     })
 }
 
@@ -33,19 +34,8 @@ pub(crate) fn OperatorPanel() -> impl IntoView {
     let page = Page::here();
     let player = page.player;
     let open = page.view.panel;
-    let first = move || page.project.with(|project| project.prepared().panel().spindle_override.unwrap_or(100.0));
-    let spindle = setting(page, first, |action| match action {
-        Action::SpindleOverride(percent) => Some(*percent),
-        _ => None,
-    });
-    let feed = setting(
-        page,
-        || 100.0,
-        |action| match action {
-            Action::FeedOverride(percent) => Some(*percent),
-            _ => None,
-        },
-    );
+    let spindle = at_head(page, Project::spindle_override_at);
+    let feed = at_head(page, Project::feed_override_at);
     let step = Memo::new(move |_| page.project.with(|project| project.prepared().panel().override_step));
     let shown = Memo::new(move |_| open.get() && page.view.actions.get());
     let listed = move || shown.get();
@@ -151,30 +141,28 @@ fn LampButtons() -> impl IntoView {
     let waits = move || matches!(page.player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
     let runs = move || page.player.now.with(|now| now.mode) == Mode::Running;
     let holds = move || page.player.now.with(|now| now.mode) == Mode::Hold;
-    let single = setting(
-        page,
-        || 0.0,
-        |action| match action {
-            Action::SingleBlock(on) => Some(f64::from(*on)),
+    let single = at_head(page, |project, t| {
+        let pressed = project.panel.last(t, |action| match action {
+            Action::SingleBlock(on) => Some(*on),
             _ => None,
-        },
-    );
-    let is_single = move || single.get() != 0.0;
+        });
+        pressed.unwrap_or(false)
+    });
+    let is_single = move || single.get();
     // Whether there is an inverter depends on the machine and its control, not on the values.
     let has_inverter = Memo::new(move |_| {
         page.machine.track();
         page.control.track();
         page.project.with_untracked(|project| project.prepared().plc().watches_inverter())
     });
-    let fault = setting(
-        page,
-        || 0.0,
-        |action| match action {
-            Action::InverterFault(on) => Some(f64::from(*on)),
+    let fault = at_head(page, |project, t| {
+        let occurred = project.panel.last(t, |action| match action {
+            Action::InverterFault(on) => Some(*on),
             _ => None,
-        },
-    );
-    let is_faulty = move || fault.get() != 0.0;
+        });
+        occurred.unwrap_or(false)
+    });
+    let is_faulty = move || fault.get();
     let start = Memo::new(move |_| page.outlook.cycle_start());
     let acts = move || start.get() == CycleStart::Acts;
     let hindrance = move || match start.get() {
