@@ -13,9 +13,7 @@ use crate::drives::Approach;
 use crate::drives::orient::turn;
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
-
-/// Metres per foot.
-const FOOT: f64 = 0.3048;
+use crate::text::units::FOOT;
 
 impl RunState {
     /// S, and constant surface speed on and off. `surface` is its work zero before the block; `None` if it was off.

@@ -7,7 +7,7 @@ use super::eval::variable_number;
 use super::index::VariableSlot;
 use super::operators::zero_if_vacant;
 use super::state::RunState;
-use super::value::{INCH, inches};
+use super::value::inches;
 use super::vars::VACANT;
 use super::world::MachineClock;
 use crate::controls::vars::Width;
@@ -15,6 +15,7 @@ use crate::controls::{Alarm, VarKind, VarRange};
 use crate::math;
 use crate::msg;
 use crate::nc::{Block, Expr, ExprId};
+use crate::text::units::INCH;
 
 impl RunState {
     /// Value of a variable; NaN for vacant.

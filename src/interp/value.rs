@@ -9,9 +9,8 @@ use crate::controls::{Alarm, Code, CodeNumber};
 use crate::msg;
 use crate::nc::dec::POW10;
 use crate::nc::{Block, Dec, Word, WordValue};
+use crate::text::units::INCH;
 
-/// Millimetres per inch.
-pub(super) const INCH: f64 = 25.4;
 /// Tenths of a millimetre per inch.
 const INCH_TENTHS: i64 = 254;
 /// Additional decimals of the increment in inches: 0.0001 inch if the metric increment is 0.001 mm.

@@ -70,9 +70,11 @@ const fn row(metric: &'static str, inch: &'static str, size: f64, decimals: i8) 
     Unit { metric, inch, size, decimals }
 }
 
-/// Millimetres per inch, and metres per foot: exact by the international agreement of 1959.
-pub(super) const INCH: f64 = 25.4;
-pub(super) const FOOT: f64 = 0.3048;
+/// Millimetres per inch, exact by the international agreement of 1959.
+pub const INCH: f64 = 25.4;
+
+/// Metres per foot, exact by the same agreement.
+pub const FOOT: f64 = 0.3048;
 
 /// Units with a counterpart. Angles, forces, torques, masses and pressures have none, because data sheets of drives and materials are
 /// metric.

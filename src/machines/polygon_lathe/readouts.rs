@@ -1,7 +1,7 @@
 //! The results of the polygon lathe as rows: label, unit, formula, source.
 
 use super::axes::PolygonAxis;
-use super::citations::{OURS, PAPER};
+use super::citations::{OURS, PAPER, RUN_IN, RUN_OUT};
 use super::demand::DemandKind;
 use super::main_spindle;
 use super::resolved::PolygonLathe;
@@ -14,8 +14,6 @@ const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 const BENDING: Citation = Citation::new("polygon turning facts 3.13", Grade::Open);
-const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
-const RUN_OUT: Citation = Citation::new("polygon turning facts 3.10; DIN 76-1 from memory", Grade::Open);
 const OUTPUT: Citation = Citation::new("turning spindle facts, 1", Grade::Inferred);
 const MAIN_TORQUE: Citation = Citation::new("turning spindle facts, 4", Grade::Inferred);
 const RUN_UP: Citation = Citation::new("turning spindle facts, 5", Grade::Inferred);

@@ -11,6 +11,7 @@ mod threads;
 mod turned;
 
 use super::bending;
+use super::citations::{RUN_IN, RUN_OUT};
 use super::main_spindle;
 use super::resolved::PolygonLathe;
 use crate::machines::verdict::Rule;
@@ -18,12 +19,6 @@ use crate::text::{Citation, Grade};
 
 /// Source of a drive's ratings: its data sheet.
 const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
-
-/// Source of the run-in that a thread needs in front of it.
-const RUN_IN: Citation = Citation::new("polygon turning facts 3.10", Grade::Inferred);
-
-/// Source of the run-out that a thread needs in front of a shoulder.
-const RUN_OUT: Citation = Citation::new("polygon turning facts 3.10; DIN 76-1 from memory", Grade::Open);
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<PolygonLathe>] = &[
