@@ -35,7 +35,7 @@ const BITS: &[Signal] = &[
     from_plc(Finished, "Y226", "", "FIN: M, S and T are done; held until their strobes fall", MEMORY),
     // The M70 has it at Y188F, by as many places before GI1.
     from_plc(
-        SpindleOverrideValid,
+        SpindleOverrideByRegister,
         "Y28F",
         "",
         "SPS: 1 takes R148; at 0 the override is a code at Y288 to Y28A, 100 % without it",

@@ -33,6 +33,8 @@ pub enum SignalRole {
     SpindleOverride,
     /// 1 makes the spindle override valid, PLC to control; without it the control takes 100 %.
     SpindleOverrideValid,
+    /// 1 takes the register of the spindle override, PLC to control; without it the control takes a code.
+    SpindleOverrideByRegister,
     /// Spindle override as the code of an override step, PLC to control.
     SpindleOverrideCode,
     /// Cutting feed override in percent, PLC to control.

@@ -456,6 +456,7 @@ fn role_meaning(role: SignalRole) -> &'static str {
     match role {
         SignalRole::SpindleOverride => "plc.signal.override",
         SignalRole::SpindleOverrideValid => "plc.signal.override-valid",
+        SignalRole::SpindleOverrideByRegister => "plc.signal.override-register",
         SignalRole::SpindleOverrideCode => "plc.signal.override-code",
         SignalRole::FeedOverride => "plc.signal.feed-override",
         SignalRole::FeedOverrideByRegister => "plc.signal.feed-override-register",

@@ -118,11 +118,15 @@ impl Book<'_> {
         }
     }
 
-    /// A control that takes the register of the spindle override only with a signal beside it gets that signal always.
+    /// A control that takes the percentage of the spindle override only with a signal beside it gets that signal always.
     pub fn override_valid(&mut self) {
-        let valid = SignalRole::SpindleOverrideValid;
-        if self.has(valid) {
-            self.coil(Bit::Signal(valid), Book::always(), "plc.rung.override-valid");
+        for (signal, note) in [
+            (SignalRole::SpindleOverrideValid, "plc.rung.override-valid"),
+            (SignalRole::SpindleOverrideByRegister, "plc.rung.override-register"),
+        ] {
+            if self.has(signal) {
+                self.coil(Bit::Signal(signal), Book::always(), note);
+            }
         }
     }
 

@@ -534,12 +534,14 @@ fn reset_acknowledges_an_emergency_stop_that_is_over() {
 fn spindle_override_is_always_valid() {
     for (name, project) in forms_and_examples() {
         let ladder = ladder(&project);
-        let valid = Bit::Signal(SignalRole::SpindleOverrideValid);
         let mut image = Image::default();
         settle(&ladder, &mut image, 0.0);
-        // The E60 takes its register with a signal, too.
-        let asked = [PlcLanguage::Step7, PlcLanguage::Melsec].contains(&project.control.plc);
-        assert_eq!(image.is_on(valid), asked, "{name}");
+        for (role, language) in [
+            (SignalRole::SpindleOverrideValid, PlcLanguage::Step7),
+            (SignalRole::SpindleOverrideByRegister, PlcLanguage::Melsec),
+        ] {
+            assert_eq!(image.is_on(Bit::Signal(role)), project.control.plc == language, "{name}: {role:?}");
+        }
         let register = Bit::Signal(SignalRole::FeedOverrideByRegister);
         let is_line = project.machine.info().id == "ribbon-line";
         assert_eq!(image.is_on(register), is_line && project.control.plc == PlcLanguage::Melsec, "{name}");
