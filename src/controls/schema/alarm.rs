@@ -254,9 +254,7 @@ impl Alarm {
             _ => return None,
         })
     }
-}
 
-impl Alarm {
     /// Whether only a control with a row for this kind raises it; other controls continue.
     pub fn needs_row(self) -> bool {
         use Alarm::*;

@@ -236,8 +236,8 @@ impl Section {
     }
 
     /// The sides, counter-clockwise.
-    pub fn sides(&self) -> Vec<Side> {
-        self.measured.get_or_init(|| self.measure()).clone()
+    pub fn sides(&self) -> &[Side] {
+        self.measured.get_or_init(|| self.measure())
     }
 
     fn measure(&self) -> Vec<Side> {

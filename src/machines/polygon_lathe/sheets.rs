@@ -196,7 +196,8 @@ const NAMED: usize = 12;
 fn inserts(lathe: &PolygonLathe) -> Option<Sheet> {
     let cite = Citation::new("polygon turning facts 3.1, and the section itself", Grade::Inferred);
     let setup = lathe.params.setup(lathe.params.across_flats).filter(|setup| !setup.is_even())?;
-    let sides = lathe.params.section()?.sides();
+    let section = lathe.params.section()?;
+    let sides = section.sides();
     let one = |insert: usize| {
         let mut its: Vec<usize> = setup.passes().filter(|pass| pass.insert == insert).map(|pass| pass.side).collect();
         its.sort_unstable();

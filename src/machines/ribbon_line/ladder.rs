@@ -2,7 +2,7 @@
 
 use super::contacts::{CONTACTS, holding};
 use super::derive::FIN_DELAY;
-use super::params::{OverrideForm, Wait};
+use super::params::Wait;
 use super::resolved::RibbonLine;
 use super::stops::unwinder;
 use crate::controls::interface::{PlcLanguage, SignalRole};
@@ -99,7 +99,7 @@ fn overrides(book: &mut Book, line: &RibbonLine) {
     }
     let Some(input) = line.override_macro_input() else { return };
     let low = PlcNumber::Signal(SignalRole::MacroInputLow(input));
-    if p.override_form == OverrideForm::FinalSpeed && book.has(SignalRole::SpindleFinal) {
+    if p.reads_final_speed() && book.has(SignalRole::SpindleFinal) {
         book.copy_double(PlcNumber::Signal(SignalRole::SpindleFinal), low, Book::always(), "ribbon.ladder.final");
         return;
     }

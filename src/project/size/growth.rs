@@ -63,8 +63,8 @@ pub struct Growth {
     pub margin: f64,
     /// The result that fails beyond it, or at it if none holds; none if the form's range ends first.
     pub binding: Option<ResultName>,
-    /// Whether a greater entry changes no result: the machine uses no more, such as a depth of cut above the whole stock.
-    pub is_used_up: bool,
+    /// Whether a greater entry changes no result: the machine does not use it, such as a depth of cut above the whole stock.
+    pub more_is_unused: bool,
     /// The results that fail now and with less: the field does not repair them.
     pub failing_anyway: Vec<ResultName>,
 }
@@ -223,13 +223,13 @@ fn edge(project: &Project, field: &FieldInfo) -> Option<Growth> {
         holds,
         margin: if now > 0.0 { value / now - 1.0 } else { 0.0 },
         binding,
-        is_used_up: false,
+        more_is_unused: false,
         failing_anyway: trial.ignored.clone(),
     };
     if upward && binding.is_none() {
         let used = trial.used_up(fails);
         let value = used.unwrap_or_else(|| trial.entry(fails));
-        return Some(Growth { is_used_up: used.is_some(), ..growth(value, true, None) });
+        return Some(Growth { more_is_unused: used.is_some(), ..growth(value, true, None) });
     }
     if !is_found {
         return Some(growth(trial.entry(holds), false, binding));

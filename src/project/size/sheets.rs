@@ -149,14 +149,14 @@ impl Sizing {
 
     pub(super) fn limit_sheet(&self) -> Sheet {
         let cells = |of: &Growth| {
-            let unlimited = if of.is_used_up { "size.used-up" } else { "size.no-limit" };
+            let unlimited = if of.more_is_unused { "size.used-up" } else { "size.no-limit" };
             let binding = say(of.binding.map_or(unlimited, |binding| binding.label));
             let binding = beside(binding, &of.failing_anyway);
             let value = units::text(of.value, 3, of.unit);
             let (value, margin) = match of.binding {
                 _ if !of.holds => (say("size.none-holds"), String::new()),
                 // The end of the search is no limit.
-                None if !of.is_used_up => (format!("> {value}"), String::new()),
+                None if !of.more_is_unused => (format!("> {value}"), String::new()),
                 Some(_) | None => (value, signed_percent(of.margin)),
             };
             row([say(of.label), value, margin, binding], RUNS_OF_FORM)

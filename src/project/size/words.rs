@@ -137,7 +137,7 @@ fn holding_limit(of: &HoldingLimit) -> Json {
 fn limit(row: &Growth) -> Json {
     json!({
         "quantity": row.field, "limit": row.binding.map(|binding| binding.id), "margin": row.holds.then_some(row.margin),
-        "value": row.holds.then_some(row.value), "unit": row.unit, "more_is_unused": row.is_used_up,
+        "value": row.holds.then_some(row.value), "unit": row.unit, "more_is_unused": row.more_is_unused,
         "fails_with_less_too": ids(&row.failing_anyway),
     })
 }

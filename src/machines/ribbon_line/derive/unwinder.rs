@@ -2,7 +2,7 @@
 
 use crate::controls::AnalogOutput;
 use crate::drives::induction::Induction;
-use crate::machines::ribbon_line::params::{KnobUse, Params};
+use crate::machines::ribbon_line::params::{KnobUse, OverrideForm, Params};
 
 /// Speed of the unwinder's motor and its command. Speeds in r/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +59,12 @@ impl Params {
     /// override.
     pub(in crate::machines::ribbon_line) fn knob_is_locked(&self) -> bool {
         self.typed_override && self.knob_use == KnobUse::Locked
+    }
+
+    /// Whether the program reads the speed after override and clamp back from a register, which is 0 until the control
+    /// puts out an S.
+    pub(in crate::machines::ribbon_line) fn reads_final_speed(&self) -> bool {
+        self.override_form == OverrideForm::FinalSpeed
     }
 
     /// Whether the knob changes the speed of the unwinder alone: the axes neither read the knob nor follow the measured

@@ -4,7 +4,7 @@ use super::formulas::feed;
 use super::phase;
 use crate::controls::{Address, Code, VarKind};
 use crate::machines::program::writing;
-use crate::machines::ribbon_line::params::{Endless, OverrideForm, PathMode, Wait};
+use crate::machines::ribbon_line::params::{Endless, PathMode, Wait};
 use crate::machines::ribbon_line::resolved::RibbonLine;
 use crate::machines::ribbon_line::variables::{ACTUAL_SPEED, LEFT, PITCH, PRINT_TRAVEL, REMAINDER, SPEED, STROKE};
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
@@ -104,30 +104,26 @@ pub(super) fn preset(b: &mut Builder, line: &RibbonLine, number: u32, next: u32)
     if !presets(line) {
         return;
     }
-    let mut words = codes(line, [Code::SetCoordinates]);
-    let print = line.params.print_axis.address();
+    let shift = |print: Formula| {
+        let mut words = codes(line, [Code::SetCoordinates]);
+        words.extend([x(real(0.0, 0)), word(line.params.print_axis.address(), print)]);
+        words
+    };
     let Some(position) = writing::work_position(line.control) else {
-        words.extend([x(real(0.0, 0)), word(print, real(0.0, 0))]);
-        b.n(number).words(words);
+        b.n(number).words(shift(real(0.0, 0)));
         return;
     };
     let of = |axis: usize| v(position + axis as u32).abs();
     let product = v(LEFT) * (pull_words(line, v(PITCH)) + v(STROKE));
     let half = (0.5 * line.control.limits.coordinate_max).floor();
     b.n(number).if_goto((of(line.pull()) + of(line.print()) + product).lt(real(half, 0)), next);
-    words.extend([x(real(0.0, 0)), word(print, -v(REMAINDER))]);
-    b.words(words);
+    b.words(shift(-v(REMAINDER)));
 }
 
 /// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed
 /// override leaves.
 pub(super) fn spindle_word(line: &RibbonLine) -> u32 {
     if line.params.knob_is_locked() { ACTUAL_SPEED } else { SPEED }
-}
-
-/// Whether the program reads the speed after override and clamp back from a register, which is 0 until the control puts out an S.
-pub(super) fn reads_final_speed(line: &RibbonLine) -> bool {
-    line.params.override_form == OverrideForm::FinalSpeed
 }
 
 /// S and M3, and the wait until the unwinder runs.

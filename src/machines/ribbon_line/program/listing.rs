@@ -1,7 +1,7 @@
 //! The main program that both listings of the paper share; each has passes of its own.
 
 use super::alarms;
-use super::blocks::{about, end, header, opening, override_off, preset, presets, reads_final_speed, to_head};
+use super::blocks::{about, end, header, opening, override_off, preset, presets, to_head};
 use super::entries::{entries, is_length};
 use super::formulas::print_stroke;
 use super::numbers::RUN;
@@ -28,10 +28,10 @@ pub(super) fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, pa
     product(b, line);
     b.n(22).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
     b.n(23).assign(RUNNING_SPEED, 0).note("SPINDLE DOES NOT RUN YET");
-    let start = if reads_final_speed(line) { 25 } else { passes_at };
+    let start = if line.params.reads_final_speed() { 25 } else { passes_at };
     to_head(b, line, if presets(line) { 24 } else { start });
     preset(b, line, 24, start);
-    if reads_final_speed(line) {
+    if line.params.reads_final_speed() {
         // The register is 0 until the control puts out an S.
         b.n(25).words([s(v(SPEED)), m(3)]).note("S IS READ BACK");
     }

@@ -2,8 +2,8 @@
 
 use super::alarms;
 use super::blocks::{
-    about, codes, end, header, modes, move_block, opening, override_off, preset, presets, pull_words,
-    reads_final_speed, spindle_word, start_spindle, to_head, wait_for_knob,
+    about, codes, end, header, modes, move_block, opening, override_off, preset, presets, pull_words, spindle_word,
+    start_spindle, to_head, wait_for_knob,
 };
 use super::entries::{entries, is_length};
 use super::formulas::{actual_speed, changed, feed_is_zero, feed_moves, per_turn, print_stroke, vector_feed};
@@ -86,7 +86,7 @@ pub(super) fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(4).assign(BLOCK_PITCHES, v(BLOCK_SIZE)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     // A final speed is read by the running line (N15), after S.
-    if !reads_final_speed(line) {
+    if !line.params.reads_final_speed() {
         // A start under override 0 has its wait for the unwinder when the override rises (N20 in the running line).
         b.while_do(feed_is_zero(), 1);
         wait_for_knob(b, line);

@@ -380,7 +380,7 @@ fn depth_grows_to_one_pass_of_the_stock() {
     let growth = |allowance: &'static str| {
         let sizing = sized_without_envelope(&project("gsk-980tdc", &[("allowance", allowance)]));
         let depth = sizing.limits.iter().find(|growth| growth.field == "depth").unwrap();
-        (depth.value, depth.binding.is_some(), depth.is_used_up)
+        (depth.value, depth.binding.is_some(), depth.more_is_unused)
     };
     assert_eq!(growth("2"), (2.0, false, true));
     assert!(!growth("100").2);

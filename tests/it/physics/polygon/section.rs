@@ -266,7 +266,8 @@ fn displaced_insert_changes_its_own_sides() {
     let ahead = 0.1 * PI / 180.0;
     let mut cutter = setup(55.0, 45.0, ratio(2, 1), 2);
     cutter.tips[1].angle += ahead;
-    let sides = Section::new(&cutter, 20.0).unwrap().sides();
+    let section = Section::new(&cutter, 20.0).unwrap();
+    let sides = section.sides();
     near(sides[1].turned, ahead / 2.0, 1e-12);
     near(sides[3].turned, ahead / 2.0, 1e-12);
     near(sides[0].turned, 0.0, 1e-15);
