@@ -51,7 +51,7 @@ impl Rules {
             vacant_word: macros.vacant_word == VacantWord::Zero,
             vacant_equals_zero: macros.vacant_equals_zero,
             result: macros.value_range.unwrap_or((0.0, f64::MAX)),
-            moves: core::array::from_fn(|k| if dialect.counts_diameters(k) { 0.5 } else { 1.0 }),
+            moves: core::array::from_fn(|k| 1.0 / dialect.words_per_mm(k)),
             modulo: core::array::from_fn(|k| control.raises(Alarm::PositiveWay) && dialect.is_rotary(k)),
             tangents: control.can(Code::ArcTangent),
             reference_points: point(control, &dialect.reference_points),

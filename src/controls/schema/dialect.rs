@@ -188,6 +188,11 @@ impl Dialect {
         axis < 32 && self.diameters & 1 << axis != 0
     }
 
+    /// Units that the words of an axis (by index) count per millimetre of its slide: 2 for diameters.
+    pub fn words_per_mm(&self, axis: usize) -> f64 {
+        if self.counts_diameters(axis) { 2.0 } else { 1.0 }
+    }
+
     /// Whether an axis (by index) is rotary (degrees).
     pub fn is_rotary(&self, axis: usize) -> bool {
         axis < 32 && self.rotary & 1 << axis != 0

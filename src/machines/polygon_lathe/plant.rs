@@ -29,7 +29,7 @@ pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let p = &lathe.params;
     let turns = |ms: f64, position_gain: f64| AxisPlant { time_constant: ms / 1000.0, position_gain, ..AxisPlant::PMC };
     Plant {
-        axes: p.slides.plants(lathe.x_per_mm() > 1.0, [0.5 * p.start_x, p.start_z]),
+        axes: p.slides.plants(lathe.x_counts_diameters(), [0.5 * p.start_x, p.start_z]),
         pmc: vec![
             turns(p.axes.work.time_constant, p.axes.work.gain),
             turns(p.axes.tool.time_constant, p.axes.tool.gain),

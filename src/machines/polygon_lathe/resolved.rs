@@ -37,10 +37,9 @@ pub(crate) struct PolygonLathe {
     at_highest_feed: OnceLock<Box<PolygonLathe>>,
 }
 
-/// X word units per mm of the slide: 2 where X counts diameters.
-fn x_per_mm(control: &Control, dialect: &Dialect) -> f64 {
-    let cross = control.axis(CROSS).unwrap_or(0);
-    if dialect.counts_diameters(cross) { 2.0 } else { 1.0 }
+/// Index of the slide across the work.
+fn cross(control: &Control) -> usize {
+    control.axis(CROSS).unwrap_or(0)
 }
 
 impl PolygonLathe {
@@ -67,7 +66,7 @@ impl PolygonLathe {
     /// The lathe with one polygon, without further ones.
     fn one(form: Params, params: Params, control: &'static Control, dialect: Dialect) -> PolygonLathe {
         let sizes: Vec<f64> = (1..=params.passes() as u32).map(|pass| params.size(f64::from(pass))).collect();
-        let derived = Derived::new(&params, &sizes, x_per_mm(control, &dialect));
+        let derived = Derived::new(&params, &sizes, dialect.words_per_mm(cross(control)));
         let (lens_scales, at_highest_feed) = (OnceLock::new(), OnceLock::new());
         PolygonLathe {
             form,
@@ -157,7 +156,7 @@ impl PolygonLathe {
 
     /// Index of the slide across the work.
     pub(super) fn cross(&self) -> usize {
-        self.control.axis(CROSS).unwrap_or(0)
+        cross(self.control)
     }
 
     /// Index of the slide along the work.
@@ -165,9 +164,14 @@ impl PolygonLathe {
         self.control.axis(ALONG).unwrap_or(0)
     }
 
-    /// X word units per mm of the slide: 2 where X counts diameters.
+    /// Whether words of X count diameters; otherwise radii.
+    pub(super) fn x_counts_diameters(&self) -> bool {
+        self.dialect.counts_diameters(self.cross())
+    }
+
+    /// Units that words of X count per millimetre of the slide: 2 for diameters.
     pub(super) fn x_per_mm(&self) -> f64 {
-        x_per_mm(self.control, &self.dialect)
+        self.dialect.words_per_mm(self.cross())
     }
 
     /// X of a distance across flats or of a diameter, in word units.

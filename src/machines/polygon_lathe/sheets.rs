@@ -38,7 +38,7 @@ const FIRST: u32 = 4120;
 
 fn parameters(lathe: &PolygonLathe) -> Sheet {
     let p = &lathe.params;
-    let mut values = p.slides.parameters(lathe.x_per_mm() > 1.0);
+    let mut values = p.slides.parameters(lathe.x_counts_diameters());
     values.extend(sheets::for_macros());
     if lathe.has_main_spindle() {
         values.extend([
@@ -55,7 +55,7 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
     }
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
     values.extend(scaling::parameters(lathe.control, &lathe.turning_drives()));
-    let axes = AxisUnits { in_diameters: if lathe.x_per_mm() > 1.0 { &["X"] } else { &[] }, rotary: &["3", "4"] };
+    let axes = AxisUnits { in_diameters: if lathe.x_counts_diameters() { &["X"] } else { &[] }, rotary: &["3", "4"] };
     let mut sheet = sheets::parameters(lathe.control, &axes, values);
     for ((number, code), program) in (FIRST..).zip(program::codes(lathe)).zip(MACROS) {
         let code = code.map_or(String::new(), |code| code.to_string());

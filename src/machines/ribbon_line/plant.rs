@@ -20,7 +20,7 @@ pub(super) fn plant(line: &RibbonLine) -> Plant {
         letter: Some(PULL),
         rotary: false,
         endless: endless.pull,
-        diameter: line.pull_words() == 2,
+        diameter: line.x_counts_diameters(),
         rapid: pull.rapid,
         clamp: pull.clamp,
         time_constant: pull.time_constant / 1000.0,

@@ -188,9 +188,14 @@ impl RibbonLine {
         self.params.print_axis.letter()
     }
 
-    /// Units of X words per millimetre of ribbon: 2 where they are diameters.
-    pub(super) fn pull_words(&self) -> u32 {
-        if self.dialect.counts_diameters(self.pull()) { 2 } else { 1 }
+    /// Whether words of X count diameters: two units per millimetre of ribbon.
+    pub(super) fn x_counts_diameters(&self) -> bool {
+        self.dialect.counts_diameters(self.pull())
+    }
+
+    /// Units that words of X count per millimetre of ribbon: 2 for diameters.
+    pub(super) fn x_per_mm(&self) -> f64 {
+        self.dialect.words_per_mm(self.pull())
     }
 
     /// Degrees instead of millimetres.
@@ -213,7 +218,7 @@ impl RibbonLine {
 
     /// Whether the pull axis rolls over, which makes it a rotary axis, while its words count diameters.
     pub(super) fn rolls_in_diameters(&self) -> bool {
-        self.rolls_over().pull && self.pull_words() > 1
+        self.rolls_over().pull && self.x_counts_diameters()
     }
 
     /// Drives of the pull axis and of the print roller.
@@ -228,7 +233,7 @@ impl RibbonLine {
                 gear: GearTurns { motor: axes.pull.gear, load: 1.0 },
                 encoder: axes.pull.encoder,
                 rotary: rolls.pull,
-                words: f64::from(self.pull_words()),
+                words: self.x_per_mm(),
             },
             print: AxisDrive {
                 axis: self.print_letter(),

@@ -70,7 +70,7 @@ fn parameters(line: &RibbonLine) -> Sheet {
         values.extend(p.encoder.parameters(line.control));
     }
     values.extend(scaling::parameters(line.control, &line.drives().both()));
-    let axes = AxisUnits { in_diameters: if line.pull_words() == 2 { &["X"] } else { &[] }, rotary: &rolling };
+    let axes = AxisUnits { in_diameters: if line.x_counts_diameters() { &["X"] } else { &[] }, rotary: &rolling };
     sheets::parameters(line.control, &axes, values)
 }
 
@@ -85,7 +85,7 @@ fn servo_axes(line: &RibbonLine) -> ParamValues<'static> {
         let acceleration = feeds[axis] / 60.0 / ramp(time_constant / 1e3, position_gain);
         ServoSettings { axis: line.letter(axis), rapid, clamp, time_constant, position_gain, acceleration }
     };
-    sheets::servo_axes(&[LineAxis::Pull, LineAxis::Print].map(settings), line.pull_words() == 2, p.in_position)
+    sheets::servo_axes(&[LineAxis::Pull, LineAxis::Print].map(settings), line.x_counts_diameters(), p.in_position)
 }
 
 /// The axis, if it rolls over.

@@ -14,7 +14,7 @@ use crate::motion::{Plant, SpindlePlant};
 pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
     let p = &lathe.params;
     Plant {
-        axes: p.slides.plants(lathe.diameters(), [0.5 * p.start_x, p.start_z]),
+        axes: p.slides.plants(lathe.x_counts_diameters(), [0.5 * p.start_x, p.start_z]),
         pmc: Vec::new(),
         spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,

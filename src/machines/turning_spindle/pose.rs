@@ -100,7 +100,7 @@ fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress, driven: Opt
     let diameter = lathe.diameter(now);
     let stage = lathe.params.stages().nth(usize::from(spindle.stage).saturating_sub(1)).unwrap_or(p.stage_1);
     let (radius, z) = lathe.tool(now);
-    let across = if lathe.diameters() { diameter } else { radius };
+    let across = if lathe.x_counts_diameters() { diameter } else { radius };
     // Of the mill's edge, or of the work at the tip.
     let at_the_tool = match driven {
         Some(tool) => {

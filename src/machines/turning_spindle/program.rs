@@ -125,7 +125,7 @@ pub(super) fn deck(lathe: &TurningSpindle) -> Deck {
 
 /// A diameter in the unit of X words.
 fn size(lathe: &TurningSpindle, diameter: Formula) -> Formula {
-    if lathe.diameters() { diameter } else { diameter / 2 }
+    if lathe.x_counts_diameters() { diameter } else { diameter / 2 }
 }
 
 /// A word of X for a diameter.

@@ -165,7 +165,7 @@ impl TurningSpindle {
 
     /// Drives of the slides across and along the work.
     pub(super) fn drives(&self) -> [AxisDrive; 2] {
-        self.params.slides.drives(if self.diameters() { 2.0 } else { 1.0 })
+        self.params.slides.drives(self.dialect.words_per_mm(self.cross()))
     }
 
     /// Index of the axis across the spindle.
@@ -179,7 +179,7 @@ impl TurningSpindle {
     }
 
     /// Whether words of X count diameters; otherwise radii.
-    pub(super) fn diameters(&self) -> bool {
+    pub(super) fn x_counts_diameters(&self) -> bool {
         self.dialect.counts_diameters(self.cross())
     }
 

@@ -95,11 +95,11 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::VoltsOffAtStop, answer(!rules.volts_stay)),
         (ParamRole::SpindleEncoder, answer(true)),
     ];
-    values.extend(p.slides.parameters(lathe.diameters()));
+    values.extend(p.slides.parameters(lathe.x_counts_diameters()));
     values.extend(sheets::for_macros());
     values.extend(sheets::keeping_variables());
     values.extend(p.encoder.parameters(lathe.control));
     values.extend(scaling::parameters(lathe.control, &lathe.drives()));
-    let axes = AxisUnits { in_diameters: if lathe.diameters() { &["X"] } else { &[] }, rotary: &[] };
+    let axes = AxisUnits { in_diameters: if lathe.x_counts_diameters() { &["X"] } else { &[] }, rotary: &[] };
     sheets::parameters(lathe.control, &axes, values)
 }

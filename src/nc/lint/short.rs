@@ -112,7 +112,7 @@ impl Short {
             {
                 moves = true;
                 certain &= self.modes & INCREMENTAL != 0 || axis.letter != word.letter;
-                let scale = if self.dialect.counts_diameters(at) { 0.5 } else { 1.0 };
+                let scale = 1.0 / self.dialect.words_per_mm(at);
                 match self.value(word) {
                     Some(length) => square += length * length * scale * scale,
                     None => certain = false,

@@ -40,7 +40,7 @@ pub(super) fn surface_speed(lint: &mut Lint, roles: &Roles, facts: &Facts) {
     };
     // A called program that is missing here, or a block that does not parse, may limit the speed.
     let limited = !facts.missed.is_empty() || facts.any_called || !facts.bad.is_empty() || limits(lint);
-    let words = if lint.parsed.dialect().counts_diameters(k) { 2.0 } else { 1.0 };
+    let words = lint.parsed.dialect().words_per_mm(k);
     for program in 0..lint.deck.programs.len() {
         Check { lint, roles, cross, words, limited }.program(program);
     }

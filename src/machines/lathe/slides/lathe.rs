@@ -124,9 +124,9 @@ impl LatheSlides {
         sheets::servo_axes(&[settings("X", &self.x), settings("Z", &self.z)], x_counts_diameters, IN_POSITION)
     }
 
-    /// Drives of X and Z. A word of X counts `x_units` per mm of its slide: 2 for diameters.
-    pub(in crate::machines) fn drives(&self, x_units: f64) -> [AxisDrive; 2] {
-        [self.x.drive("X", x_units), self.z.drive("Z", 1.0)]
+    /// Drives of X and Z. Words of X count `x_per_mm` units per millimetre of its slide: 2 for diameters.
+    pub(in crate::machines) fn drives(&self, x_per_mm: f64) -> [AxisDrive; 2] {
+        [self.x.drive("X", x_per_mm), self.z.drive("Z", 1.0)]
     }
 
     /// Axes of X and Z in the plant. `home`: positions (mm) of both at power-on.

@@ -33,10 +33,7 @@ pub(super) fn about(line: &RibbonLine, what: &str) -> String {
 
 /// Words of the pull axis for a length of ribbon in mm.
 pub(super) fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
-    match line.pull_words() {
-        1 => ribbon,
-        words => ribbon * words,
-    }
+    if line.x_counts_diameters() { ribbon * 2 } else { ribbon }
 }
 
 /// The block that pulls and prints. An exact stop that acts in one block alone is written in each.

@@ -42,7 +42,7 @@ pub(super) fn compute(b: &mut Builder, line: &RibbonLine) {
         b.n(at).assign(copy, v(watched));
     }
     b.n(30).assign(STROKE, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(31).assign(PULL_LENGTH, pull_words(line, v(PITCH) * v(BLOCK_PITCHES))).note(if line.pull_words() == 2 {
+    b.n(31).assign(PULL_LENGTH, pull_words(line, v(PITCH) * v(BLOCK_PITCHES))).note(if line.x_counts_diameters() {
         "X PER BLOCK, DIAMETER"
     } else {
         "X PER BLOCK"

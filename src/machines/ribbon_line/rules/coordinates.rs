@@ -20,7 +20,7 @@ pub(in crate::machines::ribbon_line) fn long_blocks(line: &RibbonLine) -> Option
     let RibbonLine { params: p, derived: d, .. } = line;
     let limits = &line.control.limits;
     let pitches = p.block_pitches().min(p.count());
-    let pull = p.pitch * f64::from(line.pull_words());
+    let pull = p.pitch * line.x_per_mm();
     let (axis, pitch) =
         if d.feeds.y_stroke > pull { (line.print_letter(), d.feeds.y_stroke) } else { (PULL_LETTER, pull) };
     let max = limits.coordinate_max;
@@ -47,7 +47,7 @@ pub(in crate::machines::ribbon_line) fn counted_axis(line: &RibbonLine) -> Optio
 /// the coordinates of both axes roll over.
 fn farthest(line: &RibbonLine) -> Option<(&'static str, f64)> {
     let endless = line.rolls_over();
-    let pull = (PULL_LETTER, line.params.pitch * f64::from(line.pull_words()));
+    let pull = (PULL_LETTER, line.params.pitch * line.x_per_mm());
     let print = (line.print_letter(), line.derived.feeds.y_stroke);
     match (endless.pull, endless.print) {
         (true, true) => None,
@@ -89,10 +89,10 @@ fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
     let can_roll = line.control.param(ParamRole::AxisRollOver).is_some()
         && (!needs_degrees || line.params.print_axis == PrintAxis::Y);
     let shifts = product_fits && line.control.can(Code::SetCoordinates);
-    if can_roll && line.pull_words() > 1 && !shifts {
+    if can_roll && line.x_counts_diameters() && !shifts {
         return vec![msg!("ribbon.range-roll-over-in-radius", parameters = roll_parameters(line)).into()];
     }
-    if can_roll && line.pull_words() == 1 {
+    if can_roll && !line.x_counts_diameters() {
         let advice = Advice::from(msg!("ribbon.range-roll-over", parameters = roll_parameters(line)));
         let [rolls, in_degrees] = [("endless", "roll-over".to_owned()), ("y-unit", "degrees".to_owned())];
         return vec![if needs_degrees {

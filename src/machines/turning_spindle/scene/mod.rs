@@ -131,7 +131,7 @@ fn labels(drawing: &mut Drawing, lathe: &TurningSpindle, layout: &Layout) {
     let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
     callout(drawing, allowance, (LEFT, ROW), Anchor::Start, "turning.scene.left", &[(Some(node::LEFT), "")], None);
     let place = |at: f64| show(at, if at < 1000.0 { 3 } else { 1 });
-    let across = p.start_x * if lathe.diameters() { 1.0 } else { 0.5 };
+    let across = p.start_x * if lathe.x_counts_diameters() { 1.0 } else { 0.5 };
     let start = format!("{} X{} Z{}", say("turning.scene.start"), place(across), place(p.start_z));
     let clearance = format!("{} {}", say("turning.clearance"), mm(p.clearance));
     drawing.showing("start-x", |drawing| {
