@@ -4,6 +4,8 @@
 //! broken or whole; no text begins so.
 #![no_main]
 
+#[path = "../../tests/it/generated/deck_eq.rs"]
+mod deck_eq;
 #[path = "../../tests/it/generated/dice.rs"]
 mod dice;
 #[path = "../../tests/it/generated/laws.rs"]

@@ -1,6 +1,8 @@
 //! Bytes as a program, read, told, mended, written and read again by every control: the laws of tests/it/generated/laws.rs.
 #![no_main]
 
+#[path = "../../tests/it/generated/deck_eq.rs"]
+mod deck_eq;
 #[path = "../../tests/it/generated/dice.rs"]
 #[allow(dead_code, reason = "a target takes a part of it")]
 mod dice;

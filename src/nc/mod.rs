@@ -13,7 +13,6 @@ pub mod build;
 mod block_index;
 mod checks;
 mod codes;
-mod deck_eq;
 mod emit;
 mod fix;
 mod lex;

@@ -1,5 +1,6 @@
 //! Laws on generated programs: macros run like the equal plain blocks; parse, emit and run are total.
 
+pub(crate) mod deck_eq;
 mod dice;
 mod flat;
 mod laws;
