@@ -22,7 +22,7 @@ pub mod words;
 pub use amplifier::Resistor;
 pub use bill::BillRow;
 pub use choice::{Candidate, SizedAxis};
-pub use envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
+pub use envelope::{DriveName, EnvelopeRow, HoldingLimit, OperatingEvent, Quantity};
 pub use gears::{GearCandidate, SizedGear};
 pub use growth::{Fastest, Growth, ResultName};
 pub use refusal::Refusal;

@@ -67,7 +67,7 @@ impl Sizing {
     fn envelope_answer(&self) -> (Verdict, String) {
         let failing: Vec<&EnvelopeRow> = self.worst().into_iter().filter(|row| row.verdict == Verdict::Fail).collect();
         if !failing.is_empty() {
-            let beyond = failing.iter().map(|row| headed(row.quantity(), say(row.event.name())));
+            let beyond = failing.iter().map(|row| headed(row.quantity.name(), say(row.event.name())));
             return (Verdict::Fail, sentence(&msg!("size.answer.beyond", quantities = listed(beyond))));
         }
         let share = |row: &EnvelopeRow| match row.limit {
@@ -79,7 +79,7 @@ impl Sizing {
             let limit = row.limit.map_or(0.0, Limit::value);
             let [value, limit] = [row.value, limit].map(|value| units::text(value, row.decimals, row.unit));
             let event = say(row.event.name());
-            sentence(&msg!("size.answer.within", quantity = row.quantity(), value, limit, event))
+            sentence(&msg!("size.answer.within", quantity = row.quantity.name(), value, limit, event))
         });
         (Verdict::Ok, answer.unwrap_or_else(|| say("size.answer.no-limit")))
     }
@@ -89,7 +89,7 @@ impl Sizing {
         let worst = self.envelope.iter().filter(|row| !row.is_heat());
         let mut found: Vec<&EnvelopeRow> = Vec::new();
         for row in worst {
-            match found.iter_mut().find(|known| known.id == row.id) {
+            match found.iter_mut().find(|known| known.quantity == row.quantity) {
                 None => found.push(row),
                 Some(known) if row.is_worst && !known.is_worst => *known = row,
                 Some(_) => {}

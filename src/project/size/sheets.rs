@@ -1,7 +1,7 @@
 //! A sizing as sheets, for page, report and command line.
 
 use super::choice::Candidate;
-use super::envelope::{EnvelopeRow, HoldingLimit, OperatingEvent};
+use super::envelope::{EnvelopeRow, HoldingLimit, OperatingEvent, Quantity};
 use super::gears::{GearCandidate, SizedGear};
 use super::{BillRow, Growth, ResultName, SizedAxis, Sizing, Swing, TerminalRow, Tornado};
 use crate::drives::duty::{DutyType, duty_type};
@@ -216,7 +216,7 @@ impl Sizing {
 
     /// The heat of the form's motor of an axis in a whole run.
     pub(super) fn heat(&self, axis: &SizedAxis) -> Option<&EnvelopeRow> {
-        self.envelope.iter().find(|row| row.is_heat() && row.axis == Some(axis.name))
+        self.envelope.iter().find(|row| row.is_heat() && row.quantity.axis() == Some(axis.name))
     }
 
     /// Demand of the run on the form's motor, with its chart.
@@ -269,7 +269,7 @@ impl Sizing {
                 Some(percent) => sentence(&msg!("size.worst-at-knob", event, percent)),
                 None => event,
             };
-            row([of.quantity(), marked(of), limit(of).unwrap_or_default(), event], RUNS)
+            row([of.quantity.name(), marked(of), limit(of).unwrap_or_default(), event], RUNS)
         };
         Sheet {
             id: "worst",
@@ -291,7 +291,7 @@ impl Sizing {
         let mut watched: Vec<&EnvelopeRow> = Vec::new();
         // The heat of a motor is that of a whole run: the demand of its axis shows it.
         for row in self.envelope.iter().filter(|row| !row.is_heat()) {
-            if watched.iter().all(|known| known.id != row.id) {
+            if watched.iter().all(|known| known.quantity != row.quantity) {
                 watched.push(row);
             }
         }
@@ -301,7 +301,8 @@ impl Sizing {
         let events = OperatingEvent::IDS.iter().map(|(event, _)| *event);
         let events = events.filter(|event| self.envelope.iter().any(|row| row.event == *event));
         let rows = events.map(|event| {
-            let at = |id: &str| self.envelope.iter().find(|row| row.event == event && row.id == id);
+            let at =
+                |quantity: Quantity| self.envelope.iter().find(|row| row.event == event && row.quantity == quantity);
             // A limit that varies, as that of a torque with the speed, is beside the worst value and those beyond it.
             let cell = |of: &EnvelopeRow, row: &EnvelopeRow| match self::limit(row) {
                 Some(own)
@@ -311,10 +312,10 @@ impl Sizing {
                 }
                 _ => value(row),
             };
-            let cells = watched.iter().map(|of| at(&of.id).map_or(String::new(), |row| cell(of, row)));
+            let cells = watched.iter().map(|of| at(of.quantity).map_or(String::new(), |row| cell(of, row)));
             row([say(event.name())].into_iter().chain(cells).collect::<Vec<_>>(), RUNS)
         });
-        let columns = watched.iter().map(|of| Column::Plain(of.axis.unwrap_or(of.label)));
+        let columns = watched.iter().map(|of| Column::Plain(of.quantity.axis().unwrap_or(of.quantity.label())));
         Sheet {
             id: "envelope",
             kind: SheetKind::Plain,
@@ -329,7 +330,7 @@ impl Sizing {
 impl Sizing {
     /// Limits of the form that would hold at every event, for those that fail.
     fn needed(&self, watched: &[&EnvelopeRow]) -> Option<Row> {
-        let holding = |of: &&EnvelopeRow| self.holding_limits.iter().find(|limit| limit.id == of.id);
+        let holding = |of: &&EnvelopeRow| self.holding_limits.iter().find(|limit| limit.quantity == of.quantity);
         let text =
             |limit: &HoldingLimit| at_least(limit.is_truncated, units::text(limit.value, limit.decimals, limit.unit));
         let cells = watched.iter().map(|of| holding(of).map_or(String::new(), text));
@@ -361,7 +362,7 @@ impl Sizing {
     pub fn findings(&self) -> Vec<Diagnostic> {
         let beyond = self.envelope.iter().filter(|row| row.verdict == Verdict::Fail);
         let warning = |row: &EnvelopeRow| {
-            let quantity = row.quantity();
+            let quantity = row.quantity.name();
             let limit = limit(row).unwrap_or_default();
             let value = at_least(row.is_truncated, units::text(row.value, row.decimals, row.unit));
             let event = row.event_name();

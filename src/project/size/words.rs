@@ -121,7 +121,7 @@ fn entries(of: &[FieldEntry]) -> serde_json::Map<String, Json> {
 
 fn event(row: &EnvelopeRow) -> Json {
     json!({
-        "event": row.event.id(), "id": row.id, "value": row.value, "unit": row.unit,
+        "event": row.event.id(), "id": row.quantity.id(), "value": row.value, "unit": row.unit,
         "limit": row.limit.map(Limit::value), "bound": row.limit.map(Limit::bound),
         "verdict": verdict_word(row.verdict), "worst": row.is_worst, "knob_percent": row.knob, "feed_percent": row.feed, "more_than_value": row.is_truncated,
     })
@@ -129,7 +129,7 @@ fn event(row: &EnvelopeRow) -> Json {
 
 fn holding_limit(of: &HoldingLimit) -> Json {
     json!({
-        "id": of.id, "value": of.value, "unit": of.unit, "more_than_value": of.is_truncated,
+        "id": of.quantity.id(), "value": of.value, "unit": of.unit, "more_than_value": of.is_truncated,
         "field": of.entry.as_ref().map(|entry| entry.field), "entry": of.entry.as_ref().map(|entry| entry.text.as_str()),
     })
 }

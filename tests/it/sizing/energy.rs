@@ -135,7 +135,8 @@ fn current_follows_the_torque_of_a_motor_of_the_catalogue() {
     assert_eq!(project.values["motor-x"], Value::Text(motor.part.name()));
     // The feed override does not act on the line.
     for (event, _) in OperatingEvent::IDS.into_iter().filter(|(event, _)| *event != OperatingEvent::FeedKnob) {
-        let row = |id: &str| after.envelope.iter().find(|row| row.event == event && row.id == id).unwrap().value;
+        let row =
+            |id: &str| after.envelope.iter().find(|row| row.event == event && row.quantity.id() == id).unwrap().value;
         super::same(event.id(), row("x-current"), 3.2 / 2.39 * row("x-torque"), 1e-9);
     }
 }

@@ -19,7 +19,7 @@ fn row<'a>(sizing: &'a Sizing, event: OperatingEvent, id: &str) -> &'a EnvelopeR
     sizing
         .envelope
         .iter()
-        .find(|row| row.event == event && row.id == id)
+        .find(|row| row.event == event && row.quantity.id() == id)
         .unwrap_or_else(|| panic!("no {id} at {}", event.id()))
 }
 
@@ -221,7 +221,7 @@ fn loop_that_would_hold_at_every_event_is_offered() {
     assert_eq!(set.field, "loop-capacity");
     let after = sized(&project.with_entries(&sets).unwrap());
     assert_eq!(findings_of(&after), [""; 0]);
-    assert!(after.envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
+    assert!(after.envelope.iter().all(|row| row.quantity.id() != "loop" || row.verdict == Verdict::Ok));
     let sheet = after.sheets().into_iter().find(|sheet| sheet.id == "envelope").expect("an envelope");
     assert!(!sheet.rows.is_empty() && sheet.rows.iter().all(|row| row.entries.is_empty()));
 }
@@ -237,7 +237,7 @@ fn loop_that_is_offered_holds_by_every_rule_too() {
     let judged: Vec<_> = readouts.iter().filter(|row| row.id.starts_with("loop-")).collect();
     assert!(judged.iter().any(|row| row.id == "loop-needed"));
     assert!(judged.iter().all(|row| row.verdict <= Verdict::Ok), "{sets:?}: {judged:?}");
-    assert!(sized(&after).envelope.iter().all(|row| row.id != "loop" || row.verdict == Verdict::Ok));
+    assert!(sized(&after).envelope.iter().all(|row| row.quantity.id() != "loop" || row.verdict == Verdict::Ok));
 }
 
 #[test]
@@ -301,7 +301,7 @@ fn turn_that_the_envelope_holds_fails_in_the_form() {
     let verdicts = |project: &Project| {
         let form = project.design().readouts.into_iter().find(|row| row.id == "loop-turned").unwrap();
         let sizing = sized(project);
-        let holds = sizing.envelope.iter().any(|row| row.event == OperatingEvent::Knob && row.id == "hold");
+        let holds = sizing.envelope.iter().any(|row| row.event == OperatingEvent::Knob && row.quantity.id() == "hold");
         (form, holds, row(&sizing, OperatingEvent::Knob, "loop").verdict)
     };
     let (form, holds, of_run) = verdicts(&line);
@@ -345,7 +345,7 @@ proptest! {
         let judged = line.design().readouts;
         prop_assume!(judged.iter().filter(|row| row.id.starts_with("loop-")).all(|row| row.verdict <= Verdict::Ok));
         let look = 0.1 * value(&line, "line-speed") / 60.0;
-        for row in sized(&line).envelope.iter().filter(|row| row.id == "loop") {
+        for row in sized(&line).envelope.iter().filter(|row| row.quantity.id() == "loop") {
             let most = 1.05 * f64::from(capacity) + look;
             prop_assert!(row.value <= most, "{} at {:?} %: {} of {capacity} mm", row.event.id(), row.knob, row.value);
         }
@@ -389,14 +389,19 @@ fn knob_at_zero_leaves_the_rows_to_the_runs_that_work() {
     let sizing = sized(&line.with_entries(&[("override", "0"), ("pitch-count", "100")]).unwrap());
     assert!(row(&sizing, OperatingEvent::Start, "time").value < 10.0);
     let of_knob = [OperatingEvent::Knob, OperatingEvent::SpeedChange];
-    assert!(sizing.envelope.iter().all(|row| !of_knob.contains(&row.event) || row.value > 0.0 || row.id != "x-torque"));
+    assert!(
+        sizing
+            .envelope
+            .iter()
+            .all(|row| !of_knob.contains(&row.event) || row.value > 0.0 || row.quantity.id() != "x-torque")
+    );
     assert!(row(&sizing, OperatingEvent::EmergencyStop, "loop").knob.is_some());
 }
 
 #[test]
 fn loop_misses_at_most_the_stretch_at_the_tension_limit() {
     let mut project = line();
-    assert!(sized(&project).envelope.iter().all(|row| row.id != "loop-least" || row.verdict == Verdict::Ok));
+    assert!(sized(&project).envelope.iter().all(|row| row.quantity.id() != "loop-least" || row.verdict == Verdict::Ok));
     // PET of 50 · 0.05 mm: (187.5 - 15) N · 2000 mm / (4000 N/mm² · 2.5 mm²) = 34.5 mm.
     for (field, value) in [
         ("youngs-modulus", 4000.0),
@@ -448,7 +453,7 @@ fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
 #[test]
 fn pitch_that_the_program_refuses_is_an_alarm_of_the_event() {
     let mut project = line();
-    assert!(sized(&project).envelope.iter().all(|row| row.id != "alarm"));
+    assert!(sized(&project).envelope.iter().all(|row| row.quantity.id() != "alarm"));
     // A tenth less pitch at the same speed needs a higher F than this limit.
     let limit = (1.03 * value(&project, "vector-feed")).round();
     project.values.insert("feed-limit".to_owned(), Value::Number(limit));
@@ -473,11 +478,11 @@ fn every_machine_has_its_events_and_one_worst_each() {
         let mut found: Vec<OperatingEvent> = sizing.envelope.iter().map(|row| row.event).collect();
         found.dedup();
         assert_eq!(found, events, "{machine}");
-        let mut ids: Vec<&str> = sizing.envelope.iter().map(|row| row.id.as_str()).collect();
+        let mut ids: Vec<String> = sizing.envelope.iter().map(|row| row.quantity.id()).collect();
         ids.sort_unstable();
         ids.dedup();
         for id in ids {
-            let worst = sizing.envelope.iter().filter(|row| row.id == id && row.is_worst).count();
+            let worst = sizing.envelope.iter().filter(|row| row.quantity.id() == id && row.is_worst).count();
             assert_eq!(worst, 1, "{machine}: worst {id}");
         }
         assert!(sizing.envelope.iter().all(|row| row.value.is_finite()), "{machine}");
@@ -503,9 +508,9 @@ fn lathe_coasts_at_fault_and_power_failure_as_calculated() {
 }
 
 /// Ids of the torques and currents at an event.
-fn torques(sizing: &Sizing, event: OperatingEvent) -> Vec<&str> {
+fn torques(sizing: &Sizing, event: OperatingEvent) -> Vec<String> {
     let rows = sizing.envelope.iter().filter(|row| row.event == event);
-    rows.map(|row| row.id.as_str()).filter(|id| id.ends_with("-torque") || id.ends_with("-current")).collect()
+    rows.map(|row| row.quantity.id()).filter(|id| id.ends_with("-torque") || id.ends_with("-current")).collect()
 }
 
 #[test]
@@ -514,16 +519,25 @@ fn motor_without_current_has_no_torque() {
     let lathe = Project::named("turning-spindle", None, Some("shaft")).unwrap();
     let sizing = sized(&lathe.with_entries(&[("bed-angle", "60")]).unwrap());
     for event in [Alarm, PowerFailure] {
-        assert!(!torques(&sizing, event).contains(&"spindle-torque"), "{}: {:?}", event.id(), torques(&sizing, event));
+        assert!(
+            !torques(&sizing, event).contains(&"spindle-torque".to_owned()),
+            "{}: {:?}",
+            event.id(),
+            torques(&sizing, event)
+        );
     }
     // The spindle brakes over its ramp, with current.
     for event in [Run, EmergencyStop] {
-        assert!(torques(&sizing, event).contains(&"spindle-torque"), "{}", event.id());
+        assert!(torques(&sizing, event).contains(&"spindle-torque".to_owned()), "{}", event.id());
     }
     // Z feeds and brakes; X is at rest, and its amplifier goes off with that of Z.
     for event in [EmergencyStop, PowerFailure] {
         let all = torques(&sizing, event);
-        assert!(all.contains(&"z-torque") && !all.contains(&"x-torque"), "{}: {all:?}", event.id());
+        assert!(
+            all.contains(&"z-torque".to_owned()) && !all.contains(&"x-torque".to_owned()),
+            "{}: {all:?}",
+            event.id()
+        );
     }
     // At an inverter fault the amplifiers of the slides stay on, and X holds its weight.
     let weight = 100.0 * 9.806_65 * math::sin(60_f64.to_radians()) * 0.005 / std::f64::consts::TAU;
@@ -554,7 +568,8 @@ fn power_failure_at_the_polygon_lathe_has_the_whole_lost_phase() {
     assert!((row("time").value - 0.8).abs() < 1e-9, "{:?}", row("time"));
     assert_eq!(row("phase").value, value(&project, "coast-phase").abs());
     // A machine that keeps its drives on at an emergency stop has none of it there.
-    let stop = sizing.envelope.iter().find(|row| row.event == OperatingEvent::EmergencyStop && row.id == "phase");
+    let stop =
+        sizing.envelope.iter().find(|row| row.event == OperatingEvent::EmergencyStop && row.quantity.id() == "phase");
     assert!(stop.is_some_and(|row| row.value < 1.0), "{stop:?}");
 }
 
@@ -588,7 +603,10 @@ fn unwinder_that_nothing_slows_coasts_beyond_the_run() {
     assert!(sentences.iter().any(|line| line.contains(": Loop comes to > ")), "{sentences:?}");
     // No loop would hold.
     assert!(
-        sizing.holding_limits.iter().all(|limit| limit.id != "loop" || limit.is_truncated && limit.entry.is_none())
+        sizing
+            .holding_limits
+            .iter()
+            .all(|limit| limit.quantity.id() != "loop" || limit.is_truncated && limit.entry.is_none())
     );
 }
 
@@ -685,6 +703,11 @@ fn hold_by_a_contact_is_a_row_of_its_event() {
     // The offered loop capacity is that of runs without a hold by contacts.
     let sets: Vec<_> = sizing.holding_limits.iter().filter_map(|limit| limit.entry.clone()).collect();
     let after = sized(&project.with_entries(&sets).unwrap());
-    assert!(after.envelope.iter().all(|row| row.id != "hold" && (row.id != "loop" || row.verdict == Verdict::Ok)));
+    assert!(
+        after
+            .envelope
+            .iter()
+            .all(|row| row.quantity.id() != "hold" && (row.quantity.id() != "loop" || row.verdict == Verdict::Ok))
+    );
     assert_eq!(after.truncated, None);
 }

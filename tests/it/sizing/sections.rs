@@ -45,7 +45,8 @@ fn every_machine_has_an_answer_in_every_section() {
 fn quantity_nearest_its_limit_and_quantities_beyond_are_named() {
     let mut project = Project::of("ribbon-line", None).unwrap();
     let sizing = sized(&project);
-    let most = sizing.envelope.iter().filter(|row| row.id == "loop").map(|row| row.value).fold(0.0, f64::max);
+    let most =
+        sizing.envelope.iter().filter(|row| row.quantity.id() == "loop").map(|row| row.value).fold(0.0, f64::max);
     let within = sizing.sections();
     let within = section(&within, "envelope");
     assert_eq!(within.verdict, Verdict::Ok);

@@ -145,7 +145,10 @@ fn every_slide_has_motor_amplifier_and_torque_in_the_answers() {
                 let rows = sizing.bill.iter().filter(|row| row.axis == Some(drive)).count();
                 assert!(rows >= 2, "{name} on {control}: {rows} rows of {id}");
                 let torque = format!("{id}-torque");
-                assert!(sizing.envelope.iter().any(|row| row.id == torque && row.verdict == Verdict::Ok), "{torque}");
+                assert!(
+                    sizing.envelope.iter().any(|row| row.quantity.id() == torque && row.verdict == Verdict::Ok),
+                    "{torque}"
+                );
             }
         }
     }
@@ -263,7 +266,7 @@ fn motor_of_a_slide_is_judged_by_its_heat_in_the_run() {
     let heavy = lathe("turning-spindle", "gsk-980tdc", &entries);
     assert_eq!(readout(&heavy, "z-peak-torque").verdict, Verdict::Ok);
     let sizing = sized(&heavy);
-    let heats = sizing.envelope.iter().filter(|row| row.id == "z-effective-torque");
+    let heats = sizing.envelope.iter().filter(|row| row.quantity.id() == "z-effective-torque");
     let heat = heats.max_by(|a, b| a.value.total_cmp(&b.value)).unwrap();
     // In a shorter part with more force: with the feed override at its highest position.
     assert_eq!((heat.verdict, heat.feed), (Verdict::Fail, Some(150.0)), "{} {:?}", heat.value, heat.limit);

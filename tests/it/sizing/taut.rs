@@ -142,7 +142,7 @@ fn taut_ribbon_counts_in_the_gear_unit_and_in_operation() {
     // Not for long enough for its life.
     assert!(duty.mean < 0.1 * at_roller, "{duty:?}");
     let run = |sizing: &Sizing| {
-        let of_run = |row: &&EnvelopeRow| row.id == "x-torque" && row.event == OperatingEvent::Run;
+        let of_run = |row: &&EnvelopeRow| row.quantity.id() == "x-torque" && row.event == OperatingEvent::Run;
         sizing.envelope.iter().find(of_run).unwrap().clone()
     };
     let row = run(&sizing);

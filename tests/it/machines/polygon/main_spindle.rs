@@ -147,8 +147,11 @@ fn list_refuses_main_motors_too_weak_for_the_cut() {
         axis.candidates.iter().filter_map(|motor| Some(sentence(&motor.refusal.as_ref()?.message))).collect();
     assert!(weak.iter().any(|reason| reason.contains("15.926 Nm")), "{weak:?}");
     // The run has its torque on the list of the operating envelope, below that of the motor.
-    let row =
-        sizing.envelope.iter().find(|row| row.id == "spindle-torque" && row.event == OperatingEvent::Run).unwrap();
+    let row = sizing
+        .envelope
+        .iter()
+        .find(|row| row.quantity.id() == "spindle-torque" && row.event == OperatingEvent::Run)
+        .unwrap();
     assert_eq!(row.verdict, Verdict::Ok);
 }
 
@@ -206,7 +209,7 @@ fn encoders_reach_the_speed_of_the_knob_at_its_end() {
     assert!(encoder(&shaft(&[])).starts_with("up to 1000 r/min"), "{}", encoder(&shaft(&[])));
     let lathe = Project::of("turning-spindle", Some("mitsubishi-e60")).unwrap();
     let envelope = size(&lathe, &lathe.written()).envelope;
-    let speeds = envelope.iter().filter(|row| row.label == "turning.gauge.speed").map(|row| row.value);
+    let speeds = envelope.iter().filter(|row| row.quantity.label() == "turning.gauge.speed").map(|row| row.value);
     let highest = speeds.fold(0.0, f64::max);
     let requirement = encoder(&lathe);
     let required: f64 = requirement.split(' ').nth(2).unwrap().replace('\u{202f}', "").parse().unwrap();
@@ -288,9 +291,9 @@ fn sizing_of_the_work_axis_has_the_main_friction() {
     let peak = |friction: &'static str| {
         let lathe = shaft(&[("main-friction", friction)]);
         let sizing = size(&lathe, &lathe.written());
-        let start = sizing.envelope.iter().find(|row| row.id == "work-torque" && row.event.id() == "start");
+        let start = sizing.envelope.iter().find(|row| row.quantity.id() == "work-torque" && row.event.id() == "start");
         start
-            .unwrap_or_else(|| panic!("{:?}", sizing.envelope.iter().map(|row| row.id.clone()).collect::<Vec<_>>()))
+            .unwrap_or_else(|| panic!("{:?}", sizing.envelope.iter().map(|row| row.quantity.id()).collect::<Vec<_>>()))
             .value
     };
     // At the motor, with 90 %.
@@ -415,7 +418,7 @@ fn envelope_takes_the_phase_in_the_cut_of_a_polygon() {
     let shaft = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
     let phase = |project: &Project, event: OperatingEvent| {
         let rows = sized(project).envelope;
-        let row = rows.iter().find(|row| row.event == event && row.id == "phase").expect("a phase");
+        let row = rows.iter().find(|row| row.event == event && row.quantity.id() == "phase").expect("a phase");
         row.value
     };
     near(phase(&two, OperatingEvent::Run), 0.0, 1e-6);

@@ -118,7 +118,7 @@ fn run_of_a_face_asks_more_than_the_short_time_torque() {
     near(worst_point.share, worst_point.torque / (1.5 * 9_549.297 * 15.0 / 4000.0), 0.01);
     // The operating envelope shows the same.
     let sizing = size(&lathe, &lathe.written());
-    let rows = || sizing.envelope.iter().filter(|row| row.id == "spindle-torque");
+    let rows = || sizing.envelope.iter().filter(|row| row.quantity.id() == "spindle-torque");
     assert!(rows().any(|row| row.event == OperatingEvent::Run && row.verdict == Verdict::Fail));
     // With half of the feed it holds.
     let slower = project("gsk-980tdc", &[&FACE[..], &[("feed", "0.15")]].concat());

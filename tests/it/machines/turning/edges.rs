@@ -224,7 +224,8 @@ fn motor_of_the_spindle_is_judged_by_its_heat_over_the_cycle() {
         ("pause", "0"),
     ];
     let sizing = sized(&example("gsk-980tdc", "shaft", &short));
-    let heat = sizing.envelope.iter().find(|row| row.id == "spindle-effective-torque").expect("a row of heat");
+    let heat =
+        sizing.envelope.iter().find(|row| row.quantity.id() == "spindle-effective-torque").expect("a row of heat");
     assert_eq!(heat.verdict, Verdict::Fail, "{heat:?}");
     let spindle = sizing.axes.iter().find(|axis| axis.id == "spindle").expect("the spindle");
     // √(42.08² · 2.0 / 4.675) = 27.5 Nm of the run-up alone.

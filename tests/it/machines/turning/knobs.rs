@@ -97,7 +97,7 @@ fn bending_is_judged_at_the_end_of_the_feed_knob() {
 }
 
 fn row(sizing: &Sizing, event: OperatingEvent, id: &str) -> (f64, Option<f64>) {
-    let found = sizing.envelope.iter().find(|row| row.event == event && row.id == id);
+    let found = sizing.envelope.iter().find(|row| row.event == event && row.quantity.id() == id);
     found.map(|row| (row.value, row.feed)).unwrap_or_else(|| panic!("no {id}"))
 }
 
@@ -178,7 +178,7 @@ fn knob_behind_the_limits_has_one_verdict_in_form_and_envelope() {
         let judged = readout(&lathe, "speed-greatest");
         assert_eq!((judged.verdict, judged.limit), (verdict, Some(Limit::AtMost(1600.0))), "{cutting_speed}");
         let sizing = sized(&lathe);
-        let worst = sizing.envelope.iter().filter(|row| row.id == "speed").map(|row| row.verdict).max();
+        let worst = sizing.envelope.iter().filter(|row| row.quantity.id() == "speed").map(|row| row.verdict).max();
         assert_eq!(worst, Some(verdict), "{cutting_speed}");
         for advice in judged.advice {
             let held = lathe.with_entries(&advice.entries).unwrap();
@@ -193,7 +193,11 @@ fn envelope_of_a_fixed_speed_has_the_operators_limit() {
     for (speed, verdict) in [("200", Verdict::Ok), ("500", Verdict::Fail)] {
         let entries = [("path", "turning"), ("speed-mode", "fixed"), ("cutting-speed", speed), ("upper-limit", "1600")];
         let sizing = sized(&project("gsk-980tdc", &entries));
-        let run = sizing.envelope.iter().find(|row| row.event == OperatingEvent::Run && row.id == "speed").unwrap();
+        let run = sizing
+            .envelope
+            .iter()
+            .find(|row| row.event == OperatingEvent::Run && row.quantity.id() == "speed")
+            .unwrap();
         assert_eq!((run.limit, run.verdict), (Some(Limit::AtMost(1600.0)), verdict), "{run:?}");
     }
 }

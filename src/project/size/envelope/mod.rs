@@ -3,19 +3,23 @@
 //! Each event is a run of the program with an action of the operator in the middle of its work, a stop also at the highest speed of the
 //! spindle, with the knob at the form's position and near both of its ends; formulas check these runs, see `tests/it/sizing`.
 
+mod holding_limits;
+mod rows;
+
+pub use holding_limits::HoldingLimit;
+pub(super) use holding_limits::holding_limits;
+pub use rows::{DriveName, EnvelopeRow, OperatingEvent, Quantity};
+
+use rows::{at_feed, at_knob, current_row, gauged, heat_row, mark_worst, stop, time, torque_row, worst};
+
 use super::choice::ampere_per_torque;
 use super::runs::{OperatedKnob, SizingRuns, WholeRun, finish, plan};
 use crate::drives::shaft_motion::OperatingPoint;
-use crate::machines::driven::{CoastedAxes, DrivenAxis, Gauge, ProductSize};
-use crate::machines::sheets::say;
+use crate::machines::driven::{CoastedAxes, DrivenAxis, ProductSize};
 use crate::machines::{DrivenMachine, PreparedMachine};
-use crate::math;
 use crate::motion::{Action, Event, Mover, RunEnd, RunSegment};
-use crate::msg;
 use crate::project::Project;
 use crate::project::run::Run;
-use crate::text::catalog::{number_text, sentence};
-use crate::view::{FieldEntry, Limit, Verdict};
 
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
@@ -37,109 +41,8 @@ const POINTS: usize = 400;
 /// Step (%) by which an operator turns the knob: a tenth.
 const TURN: f64 = 10.0;
 
-/// Id of the row of an event at which a contact of the machine holds the program.
-const HOLD: &str = "hold";
-
-/// Catalog id of the effective torque of a motor, which heats it.
-const HEAT: &str = "size.effective";
-
 /// Tried change of the product size, as a fraction of the present size.
 const TENTH: f64 = 0.1;
-
-/// An event of operation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OperatingEvent {
-    /// From cycle start to the first contact with the work.
-    Start,
-    /// From the first contact to the end of the program, and to standstill after it.
-    Run,
-    /// The knob goes to either end, and from its lowest position back to that of the form.
-    Knob,
-    /// The feed override goes to either end, and is at its highest position from the start on.
-    FeedKnob,
-    /// The knob is turned by one step, and back.
-    SpeedChange,
-    /// The operator types a product a tenth larger or smaller, and then the present one again.
-    ProductChange,
-    /// Feed hold, and cycle start after standstill.
-    Hold,
-    /// The inverter reports a fault.
-    Alarm,
-    /// Emergency stop.
-    EmergencyStop,
-    /// The supply fails: the servo axes of the slides brake, the spindle or the axes of work and tool coast.
-    PowerFailure,
-}
-
-impl OperatingEvent {
-    /// All events with their ids in JSON, in the order of operation.
-    pub const IDS: [(OperatingEvent, &'static str); 10] = [
-        (OperatingEvent::Start, "start"),
-        (OperatingEvent::Run, "run"),
-        (OperatingEvent::Knob, "knob"),
-        (OperatingEvent::FeedKnob, "feed-knob"),
-        (OperatingEvent::SpeedChange, "speed-change"),
-        (OperatingEvent::ProductChange, "product-change"),
-        (OperatingEvent::Hold, "hold"),
-        (OperatingEvent::Alarm, "alarm"),
-        (OperatingEvent::EmergencyStop, "estop"),
-        (OperatingEvent::PowerFailure, "power-fail"),
-    ];
-
-    /// Its id.
-    pub fn id(self) -> &'static str {
-        OperatingEvent::IDS.iter().find(|row| row.0 == self).map_or("", |row| row.1)
-    }
-
-    /// Catalog id of its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            OperatingEvent::Start => "size.event.start",
-            OperatingEvent::Run => "size.event.run",
-            OperatingEvent::Knob => "size.event.knob",
-            OperatingEvent::FeedKnob => "size.event.feed-knob",
-            OperatingEvent::SpeedChange => "size.event.speed-change",
-            OperatingEvent::ProductChange => "size.event.product-change",
-            OperatingEvent::Hold => "size.event.hold",
-            OperatingEvent::Alarm => "size.event.alarm",
-            OperatingEvent::EmergencyStop => "size.event.emergency-stop",
-            OperatingEvent::PowerFailure => "size.event.power-failure",
-        }
-    }
-}
-
-/// A quantity at an event.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EnvelopeRow {
-    /// The event.
-    pub event: OperatingEvent,
-    /// Id of the quantity, for instance `loop` or `x-torque`.
-    pub id: String,
-    /// Catalog id of its name.
-    pub label: &'static str,
-    /// Catalog id of its axis; none for a quantity of the machine.
-    pub axis: Option<&'static str>,
-    /// Its worst value.
-    pub value: f64,
-    /// Unit.
-    pub unit: &'static str,
-    /// Decimals shown.
-    pub decimals: u8,
-    /// Its limit, in `unit`.
-    pub limit: Option<Limit>,
-    /// Field of the form with the limit, if there is one.
-    pub field: Option<&'static str>,
-    /// Verdict of the value against its limit.
-    pub verdict: Verdict,
-    /// Position (%) of the knob with this value, if it is not that of the form.
-    pub knob: Option<f64>,
-    /// Position (%) of the feed override with this value, if it is not at 100 %.
-    pub feed: Option<f64>,
-    /// Whether the run was cut while the spindle coasted on: the true value is greater than `value`.
-    pub is_truncated: bool,
-    /// Whether it is the worst of this quantity over all events.
-    pub is_worst: bool,
-}
 
 /// The rows of all events that apply to the machine; `done` is called after each.
 pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMut()) -> Vec<EnvelopeRow> {
@@ -160,66 +63,6 @@ pub(super) fn envelope(project: &Project, runs: &SizingRuns, done: &mut dyn FnMu
     }
     mark_worst(&mut rows);
     rows
-}
-
-/// Marks the worst row of each quantity: nearest to its limit or farthest beyond, the first of equal ones.
-fn mark_worst(rows: &mut [EnvelopeRow]) {
-    for at in 0..rows.len() {
-        let others = rows.iter().enumerate().filter(|(_, other)| other.id == rows[at].id);
-        let worst = others.reduce(|worst, next| if next.1.load() > worst.1.load() { next } else { worst });
-        rows[at].is_worst = worst.is_some_and(|(worst, _)| worst == at);
-    }
-}
-
-impl EnvelopeRow {
-    /// Defaults of a row of an event: no quantity, no limit, no verdict.
-    fn of(event: OperatingEvent) -> EnvelopeRow {
-        EnvelopeRow {
-            event,
-            id: String::new(),
-            label: "",
-            axis: None,
-            value: 0.0,
-            unit: "",
-            decimals: 0,
-            limit: None,
-            field: None,
-            verdict: Verdict::None,
-            knob: None,
-            feed: None,
-            is_truncated: false,
-            is_worst: false,
-        }
-    }
-
-    /// Its event in words, with the position of the feed override.
-    pub(super) fn event_name(&self) -> String {
-        self.feed.map_or_else(|| say(self.event.name()), |percent| sentence(&msg!("size.event-at-feed", percent)))
-    }
-
-    /// Its quantity in words, with the axis.
-    pub fn quantity(&self) -> String {
-        self.axis.map_or_else(|| say(self.label), |axis| format!("{}, {}", say(self.label), say(axis)))
-    }
-
-    /// Whether the row reports that a contact of the machine holds the program at the event.
-    pub(super) fn is_hold(&self) -> bool {
-        self.id == HOLD
-    }
-
-    /// Whether the row is the heat of a motor in a whole run.
-    pub(super) fn is_heat(&self) -> bool {
-        self.label == HEAT
-    }
-
-    /// Share of its limit that its value uses.
-    fn load(&self) -> f64 {
-        match self.limit {
-            // The limit of a torque falls with the speed.
-            Some(Limit::AtMost(most)) if most > 0.0 => self.value / most,
-            limit => Limit::load(limit, self.value),
-        }
-    }
 }
 
 /// A run that branches off in the middle of the work, with the operator's actions.
@@ -261,9 +104,9 @@ impl Envelope<'_> {
         // A run that never works has no middle of its work; a knob at 0 leaves nothing else.
         let begins = matches!(event, OperatingEvent::Start | OperatingEvent::Run);
         let runs = runs.filter(|whole| begins || self.counts(whole));
-        let rows = runs.map(|whole| at_knob(self.rows_of(event, whole), whole));
+        let rows = runs.map(|whole| at_knob(self.rows_of(event, whole), whole.knob));
         let fed = self.runs.fed.iter().filter(|_| event == OperatingEvent::FeedKnob);
-        worst(rows.chain(fed.map(|whole| at_knob(self.fed_rows(event, whole), whole))))
+        worst(rows.chain(fed.map(|whole| at_knob(self.fed_rows(event, whole), whole.knob))))
     }
 
     /// The form's position (%) of the knob.
@@ -389,10 +232,10 @@ impl Envelope<'_> {
         for spans in 1..=LONG_SPANS {
             let rows = self.read_on(&self.present, event, &mut run, (at, at + LONG_SPAN * f64::from(spans)));
             let stays = |now: &EnvelopeRow| {
-                let then = before.iter().find(|then| then.id == now.id);
+                let then = before.iter().find(|then| then.quantity == now.quantity);
                 then.is_some_and(|then| (now.value - then.value).abs() <= STAYS * then.value.abs())
             };
-            if rows.iter().filter(|row| row.axis.is_none()).all(stays) {
+            if rows.iter().filter(|row| row.quantity.axis().is_none()).all(stays) {
                 return rows;
             }
             before = rows;
@@ -440,7 +283,7 @@ impl Envelope<'_> {
         rows.push(time(event, end - from));
         // A spindle that coasts on lays more ribbon, and takes longer.
         if coasts_on(&run, end) {
-            rows.iter_mut().filter(|row| row.axis.is_none()).for_each(|row| row.is_truncated = true);
+            rows.iter_mut().filter(|row| row.quantity.axis().is_none()).for_each(|row| row.is_truncated = true);
         }
         rows
     }
@@ -469,14 +312,14 @@ impl Envelope<'_> {
         let motion = spindle.motion.clone().with_pause(self.prepared.pause());
         let most = continuous.base_torque();
         let effective = motion.effective_share(spindle.rotor, &continuous) * most;
-        Some(heat_row(event, (drive.id, drive.name), effective, most))
+        Some(heat_row(event, DriveName { id: drive.id, name: drive.name }, effective, most))
     }
 
     /// Effective torque of the form's motor over a whole run and the pause after it: it heats the motor.
     fn heat(&self, event: OperatingEvent, axis: &DrivenAxis, whole: &WholeRun) -> EnvelopeRow {
         let rotor = axis.fitted.motor.rotor;
         let effective = whole.motion(axis).with_pause(self.prepared.pause()).motor_load(rotor).effective;
-        heat_row(event, (axis.id, axis.name), effective, axis.fitted.stall_limit())
+        heat_row(event, DriveName::of(axis), effective, axis.fitted.stall_limit())
     }
 
     /// Gauges, and torques of the motors that are supplied with current, in a part of a run.
@@ -490,17 +333,9 @@ impl Envelope<'_> {
             }
             // The limit falls with the speed, so that the greatest torque may not be the hardest.
             let OperatingPoint { torque, speed, .. } = worst_point(axis, &segments, works.as_deref());
-            let of_torque = torque_row(event, (axis.id, axis.name), torque, axis.fitted.short_time_limit(speed));
-            let of_current = ampere_per_torque.map(|per_torque| EnvelopeRow {
-                id: format!("{}-current", axis.id),
-                label: "size.current",
-                value: torque * per_torque,
-                unit: "A",
-                decimals: 2,
-                limit: None,
-                verdict: Verdict::None,
-                ..of_torque.clone()
-            });
+            let of_torque = torque_row(event, DriveName::of(axis), torque, axis.fitted.short_time_limit(speed));
+            let of_current =
+                ampere_per_torque.map(|per_torque| current_row(event, DriveName::of(axis), torque * per_torque));
             [Some(of_torque), of_current].into_iter().flatten()
         });
         let segments = run.timeline().run_segments_of_driven_spindle(span.0, span.1);
@@ -510,53 +345,9 @@ impl Envelope<'_> {
             let OperatingPoint { torque, speed, share } = spindle.worst_point(&spindle.motor, spindle.rotor);
             let most =
                 if share > 0.0 { torque / share } else { spindle.short_time.driving * spindle.motor.torque(speed) };
-            torque_row(event, ("spindle", spindle.name), torque, most)
+            torque_row(event, DriveName { id: "spindle", name: spindle.name }, torque, most)
         });
         gauges.chain(motors).chain(spindle).collect()
-    }
-}
-
-/// A row of the heat of a motor: `id` and `name` of its axis, its effective torque and the greatest one, Nm.
-fn heat_row(event: OperatingEvent, (id, name): (&'static str, &'static str), effective: f64, most: f64) -> EnvelopeRow {
-    let limit = Some(Limit::AtMost(most));
-    EnvelopeRow {
-        id: format!("{id}-effective-torque"),
-        label: HEAT,
-        axis: Some(name),
-        value: effective,
-        unit: "Nm",
-        decimals: 3,
-        limit,
-        verdict: verdict(limit, effective),
-        ..EnvelopeRow::of(event)
-    }
-}
-
-/// The rows with the position of the knob in a run.
-fn at_knob(mut rows: Vec<EnvelopeRow>, whole: &WholeRun) -> Vec<EnvelopeRow> {
-    rows.iter_mut().for_each(|row| row.knob = whole.knob);
-    rows
-}
-
-/// The rows with a position (%) of the feed override.
-fn at_feed(mut rows: Vec<EnvelopeRow>, percent: f64) -> Vec<EnvelopeRow> {
-    rows.iter_mut().for_each(|row| row.feed = Some(percent));
-    rows
-}
-
-/// The greatest torque (Nm) of a motor against a limit, for a mover with an id and a name.
-fn torque_row(event: OperatingEvent, (id, name): (&str, &'static str), torque: f64, most: f64) -> EnvelopeRow {
-    let limit = Some(Limit::AtMost(most));
-    EnvelopeRow {
-        id: format!("{id}-torque"),
-        label: "size.torque",
-        axis: Some(name),
-        value: torque,
-        unit: "Nm",
-        decimals: 3,
-        limit,
-        verdict: verdict(limit, torque),
-        ..EnvelopeRow::of(event)
     }
 }
 
@@ -567,21 +358,6 @@ fn worst_point(axis: &DrivenAxis, segments: &[RunSegment], works: Option<&[(f64,
     let working = under(works);
     let idle = works.map(|_| under(Some(&[])));
     idle.filter(|idle| idle.share > working.share).unwrap_or(working)
-}
-
-/// The row of a quantity that is checked during operation.
-fn gauged(event: OperatingEvent, gauge: &Gauge) -> EnvelopeRow {
-    EnvelopeRow {
-        id: gauge.id.to_owned(),
-        label: gauge.label,
-        value: gauge.value,
-        unit: gauge.unit,
-        decimals: gauge.decimals,
-        limit: gauge.limit,
-        field: gauge.field,
-        verdict: verdict(gauge.limit, gauge.value),
-        ..EnvelopeRow::of(event)
-    }
 }
 
 /// The rows of axes that coast to rest at a power failure.
@@ -598,108 +374,10 @@ fn coasts_on(run: &Run, end: f64) -> bool {
 
 /// The row of an event at which the program stops with its own alarm.
 fn alarm(event: OperatingEvent, ended: Option<&RunEnd>) -> Option<EnvelopeRow> {
-    matches!(ended, Some(RunEnd::Alarm(_))).then(|| stop(event, "alarm", "size.alarm"))
+    matches!(ended, Some(RunEnd::Alarm(_))).then(|| stop(event, Quantity::Alarm))
 }
 
 /// The row of an event at which a contact of the machine holds the program: other values of the event are those until then.
 fn hold(event: OperatingEvent, run: &Run) -> Option<EnvelopeRow> {
-    run.is_held_by_plc().then(|| stop(event, HOLD, "size.hold"))
-}
-
-/// A limit that would hold at every event.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HoldingLimit {
-    /// Id of the quantity.
-    pub id: String,
-    /// The limit, in `unit`.
-    pub value: f64,
-    /// Unit.
-    pub unit: &'static str,
-    /// Decimals shown.
-    pub decimals: u8,
-    /// Whether a run was cut: the true value is greater.
-    pub is_truncated: bool,
-    /// The entry of the form with this limit; none if the form does not accept it.
-    pub entry: Option<FieldEntry>,
-}
-
-/// Limits of the form that would hold at every event and by every rule of the machine, for those that fail at an event.
-pub(super) fn holding_limits(project: &Project, rows: &[EnvelopeRow]) -> Vec<HoldingLimit> {
-    let beyond = rows.iter().filter(|row| row.verdict == Verdict::Fail);
-    let mut holding_limits: Vec<HoldingLimit> = Vec::new();
-    for of in beyond {
-        let Some(field) = of.field.filter(|_| holding_limits.iter().all(|known| known.id != of.id)) else { continue };
-        let same = || rows.iter().filter(|row| row.id == of.id);
-        let most = same().map(|row| row.value).fold(0.0, f64::max);
-        let most = most.max(asked_by_rules(project, field));
-        let scale = math::pow(10.0, f64::from(of.decimals));
-        let value = (most * scale).ceil() / scale;
-        let is_truncated = same().any(|row| row.is_truncated);
-        let entry = FieldEntry::new(field, number_text(value, of.decimals));
-        let fits = !is_truncated && project.with_entries(core::slice::from_ref(&entry)).is_some();
-        let entry = fits.then_some(entry);
-        holding_limits.push(HoldingLimit {
-            id: of.id.clone(),
-            value,
-            unit: of.unit,
-            decimals: of.decimals,
-            is_truncated,
-            entry,
-        });
-    }
-    holding_limits
-}
-
-/// The greatest entry of a field in the advice on failing results; 0 if there is none.
-fn asked_by_rules(project: &Project, field: &str) -> f64 {
-    let results = project.prepared().results().readouts;
-    let sets = results.iter().flat_map(|row| &row.advice).flat_map(|advice| &advice.entries);
-    sets.filter(|set| set.field == field).filter_map(|set| set.text.parse::<f64>().ok()).fold(0.0, f64::max)
-}
-
-/// The row of an event at which the program stops.
-fn stop(event: OperatingEvent, id: &str, label: &'static str) -> EnvelopeRow {
-    EnvelopeRow {
-        id: id.to_owned(),
-        label,
-        value: 1.0,
-        unit: "",
-        decimals: 0,
-        limit: Some(Limit::AtMost(0.0)),
-        verdict: Verdict::Fail,
-        ..EnvelopeRow::of(event)
-    }
-}
-
-/// Row with the duration (s) of an event.
-fn time(event: OperatingEvent, seconds: f64) -> EnvelopeRow {
-    EnvelopeRow {
-        id: "time".to_owned(),
-        label: "size.time",
-        value: seconds,
-        unit: "s",
-        decimals: 2,
-        ..EnvelopeRow::of(event)
-    }
-}
-
-fn verdict(limit: Option<Limit>, value: f64) -> Verdict {
-    match limit {
-        None => Verdict::None,
-        Some(limit) if limit.holds(value) => Verdict::Ok,
-        Some(_) => Verdict::Fail,
-    }
-}
-
-/// The worst row of each quantity over several readings; a quantity of one reading alone stays.
-fn worst(readings: impl IntoIterator<Item = Vec<EnvelopeRow>>) -> Vec<EnvelopeRow> {
-    let mut rows: Vec<EnvelopeRow> = Vec::new();
-    for next in readings.into_iter().flatten() {
-        match rows.iter_mut().find(|row| row.id == next.id) {
-            Some(row) if next.load() > row.load() => *row = next,
-            Some(_) => {}
-            None => rows.push(next),
-        }
-    }
-    rows
+    run.is_held_by_plc().then(|| stop(event, Quantity::Hold))
 }
