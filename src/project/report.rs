@@ -6,7 +6,7 @@ use super::files::checksum::crc32;
 use super::files::encode;
 use super::program::Written;
 use super::repairs::repairs;
-use super::run::{RunOptions, of_project, program_number};
+use super::run::{RunOptions, finish, of_project, program_number};
 use super::size::{Cycle, Sizing, seconds_of_a_further_part};
 use crate::controls::ParamRole;
 use crate::controls::schema::syntax::Percent;
@@ -25,9 +25,6 @@ use crate::view::{Chart, Theme, svg};
 
 /// Budget of a report's run: blocks, and seconds of machine time. A longer run is drawn as far as it came.
 const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
-
-/// Events that are planned at a time.
-const SLICE: usize = 4096;
 
 /// Points of a chart.
 const POINTS: usize = 400;
@@ -75,11 +72,7 @@ impl Project {
     fn run_report(&self, prepared: &PreparedMachine, written: &Written) -> RunReport {
         let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
         let mut run = of_project(self, written, &options);
-        let ended = loop {
-            if let Some(ended) = run.advance(f64::INFINITY, SLICE).ended {
-                break ended;
-            }
-        };
+        let ended = finish(&mut run);
         let end = run.timeline().end();
         let drawn_at = at_work(&prepared.working(&run, end).unwrap_or_default(), SHOWN * end);
         let now = run.timeline().at(drawn_at);

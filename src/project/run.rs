@@ -27,7 +27,7 @@ pub type Run = Planner<Interp>;
 /// Steps that the program which sets the project's values may take.
 const SETUP_STEPS: u32 = 100_000;
 
-/// Events that are planned before the log is taken.
+/// Events that are planned at a time.
 const SLICE: usize = 4096;
 
 /// A variable as the control's screen shows it at time `t` (s); `None` is vacant. A bit of the PLC interface is taken from its word; words
@@ -240,6 +240,25 @@ pub struct TurnedAxis {
     pub rpm: f64,
     /// Angle in degrees, from 0 to 360.
     pub angle: f64,
+}
+
+/// Plans a run until a time (s) or to its end; returns the reason of the end.
+pub(in crate::project) fn plan(run: &mut Run, until: f64) -> Option<RunEnd> {
+    while run.timeline().end() < until {
+        if let Some(ended) = run.advance(until, SLICE).ended {
+            return Some(ended);
+        }
+    }
+    None
+}
+
+/// Plans a run to its end.
+pub(in crate::project) fn finish(run: &mut Run) -> RunEnd {
+    loop {
+        if let Some(ended) = run.advance(f64::INFINITY, SLICE).ended {
+            return ended;
+        }
+    }
 }
 
 /// Reaction of a run to a stop of the program (M00, M01, a message).

@@ -8,7 +8,7 @@ use crate::motion::{Action, Budget, Event, Mover, Panel, Retention, RunEnd, RunS
 use crate::msg;
 use crate::project::Project;
 use crate::project::program::Written;
-use crate::project::run::{Run, RunOptions, of_project};
+use crate::project::run::{Run, RunOptions, finish, of_project};
 use crate::text::Message;
 
 /// Budget of a run: blocks, and seconds of machine time. A longer run is sized up to there, and the sizing reports the cut.
@@ -22,9 +22,6 @@ const FASTER: f64 = 1.01;
 
 /// Seconds at rest between two parts of a series. Our choice; the time of a part does not depend on it.
 const AT_REST: f64 = 0.1;
-
-/// Number of events planned at a time.
-const SLICE: usize = 4096;
 
 /// A run of the program from cycle start until the machine is at rest after its end.
 #[derive(Debug)]
@@ -97,25 +94,6 @@ pub struct SizingRuns {
     pub(super) fed: Vec<WholeRun>,
     /// Least and greatest position of the feed override (%), where it acts on the cut.
     pub(super) feed: Option<(f64, f64)>,
-}
-
-/// Plans a run until a time (s) or to its end; returns the reason of the end.
-pub(super) fn plan(run: &mut Run, until: f64) -> Option<RunEnd> {
-    while run.timeline().end() < until {
-        if let Some(ended) = run.advance(until, SLICE).ended {
-            return Some(ended);
-        }
-    }
-    None
-}
-
-/// Plans a run to its end.
-pub(super) fn finish(run: &mut Run) -> RunEnd {
-    loop {
-        if let Some(ended) = run.advance(f64::INFINITY, SLICE).ended {
-            return ended;
-        }
-    }
 }
 
 impl WholeRun {

@@ -13,13 +13,13 @@ pub use rows::{DriveName, EnvelopeRow, OperatingEvent, Quantity};
 use rows::{at_feed, at_knob, current_row, gauged, heat_row, mark_worst, stop, time, torque_row, worst};
 
 use super::choice::ampere_per_torque;
-use super::runs::{OperatedKnob, SizingRuns, WholeRun, finish, plan};
+use super::runs::{OperatedKnob, SizingRuns, WholeRun};
 use crate::drives::shaft_motion::OperatingPoint;
 use crate::machines::driven::{CoastedAxes, DrivenAxis, ProductSize};
 use crate::machines::{DrivenMachine, PreparedMachine};
 use crate::motion::{Action, Event, Mover, RunEnd, RunSegment};
 use crate::project::Project;
-use crate::project::run::Run;
+use crate::project::run::{Run, finish, plan};
 
 /// Time (s) after a change in which the values are read.
 const SPAN: f64 = 10.0;
