@@ -33,6 +33,7 @@
 //!   the axes while no program runs; feed hold ends it, and it has to be started again.
 
 // Inputs and outputs.
+mod input_name;
 pub mod panel;
 pub mod plant;
 pub mod plc;
@@ -82,6 +83,7 @@ pub mod gate;
 pub mod plan;
 
 pub use gate::Gate;
+pub use input_name::InputName;
 pub use milestones::Milestone;
 pub use panel::{Action, ActionValue, Event, Panel};
 pub use plan::Planner;

@@ -1,8 +1,9 @@
 //! Events of the operator panel: overrides, cycle start, hold, reset, forced inputs.
 
 use super::exec::Exec;
+use super::input_name::InputName;
 use super::panel::Action;
-use super::plc::{ProgramState, WordPart, percent};
+use super::plc::{ProgramState, percent};
 use super::program::RunningProgram;
 use super::sim::Sim;
 use super::timeline::VariableChange;
@@ -82,14 +83,15 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Forces an input of the PLC, within its range.
-    fn force_input(&mut self, t: f64, name: &str, value: f64) {
-        let Some(key) = forced(name).filter(|(number, _)| self.plant.is_input(*number)) else {
-            return self.nothing_to_set(name);
+    fn force_input(&mut self, t: f64, name: &InputName, value: f64) {
+        let key = match *name {
+            InputName::Variable(number, part) if self.plant.is_input(number) => (number, part),
+            _ => return self.nothing_to_set(&name.to_string()),
         };
         let (least, most) = self.plant.input_range(key.0, key.1);
         let taken = math::clamp(value, least, most);
         if taken != value {
-            let message = msg!("interp.output-range", variable = name, value = (value, 9), taken);
+            let message = msg!("interp.output-range", variable = name.to_string(), value = (value, 9), taken);
             self.out.report(Diagnostic::warning(message));
         }
         self.state.plc.forced.insert(key, taken);
@@ -228,16 +230,4 @@ impl<P: RunningProgram> Sim<'_, P> {
         (s.suppressed.single_block, s.suppressed.fin) = (false, false);
         s.spindle.surface = None;
     }
-}
-
-/// Variable and part of a forced input: `#1033`, `#1033.low`, `#1033.high`.
-fn forced(name: &str) -> Option<(u32, WordPart)> {
-    let name = name.strip_prefix('#')?;
-    let (number, part) = match name.split_once('.') {
-        None => (name, WordPart::Whole),
-        Some((number, "low")) => (number, WordPart::Low),
-        Some((number, "high")) => (number, WordPart::High),
-        Some(_) => return None,
-    };
-    Some((number.parse().ok()?, part))
 }

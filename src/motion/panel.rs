@@ -1,5 +1,6 @@
 //! Operator panel events over time. A run is a pure function of the project and these events.
 
+use super::input_name::InputName;
 use crate::drives::speed::SpeedLimit;
 
 /// Action of the operator.
@@ -33,8 +34,8 @@ pub enum Action {
     ManualSpeed(f64),
     /// Spindle speed limit in r/min, as in the setting data.
     SpeedLimit(SpeedLimit, f64),
-    /// Forced macro input: the variable (`#1033`), or its lower or upper half (`#1033.low`, `#1033.high`).
-    Input(String, f64),
+    /// Forced macro input.
+    Input(InputName, f64),
     /// Variable set on the control's screen, by number; `None` makes it vacant.
     Variable(u32, Option<f64>),
 }

@@ -2,7 +2,7 @@
 
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, Dialect, VarKind};
-use crate::motion::{Action, Event, Panel};
+use crate::motion::{Action, Event, InputName, Panel, WordPart};
 
 /// The operator's actions with inputs named as on this control. Forcing the register of an override turns its knob; forcing a word of a macro input
 /// forces that half of its variable, and its bits.
@@ -16,21 +16,22 @@ pub(super) fn panel(panel: &Panel, control: &Control, dialect: &Dialect) -> Pane
     }))
 }
 
-fn input(name: &str, value: f64, control: &Control, dialect: &Dialect) -> Vec<Action> {
-    let role = dialect.role(control, name);
-    let half = |variable: u32, part: &str| {
-        let word = Action::Input(format!("#{variable}.{part}"), value);
+fn input(name: &InputName, value: f64, control: &Control, dialect: &Dialect) -> Vec<Action> {
+    let role = dialect.role(control, &name.to_string());
+    let half = |variable: u32, part: WordPart| {
+        let word = Action::Input(InputName::Variable(variable, part), value);
         let device = control.interface.iter().find(|row| Some(row.role) == role).map(|row| row.device);
         let bits = control.vars.iter().filter(|row| row.kind == VarKind::InputBit && Some(row.device) == device);
         let bit = |at: u32| f64::from((value as i64 >> at.min(31)) as u8 & 1);
         let bits = bits.flat_map(|row| row.first..=row.last).zip(0..);
-        std::iter::once(word).chain(bits.map(|(number, at)| Action::Input(format!("#{number}"), bit(at)))).collect()
+        let bits = bits.map(|(number, at)| Action::Input(InputName::Variable(number, WordPart::Whole), bit(at)));
+        std::iter::once(word).chain(bits).collect()
     };
     match role {
         Some(SignalRole::SpindleOverride) => vec![Action::SpindleOverride(value)],
         Some(SignalRole::FeedOverride) => vec![Action::FeedOverride(value)],
-        Some(SignalRole::MacroInputLow(variable)) => half(variable, "low"),
-        Some(SignalRole::MacroInputHigh(variable)) => half(variable, "high"),
-        _ => vec![Action::Input(name.to_owned(), value)],
+        Some(SignalRole::MacroInputLow(variable)) => half(variable, WordPart::Low),
+        Some(SignalRole::MacroInputHigh(variable)) => half(variable, WordPart::High),
+        _ => vec![Action::Input(name.clone(), value)],
     }
 }

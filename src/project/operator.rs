@@ -5,7 +5,7 @@ use crate::controls::vars::HALF_RANGE;
 use crate::controls::{Code, Control, VarKind};
 use crate::drives::speed::SpeedLimit;
 use crate::math;
-use crate::motion::{Action, ActionValue, Event, Panel};
+use crate::motion::{Action, ActionValue, Event, InputName, Panel, WordPart};
 use crate::msg;
 use crate::text::Message;
 use crate::text::catalog::{number_text, sentence, words};
@@ -71,7 +71,7 @@ pub fn available(project: &Project) -> Vec<ActionGroup> {
     let limits = limits.into_iter().filter(|(code, _)| control.can(*code));
     let speeds = [Action::ManualSpeed(0.0)].into_iter().chain(limits.map(|row| Action::SpeedLimit(row.1, FIRST_LIMIT)));
     let inputs = control.vars.iter().filter(|row| row.input_range(row.first).is_some());
-    let input = |number: u32| Action::Input(format!("#{number}"), 0.0);
+    let input = |number: u32| Action::Input(InputName::Variable(number, WordPart::Whole), 0.0);
     let is_set = |number: &u32| {
         let kind = control.var(*number).map(|row| row.kind);
         matches!(kind, Some(VarKind::Local | VarKind::Common | VarKind::Retained))
@@ -109,7 +109,7 @@ pub fn kind_name(action: &Action, control: &Control) -> String {
         Action::SpeedLimit(SpeedLimit::Lower, _) => "page.lower-speed-limit",
         Action::SpeedLimit(SpeedLimit::Upper, _) => "page.upper-speed-limit",
         Action::SpeedLimit(SpeedLimit::Surface, _) => "page.surface-speed-limit",
-        Action::Input(name, _) => return name.clone(),
+        Action::Input(name, _) => return name.to_string(),
         Action::Variable(number, _) => return control.variable(*number),
     };
     words(id).to_owned()
@@ -157,8 +157,11 @@ pub fn typed_value(action: &Action) -> String {
 /// Least and greatest number of an action on a control.
 fn range(action: &Action, control: &Control) -> (f64, f64) {
     let Action::Input(name, _) = action else { return action.range() };
-    let number = name.strip_prefix('#').and_then(|number| number.parse().ok());
-    number.and_then(|number| control.var(number)?.input_range(number)).unwrap_or(HALF_RANGE)
+    let whole = match *name {
+        InputName::Variable(number, WordPart::Whole) => control.var(number).and_then(|row| row.input_range(number)),
+        _ => None,
+    };
+    whole.unwrap_or(HALF_RANGE)
 }
 
 /// The action with a typed number; an empty text makes a variable vacant, or 0 where the control has no vacant ones.

@@ -2,7 +2,7 @@
 
 use crate::controls::vars::is_fitted;
 use crate::controls::{Control, Dialect, VarKind};
-use crate::motion::Action;
+use crate::motion::{Action, InputName, WordPart};
 
 /// A variable set before the start.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,9 +43,9 @@ impl Setting {
                 Some(Action::Variable(self.number(control)?, Some(self.value)))
             }
             Some(VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord) => {
-                Some(Action::Input(format!("#{}", self.number(control)?), self.value))
+                Some(Action::Input(InputName::Variable(self.number(control)?, WordPart::Whole), self.value))
             }
-            _ => register.then(|| Action::Input(self.name.clone(), self.value)),
+            _ => register.then(|| Action::Input(InputName::from(self.name.as_str()), self.value)),
         }
     }
 }

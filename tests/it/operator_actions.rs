@@ -107,7 +107,7 @@ fn actions_are_there_where_machine_and_control_have_them() {
     assert!(has("ribbon-line", "mitsubishi-e60", Action::InverterFault(true)));
     let polygon = available(&Project::of("polygon-lathe", None).unwrap());
     assert!(!polygon.iter().any(|group| group.actions.contains(&Action::InverterFault(true))));
-    assert!(has("ribbon-line", "mitsubishi-e60", Action::Input("#1033".to_owned(), 0.0)));
+    assert!(has("ribbon-line", "mitsubishi-e60", Action::Input("#1033".into(), 0.0)));
     assert!(has("ribbon-line", "mitsubishi-e60", Action::Variable(107, Some(0.0))));
     let groups = available(&on("ribbon-line", "sinumerik-808d"));
     assert!(groups.iter().all(|group| !group.actions.is_empty()));
@@ -140,11 +140,11 @@ fn begun(project: &Project, written: &Written) -> run::Run {
 #[test]
 fn replanned_run_is_that_of_the_changed_project() {
     let mut project = on("ribbon-line", "mitsubishi-e60");
-    project.panel = Panel::new([feed(1.0, 80.0), at(2.0, Action::Input("R148".to_owned(), 70.0))]);
+    project.panel = Panel::new([feed(1.0, 80.0), at(2.0, Action::Input("R148".into(), 70.0))]);
     let written = project.written();
     let mut planned = begun(&project, &written);
     planned.advance(6.0, usize::MAX);
-    project.panel.replace(1, at(4.0, Action::Input("R148".to_owned(), 60.0)));
+    project.panel.replace(1, at(4.0, Action::Input("R148".into(), 60.0)));
     assert!(run::replan(&mut planned, &project));
     planned.advance(6.0, usize::MAX);
     let mut anew = begun(&project, &written);
@@ -159,7 +159,7 @@ fn replanned_run_is_that_of_the_changed_project() {
 #[test]
 fn typed_values_are_taken_within_their_ranges() {
     let e60 = controls::find("mitsubishi-e60").unwrap();
-    let input = |name: &str| Action::Input(name.to_owned(), 0.0);
+    let input = |name: &str| Action::Input(name.into(), 0.0);
     let cases = [
         (Action::FeedOverride(100.0), "70", Some(70.0)),
         (Action::FeedOverride(100.0), "1000", Some(1000.0)),
@@ -227,7 +227,7 @@ fn names_have_value_and_unit() {
         (Action::Reset, "Reset"),
         (Action::ManualSpeed(300.0), "S 300"),
         (Action::SpeedLimit(SpeedLimit::Upper, 300.0), "Upper speed limit 300"),
-        (Action::Input("R74".to_owned(), 5.0), "R74 = 5"),
+        (Action::Input("R74".into(), 5.0), "R74 = 5"),
         (Action::Variable(107, Some(9.5)), "#107 = 9.5"),
         (Action::Variable(107, None), "#107 = vacant"),
     ];

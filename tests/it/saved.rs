@@ -34,7 +34,7 @@ fn saved_project_reads_back_equal() {
     project.values.insert("pitch".to_owned(), Value::Number(12.5));
     project.panel = Panel::new([
         Event { t: 2.5, action: Action::SpindleOverride(80.0) },
-        Event { t: 3.0, action: Action::Input("#1033".to_owned(), 70.0) },
+        Event { t: 3.0, action: Action::Input("#1033".into(), 70.0) },
         Event { t: 4.0, action: Action::Variable(107, Some(9.5)) },
         Event { t: 5.0, action: Action::Reset },
         Event { t: 6.0, action: Action::InverterFault(true) },

@@ -9,7 +9,7 @@ use crate::controls::{Address, Control, Switches};
 use crate::interp::canon::AXES;
 use crate::interp::world::MachineAtRest;
 use crate::interp::{End, Interp, StartProgram, run};
-use crate::motion::Action;
+use crate::motion::{Action, InputName, WordPart};
 use crate::msg;
 use crate::nc::{self, Parsed};
 use crate::project::findings::file_findings::Sources;
@@ -63,10 +63,7 @@ pub(super) fn interpret(request: &InterpretRequest) -> Result<Json, Refused> {
         let refused = || Refused::from(msg!("request.not-settable", name = setting.name.as_str()));
         match setting.action(control, parsed.dialect()).ok_or_else(refused)? {
             Action::Variable(number, value) => drop(interp.set_variable(number, value)),
-            Action::Input(name, value) => {
-                let number = name.strip_prefix('#').and_then(|number| number.parse().ok()).ok_or_else(refused)?;
-                world.inputs.push((number, value));
-            }
+            Action::Input(InputName::Variable(number, WordPart::Whole), value) => world.inputs.push((number, value)),
             _ => return Err(refused()),
         }
     }

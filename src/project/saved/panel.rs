@@ -98,7 +98,7 @@ fn actions<'t>(entry: &JsonMember<'t>, found: &mut Findings<'t>) -> Option<Vec<A
         PanelAction::SurfaceSpeedLimit(rpm) => fitting(Action::SpeedLimit(SpeedLimit::Surface, rpm)),
         PanelAction::Input(inputs) => {
             found.repeated(&inputs);
-            let input = |row: JsonMember| Some(Action::Input(row.key, row.value.value.as_f64()?));
+            let input = |row: JsonMember| Some(Action::Input(row.key.as_str().into(), row.value.value.as_f64()?));
             inputs.0.into_iter().map(input).collect()
         }
         PanelAction::Variable(variables) => {
@@ -135,7 +135,7 @@ pub(super) fn members(event: &Event) -> JsonMembers<'static> {
         Action::SpeedLimit(SpeedLimit::Lower, rpm) => ("lower_speed_limit", number(*rpm)),
         Action::SpeedLimit(SpeedLimit::Upper, rpm) => ("upper_speed_limit", number(*rpm)),
         Action::SpeedLimit(SpeedLimit::Surface, rpm) => ("surface_speed_limit", number(*rpm)),
-        Action::Input(name, value) => ("input", serde_json::json!({ name: number(*value) })),
+        Action::Input(name, value) => ("input", serde_json::json!({ name.to_string(): number(*value) })),
         Action::Variable(id, value) => {
             ("variable", serde_json::json!({ format!("#{id}"): value.map_or(Value::Null, number) }))
         }

@@ -166,13 +166,13 @@ fn bits_and_words_are_exchanged() {
     for (number, device) in [(1000, "G54"), (1015, "G54"), (1032, "G54"), (1100, "F54"), (1115, "F54"), (1132, "F54")] {
         assert_eq!(control.var(number).unwrap().device, device, "#{number}");
     }
-    let events = vec![event(0.0, Action::Input("#1003".to_owned(), 1.0))];
+    let events = vec![event(0.0, Action::Input("#1003".into(), 1.0))];
     let run = program_with(KND, &[], "%\nO1\n#500=#1003\n#1101=1\nM30\n%\n", events);
     assert_eq!((run.planner.variable_at(500, 1e9), run.alarm()), (Some(1.0), "none"));
 }
 
 fn words_of_four_bytes_are_exchanged() {
-    let events = vec![event(0.0, Action::Input("#1480".to_owned(), 123456.0))];
+    let events = vec![event(0.0, Action::Input("#1480".into(), 123456.0))];
     let run = program_with(KND, &[], "%\nO1\n#500=#1480\n#1544=1\nM30\n%\n", events);
     assert_eq!((run.planner.variable_at(500, 1e9), run.alarm()), (Some(123456.0), "none"));
     let sheet = exported(&lathe(&[]), "interface.csv");

@@ -82,7 +82,7 @@ fn emergency_stop_needs_reset_before_start() {
 #[test]
 fn forced_inputs_stay_forced() {
     let lines = vec![one(Canon::Dwell { seconds: 1.0 }), Line::Position(1), Line::Input(100, 1033), one(Canon::End)];
-    let events = vec![at(0.5, Action::Input("#1033".to_owned(), 77.0)), at(0.6, Action::SpindleOverride(90.0))];
+    let events = vec![at(0.5, Action::Input("#1033".into(), 77.0)), at(0.6, Action::SpindleOverride(90.0))];
     let planner = run_on(&plant(), events, lines);
     assert_eq!(planner.program().variable(100), Some(77.0));
 }

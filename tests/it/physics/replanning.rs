@@ -20,7 +20,7 @@ fn action() -> impl Strategy<Value = Action> {
         1 => any::<bool>().prop_map(Action::SingleBlock),
         1 => (-1500.0..1500.0).prop_map(Action::ManualSpeed),
         1 => (100.0..1500.0).prop_map(|rpm| Action::SpeedLimit(SpeedLimit::Upper, rpm)),
-        1 => (0.0..200.0).prop_map(|value| Action::Input("#1033".to_owned(), value)),
+        1 => (0.0..200.0).prop_map(|value| Action::Input("#1033".into(), value)),
         1 => (0.0..5000.0).prop_map(|value| Action::Variable(102, Some(value))),
     ]
 }

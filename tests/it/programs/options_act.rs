@@ -92,7 +92,7 @@ fn panels() -> Vec<Panel> {
         |events: &[(f64, Action)]| Panel::new(events.iter().map(|(t, action)| Event { t: *t, action: action.clone() }));
     let registers = ["R72", "R172", "R24", "R124", "R6436"];
     let inputs = registers.iter().zip([1.0, 2.0, 3.0, 4.0, 5.0]);
-    let inputs: Vec<_> = inputs.map(|(name, value)| (0.0, Action::Input((*name).to_owned(), value))).collect();
+    let inputs: Vec<_> = inputs.map(|(name, value)| (0.0, Action::Input((*name).into(), value))).collect();
     vec![
         panel(&inputs),
         panel(&[(0.0, Action::SpindleOverride(150.0)), (0.0, Action::FeedOverride(50.0))]),
