@@ -65,7 +65,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         unit: "mm",
         decimals: 3,
         formula: "error of a dot with the strain at the tension of a start that misses ribbon, at the worst position of the knob",
-        cite: Citation::new("sizing facts 2.6, v₁T₁ - v₂T₂", Grade::Inferred),
+        cite: Citation::new("sizing facts 2.6", Grade::Inferred),
         value: |line| DotError::after_start(line).total(),
         shown: start_stretches,
         ..ReadoutRow::BASE

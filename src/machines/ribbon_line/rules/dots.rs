@@ -16,7 +16,7 @@ use crate::view::Limit::{AtLeast, AtMost};
 /// All rules of a dot.
 pub(in crate::machines::ribbon_line) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("dot-error", error, Citation::new("sizing facts 2.5, error budget", Grade::Inferred)),
-    Rule::new("start-dot-error", error_after_start, Citation::new("sizing facts 2.6, v₁T₁ - v₂T₂", Grade::Inferred)),
+    Rule::new("start-dot-error", error_after_start, Citation::new("sizing facts 2.6", Grade::Inferred)),
     Rule::new("head-gap", head_gap, Citation::new("sizing facts 3.1", Grade::Inferred)),
     Rule::new("dot-gap", dot_gap, Citation::new("sizing facts 3.2", Grade::Inferred)),
 ];
