@@ -25,9 +25,7 @@ fn diagnostic_shows_place_hints_and_fixes() {
             3 | N5 #2000=(3.14*#102)/#101
               |    ^^^^^
               = the control shows: P241 No variable number
-            help: Use #100 instead of #2000 everywhere
-              |
-            3 + N5 #100=(3.14*#102)/#101
+              = Free to use are the common variables #100 to #149.
 
             error[P33]: On the Mitsubishi E60 round brackets are comments; arithmetic groups with square brackets.
              --> O1.nc:3:10

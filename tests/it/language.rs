@@ -519,12 +519,12 @@ fn faulty_variables_are_errors_at_their_place() {
     );
     check_block(
         "#150=#99",
-        expect![[r##"
+        expect![[r#"
             1:1 error P241 #150 is an option that is not set to be fitted (common, option: 200 sets and more). Where the control has it, set the switch common-variables.
-                Use #100 instead of #150 everywhere: 1:1 "#150"→"#100"
+                = Free to use are the common variables #100 to #149.
             1:6 error P241 #99 is no variable of the Mitsubishi E60.
                 = Free to use are the common variables #100 to #149.
-        "##]],
+        "#]],
     );
     check_block(
         "#99999999999=1",

@@ -74,8 +74,8 @@ fn file_that_is_no_project_is_an_error() {
     check(
         r#"{ "machine": "ribbon-line" }"#,
         expect![[r#"
-        error: The file has no version of a macroline project.
-        no project"#]],
+            error: This is no macroline project: open the JSON file that Save writes.
+            no project"#]],
     );
     check(
         r#"{ "version": 1, "machine": "loom" }"#,

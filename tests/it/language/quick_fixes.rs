@@ -523,11 +523,14 @@ slips! {
                 Insert “#”: 1:10 ""→"#"
             = G65 H02 P#100 Q#101 R1
         "##]];
-        "#2000=1" => expect![[r##"
-            1:1 error P241|0111|115|PS0115|PS0115 #2000 is no variable of the CONTROL.
-                Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100"
-            = #100=1
-        "##]];
+        "#2000=1" => expect![[r#"
+            --- mitsubishi-e60
+            1:1 error P241 #2000 is no variable of the CONTROL.
+                = Free to use are the common variables #100 to #149.
+            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:1 error 0111|115|PS0115|PS0115 #2000 is no variable of the CONTROL.
+                = Free to use are the common variables #100 to #199.
+        "#]];
     }
 }
 

@@ -537,7 +537,7 @@ fn design_readouts_match_their_golden() {
     // An insert that is short leaves its sides high, not hollow.
     assert_eq!(verdicts(&[("radius-errors", "0.01 -0.01")]), "");
     expect![[r#"
-        Fail twist: G512 has whole D and Q only: the program turns the sides straight. The twist needs the tool at 399.75 r/min while Z feeds, from the same angle in every pass; own-code.nc has it for a control with G51.2.
+        Fail twist: G512 has whole D and Q only: the program turns the sides straight. While Z feeds, the twist needs the tool at 399.5 r/min in the passes before the last and at 399.75 r/min in the last one, because their feeds differ, and from the same angle in every pass; own-code.nc has it for a control with G51.2.
     "#]].assert_eq(&verdicts(&[("lead", "400")]));
     expect![[r#"
         Error across-flats: The finished part is 25 mm across flats; the stock has 24 mm: there is nothing to cut.

@@ -163,6 +163,7 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.call-not-alone
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.calls-own-program
+        gsk-980tdc lint.divided-angle
         gsk-980tdc lint.feed-lost
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid
@@ -176,6 +177,7 @@ fn every_warning_appears_on_every_control() {
         gsk-980tdc lint.word-again
         knd-k2000t lint.no-argument
         knd-k2000t lint.calls-itself
+        knd-k2000t lint.divided-angle
         knd-k2000t lint.feed-unit-changed
         knd-k2000t lint.feed-zero-digit
         knd-k2000t lint.feed-zero-rapid
@@ -186,6 +188,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-tf lint.call-not-alone
         fanuc-0i-tf lint.no-argument
         fanuc-0i-tf lint.calls-itself
+        fanuc-0i-tf lint.divided-angle
         fanuc-0i-tf lint.feed-per-minute
         fanuc-0i-tf lint.feed-unit-changed
         fanuc-0i-tf lint.feed-zero-digit
@@ -198,6 +201,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.call-not-alone
         fanuc-0i-mf lint.no-argument
         fanuc-0i-mf lint.calls-itself
+        fanuc-0i-mf lint.divided-angle
         fanuc-0i-mf lint.feed-per-revolution
         fanuc-0i-mf lint.feed-lost
         fanuc-0i-mf lint.feed-unit-changed
@@ -216,6 +220,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.call-not-alone
         sinumerik-802d lint.no-argument
         sinumerik-802d lint.calls-itself
+        sinumerik-802d lint.divided-angle
         sinumerik-802d lint.dwell-again
         sinumerik-802d lint.dwell-without-time
         sinumerik-802d lint.equal-decimals
@@ -244,6 +249,7 @@ fn every_warning_appears_on_every_control() {
         sinumerik-808d lint.call-not-alone
         sinumerik-808d lint.no-argument
         sinumerik-808d lint.calls-itself
+        sinumerik-808d lint.divided-angle
         sinumerik-808d lint.dwell-again
         sinumerik-808d lint.dwell-without-time
         sinumerik-808d lint.equal-decimals

@@ -53,8 +53,14 @@ fn cut_behind_a_lost_feed_is_a_warning() {
 /// On a SINUMERIK G96 switches to feed per revolution, and G97 leaves it so.
 #[test]
 fn surface_speed_that_loses_the_feed_is_a_warning() {
-    NAMED.check("N10 G90 G94 S100 M3 F100\nN20 G1 X10\nN30 G96 S150\nN40 X20\nN50 M30", expect![[r#""#]]);
-    NAMED.check("N10 G90 G96 S100 M3 F0.1\nN20 G1 X10\nN25 G97\nN30 G94\nN40 X20\nN50 M30", expect![[r#""#]]);
+    NAMED.check("N10 G90 G94 S100 M3 F100\nN20 G1 X10\nN30 G96 S150\nN40 X20\nN50 M30", expect![[r#"
+        5:5 “X20” warning lint.feed-lost
+            X20 cuts without feed: G96 changed the unit of F, so that F100 in front of it no longer counts. The motion stops with 10860. Write F behind G96.
+    "#]]);
+    NAMED.check("N10 G90 G96 S100 M3 F0.1\nN20 G1 X10\nN25 G97\nN30 G94\nN40 X20\nN50 M30", expect![[r#"
+        6:5 “X20” warning lint.feed-lost
+            X20 cuts without feed: G94 changed the unit of F, so that F0.1 in front of it no longer counts. The motion stops with 10860. Write F behind G94.
+    "#]]);
     NAMED.quiet("N10 G90 G95 S100 M3 F0.1\nN20 G1 X10\nN30 G96 S150\nN40 X20\nN50 G97 S100\nN60 X30\nN70 M30");
 }
 
