@@ -250,6 +250,7 @@ impl TorqueChart {
     /// Writes the motor's curves and its effective torque. A curve that leaves the picture has its greatest torque at the upper edge.
     fn motor(&self, out: &mut String, plane: &Plane, words: &TorqueWords) {
         let mut labels = ChartLabels::default();
+        labels.keep_off((MARGINS.0, plane.y(0.0)), (SIZE.0 - MARGINS.1, plane.y(0.0)));
         for line in self.lines.iter().filter(|line| line.torque.is_finite()) {
             let y = plane.y(line.torque);
             labels.keep_off((plane.x(line.speeds.0), y), (plane.x(line.speeds.1), y));

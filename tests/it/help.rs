@@ -375,7 +375,7 @@ fn explain_knows_the_words_of_the_language() {
         ("CR", "sinumerik-802d", "Radius"),
         ("LIMS", "sinumerik-802d", "Highest spindle speed"),
         ("GOTO", "fanuc-0i-mf", "Goes on at the block"),
-        ("FUP", "fanuc-0i-mf", "whole number"),
+        ("FUP", "fanuc-0i-mf", "Whole number"),
     ] {
         let out = run(&["explain", word, "--control", control]);
         let text = String::from_utf8(out.stdout).unwrap();

@@ -223,7 +223,8 @@ fn explain(word: &str, path: Option<&Path>, id: Option<&str>, json: bool) -> Res
     // Codes, variables and alarms have their entries in the help; words of the language have their meaning alone.
     let is_of_language =
         |meaning: &Meaning| matches!(meaning.subject, Subject::Axis(_) | Subject::Address(_) | Subject::Keyword);
-    let own = Words::of(&project).meaning(word, Table::Program).filter(is_of_language);
+    let is_whole = |meaning: &Meaning| meaning.word.eq_ignore_ascii_case(word);
+    let own = Words::of(&project).meaning(word, Table::Program).filter(|it| is_whole(it) && is_of_language(it));
     let found = explain::found(&help, word);
     if found.is_empty() && own.is_none() {
         return Err(Failure::Outside(catalog::sentence(&msg!("help.nothing", word))));

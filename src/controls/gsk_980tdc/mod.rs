@@ -117,7 +117,7 @@ pub static CONTROL: Control = Control {
         ..fanuc::SPINDLE
     },
     analog_output: AnalogOutput {
-        cite: Citation::new("turning spindle facts 1; 12 bits from a sister control", Grade::Sister),
+        cite: Citation::new("turning spindle facts 1; 12 bits from a similar control", Grade::Sister),
         ..fanuc::ANALOG_OUTPUT
     },
     scaling: Some(AxisScaling { kind: ScalingKind::Counts, greatest_term: 32_767, cite: params::SCALING }),

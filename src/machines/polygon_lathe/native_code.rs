@@ -95,7 +95,8 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let p = &lathe.params;
     p.ratio()?;
     let mut b = Blocks { lathe, builder: Builder::new(), notes: Vec::new() };
-    b.builder.program(NUMBER, "GSK 980TDI ONLY, G51.2");
+    // Its variables and the way its code starts the spindle are those of one control.
+    b.builder.program(NUMBER, &format!("ONLY FOR A {}, G51.2", lathe.control.name.to_ascii_uppercase()));
     // With a decimal point: without one a word of an axis counts increments.
     let cross = |size: f64| x(real(lathe.x_of(size), 3));
     let along = |length: f64| z(real(length, 3));

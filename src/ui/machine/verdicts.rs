@@ -105,7 +105,7 @@ mod tests {
         let bench = mount(|| view! { <Verdicts /> }).await;
         bench.page.set("pinch-force", crate::machines::form::Value::Number(1.0));
         settled().await;
-        let results = bench.page.results.design.with_untracked(above_the_drawing);
+        let results = bench.page.results.design.with_untracked(|design| above_the_drawing(design));
         let is_failing: Vec<bool> = results.iter().map(|readout| readout.verdict == Verdict::Fail).collect();
         assert!(is_failing[0] && is_failing.is_sorted_by(|a, b| a >= b), "{is_failing:?}");
         let judged = results.iter().filter(|readout| readout.verdict != Verdict::Fail);

@@ -120,6 +120,7 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
     // In a narrow layout, more columns than fit go below one another, each with its head: see `.dense`.
     let is_dense = !prose && !has_sentences && shown.len() > IN_A_ROW;
     let has_heads = has_sentences || is_dense;
+    let are_long: Vec<bool> = shown.iter().map(|at| is_dense && longest(sheet, *at) > SENTENCE).collect();
     // A source that all rows share is shown once.
     let common = sheet.common_source().filter(|_| !has_sentences);
     out.push_str("<table class=\"sheet");
@@ -147,8 +148,8 @@ fn rows(out: &mut String, sheet: &Sheet, listed: &[Row], project: &Project) {
         match cells.as_slice() {
             [(column, first), rest @ ..] if !row.entries.is_empty() => {
                 offer(out, row, column.filter(|_| is_dense), first);
-                for (column, cell) in rest {
-                    out.push_str(if is_dense && columns(cell) > SENTENCE { "<td class=\"long\">" } else { "<td>" });
+                for ((column, cell), is_long) in rest.iter().zip(are_long.iter().skip(1)) {
+                    out.push_str(if *is_long { "<td class=\"long\">" } else { "<td>" });
                     head_of(out, column.filter(|_| is_dense));
                     escape(out, cell);
                     out.push_str("</td>");

@@ -437,7 +437,8 @@ fn torque_at_start_is_the_peak_torque_of_the_results() {
 
 #[test]
 fn another_pitch_speeds_the_print_roller_and_leaves_the_loop() {
-    let project = line();
+    let mut project = line();
+    project.values.insert("dwell".to_owned(), Value::Number(0.7));
     let sizing = sized(&project);
     let at = |event, id| row(&sizing, event, id).value;
     let worst = row(&sizing, OperatingEvent::ProductChange, "loop");

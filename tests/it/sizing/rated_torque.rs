@@ -9,7 +9,7 @@ use crate::queries::readout;
 
 #[test]
 fn effective_torque_is_limited_by_the_curve_at_speed() {
-    let warm = line(&[("gear-y", 100.0), ("friction-y", 209.0)]);
+    let warm = line(&[("dwell", 0.7), ("gear-y", 100.0), ("friction-y", 209.0)]);
     let effective = readout(&warm, "y-effective-torque");
     let Some(Limit::AtMost(limit)) = effective.limit else { panic!("{effective:?}") };
     assert!((effective.value - 2.185).abs() < 0.001 && effective.verdict == Verdict::Fail, "{effective:?}");
@@ -18,7 +18,7 @@ fn effective_torque_is_limited_by_the_curve_at_speed() {
     assert!(limit > at(2596.0) && limit < at(2300.0), "{limit}");
     assert!(sentence(&effective.advice[0].message).contains("at a mean speed of"));
     // The same figures without a fall of the curve pass, as they did.
-    let flat = line(&[("gear-y", 100.0), ("friction-y", 209.0), ("motor-rated-torque-y", 2.94)]);
+    let flat = line(&[("dwell", 0.7), ("gear-y", 100.0), ("friction-y", 209.0), ("motor-rated-torque-y", 2.94)]);
     assert_eq!(readout(&flat, "y-effective-torque").verdict, Verdict::Ok);
     // The list refuses the motor with these figures for the same reason.
     let sizing = size_without_envelope(&warm, &SizingRuns::new(&warm, &warm.written()));

@@ -38,9 +38,9 @@ fn taut_ribbon_beyond_the_grip_fails_the_nip() {
     assert!((nip.value - 157.4).abs() < 0.05, "{}", nip.value);
     assert_eq!((nip.verdict, nip.limit), (Verdict::Fail, Some(Limit::AtMost(50.0))));
     let sets: Vec<_> = nip.advice.iter().map(|advice| advice.entries.clone()).collect();
-    assert_eq!(sets[0], [FieldEntry::new("pinch-force", "314.8")]);
-    // 0.87 s of dwell miss no ribbon.
-    assert_eq!(sets[1], [FieldEntry::new("dwell", "0.87")]);
+    // 0.87 s of dwell miss no ribbon; more force would stretch it further, and comes second.
+    assert_eq!(sets[0], [FieldEntry::new("wait", "dwell"), FieldEntry::new("dwell", "0.87")]);
+    assert_eq!(sets[1], [FieldEntry::new("pinch-force", "314.8")]);
     for set in sets {
         assert_eq!(readout(&project.with_entries(&set).unwrap(), "nip-use").verdict, Verdict::Ok, "{set:?}");
     }
@@ -111,7 +111,7 @@ fn taut_ribbon_counts_in_the_torque_of_x_in_form_and_list() {
     let weak = project.with_entries(&[("motor-peak-x", "1.6")]).unwrap();
     let peak = readout(&weak, "x-peak-torque");
     assert_eq!(peak.verdict, Verdict::Fail);
-    assert_eq!(peak.advice[0].entries, [FieldEntry::new("dwell", "0.87")]);
+    assert_eq!(peak.advice[0].entries, [FieldEntry::new("wait", "dwell"), FieldEntry::new("dwell", "0.87")]);
     let mut listed = project.clone();
     for (model, most) in [("WEAK", 1.6), ("STRONG", 1.61)] {
         let table = format!(

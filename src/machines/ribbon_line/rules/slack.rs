@@ -147,8 +147,8 @@ fn growth_at(line: &RibbonLine, at: &Derived) -> f64 {
     at.slack.start + at.slack.stop - line.params.loop_trim() * at.product.length
 }
 
-/// Judges products that lay more ribbon than the dancer takes away while they run. A line that does so at the set position of the knob cannot
-/// go on by itself: its loop fills with each product until the sensor holds the program. At other positions the operator takes up the loop.
+/// Warns about products that lay more ribbon than the dancer takes away while they run, so that the operator has to take up the loop; of a
+/// line that does so at the set position of the knob it says with which product its sensor holds the program.
 pub(in crate::machines::ribbon_line) fn grows(line: &RibbonLine) -> Option<Judgement> {
     let limit = AtMost(0.0);
     if limit.holds(loop_growth(line)) {
@@ -163,7 +163,7 @@ pub(in crate::machines::ribbon_line) fn grows(line: &RibbonLine) -> Option<Judge
         // Each product needs the room of one more than has room now.
         let room = line.params.loop_capacity - line.derived.slack.laid_to_the_end();
         let count = ((room / now).floor().max(0.0) + 1.0, 0);
-        return fail(limit, [msg!("ribbon.loop-fills-by-products", added = (now, 0), taken, count, length).into()]);
+        return warn(limit, [msg!("ribbon.loop-fills-by-products", added = (now, 0), taken, count, length).into()]);
     }
     warn(limit, [msg!("ribbon.loop-grows", percent, laid = (laid, 0), taken, length).into()])
 }
@@ -419,7 +419,7 @@ fn with_matching_dwell(line: &RibbonLine, form: Params) -> DweltForm {
 pub(in crate::machines::ribbon_line) fn with_dwell(line: &RibbonLine, message: Message) -> Advice {
     let dwelt = with_matching_dwell(line, line.params.clone());
     let needed = greatest(&line.with(&dwelt.form), |d| d.slack.loop_needed);
-    if needed > line.params.loop_capacity {
+    if needed > line.params.loop_capacity && needed <= LONGEST_LOOP {
         with_loop(message.into(), needed, vec![dwelt.change])
     } else {
         taking(message.into(), vec![dwelt.change])

@@ -32,12 +32,12 @@ fn chart_svg_has_lines_grid_and_figures_with_classes() {
 }
 
 #[test]
-fn figures_are_over_the_grid_and_below_the_lines() {
+fn figures_are_over_grid_and_lines() {
     let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 40.0), (2.0, 100.0)])).svg;
     let at = |part: &str| drawn.find(part).unwrap_or_else(|| panic!("{part} in {drawn}"));
     let (grid, figure, line) =
         (drawn.rfind("class=\"grid\"").expect("a grid"), at(">50</text>"), at("class=\"line l1\""));
-    assert!(grid < figure && figure < line, "{drawn}");
+    assert!(grid < line && line < figure, "{drawn}");
     // The lowest value is above its grid line, the figures of the time axis are below the foot of the lines.
     assert!(drawn.contains("y=\"84%\" dy=\"-3\">0</text>"), "{drawn}");
     assert!(drawn.contains("y=\"84%\" dy=\"12\" text-anchor=\"middle\">1 s</text>"), "{drawn}");

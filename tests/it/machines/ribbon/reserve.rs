@@ -61,7 +61,7 @@ fn thickness_of_the_ribbon_takes_of_the_dancers_trim() {
 
 #[test]
 fn shortage_of_a_turn_is_shown_in_tenths() {
-    let row = readout(&line(&THICK), "missing-turned");
+    let row = readout(&line(&[&THICK[..], &[("dwell", "0.7")]].concat()), "missing-turned");
     let texts: Vec<_> = row.advice.iter().map(|advice| sentence(&advice.message)).collect();
     assert_eq!(row.verdict, Verdict::Fail);
     assert!(texts.iter().all(|text| !text.contains(" 0 mm")), "{texts:?}");
@@ -176,7 +176,7 @@ fn before_products(project: &Project, products: usize) -> Vec<f64> {
 
 #[test]
 fn loop_of_many_products_stays_within_its_bound() {
-    let project = line(&[("pitch-count", "160")]);
+    let project = line(&[("pitch-count", "160"), ("dwell", "0.7")]);
     let bound = readout(&project, "slack-before");
     let before = before_products(&project, 8);
     assert_eq!((before.len(), readout(&project, "loop-growth").verdict), (8, Verdict::Ok));
@@ -192,7 +192,7 @@ fn short_products_fill_the_loop_with_a_warning() {
     let row = readout(&project, "loop-growth");
     assert!(row.verdict == Verdict::Warn && row.value > 0.0, "{row:?}");
     assert!(project.design().readouts.iter().all(|row| row.id != "slack-before"));
-    assert_eq!(row.advice[0].message.id, "ribbon.loop-grows");
+    assert_eq!(row.advice[0].message.id, "ribbon.loop-fills-by-products");
     let before = before_products(&project, 6);
     assert!(before.is_sorted() && before[5] > 450.0, "{before:?}");
     // Without a dancer the operator takes the loop up.

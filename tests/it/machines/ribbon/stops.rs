@@ -103,6 +103,7 @@ fn feed_that_waits_for_the_speed_counts_at_start_and_restart() {
 /// The first example with the knob free up to 123.3 %: K = 6.314 mm, a ramp of 2 s, a dwell of 0.7 s.
 fn example(changes: &[(&str, &str)]) -> Project {
     let mut project = Project::named("ribbon-line", Some("mitsubishi-e60"), None).unwrap();
+    project.values.extend(values(&[("dwell", "0.7")]));
     project.values.extend(values(changes));
     project
 }
