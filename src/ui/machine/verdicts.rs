@@ -9,8 +9,7 @@ use crate::ui::state::Page;
 use crate::ui::words::{Tone, limit_sign, t, verdict_words};
 use crate::view::{Readout, Verdict};
 
-/// The results above the drawing: those of the headline, where failing results replace those without a limit. Failing results come first, then
-/// warnings, then the others with a limit.
+/// The results above the drawing: those of the headline, where failing results replace those without a limit.
 fn above_the_drawing(design: &Design) -> Vec<Readout> {
     let (headline, others): (Vec<_>, Vec<_>) = design.readouts.iter().partition(|readout| readout.headline);
     let mut failing = others.into_iter().filter(|readout| readout.verdict == Verdict::Fail);
@@ -18,14 +17,7 @@ fn above_the_drawing(design: &Design) -> Vec<Readout> {
         None if matches!(readout.verdict, Verdict::None | Verdict::Ok) => failing.next().unwrap_or(readout).clone(),
         _ => readout.clone(),
     };
-    let mut results: Vec<Readout> = headline.into_iter().map(place).collect();
-    results.sort_by_key(|readout| match readout.verdict {
-        Verdict::Fail => 0,
-        Verdict::Warn => 1,
-        Verdict::Ok | Verdict::None if readout.limit.is_some() => 2,
-        Verdict::Ok | Verdict::None => 3,
-    });
-    results
+    headline.into_iter().map(place).collect()
 }
 
 /// The verdicts.
@@ -98,18 +90,6 @@ mod tests {
         let failing = design.readouts.iter().find(fails).map(|readout| t(readout.label)).unwrap();
         assert!(bench.text(".cards").contains(failing), "{failing}");
         assert_eq!(bench.all(".card").len(), count);
-    }
-
-    #[wasm_bindgen_test]
-    async fn failing_results_come_first_and_those_without_a_limit_last() {
-        let bench = mount(|| view! { <Verdicts /> }).await;
-        bench.page.set("pinch-force", crate::machines::form::Value::Number(1.0));
-        settled().await;
-        let results = bench.page.results.design.with_untracked(|design| above_the_drawing(design));
-        let is_failing: Vec<bool> = results.iter().map(|readout| readout.verdict == Verdict::Fail).collect();
-        assert!(is_failing[0] && is_failing.is_sorted_by(|a, b| a >= b), "{is_failing:?}");
-        let judged = results.iter().filter(|readout| readout.verdict != Verdict::Fail);
-        assert!(judged.map(|readout| readout.limit.is_none()).is_sorted());
     }
 
     #[wasm_bindgen_test]

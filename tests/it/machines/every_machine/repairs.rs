@@ -50,7 +50,8 @@ fn answer_names_the_repairs_with_their_entries() {
     assert_eq!(repairs["changes"][0], serde_json::json!({ "change": "Add a dancer", "sets": { "dancer": "true" } }));
     assert_eq!(
         repairs_text(&self::repairs(&paper)),
-        "With these changes every result holds: Add a dancer; Set Loop capacity to 1710 mm; Set Print heads to 47; Set Pitches per block to 2.\n"
+        "With these changes every result holds: Add a dancer; Set Loop capacity to 1710 mm; Set Print heads to 47; Set Pitches per block to 2.\n\
+         Then one result is to be checked that was not before: Ribbon that a product adds beyond the trim.\n"
     );
 }
 

@@ -22,6 +22,21 @@ type Entered = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Machines whose advice is too rare for random forms.
 const RARE: &[Entered] = &[
+    // A start that pulls a stiff ribbon taut at a nip that passes the tension on to a weak motor.
+    (
+        "ribbon-line",
+        "mitsubishi-e60",
+        &[
+            ("tension-before", "15"),
+            ("dwell", "0.1"),
+            ("youngs-modulus", "2000"),
+            ("tensile-strength", "2000"),
+            ("pinch-force", "10000"),
+            ("pitch-count", "20"),
+            ("loop-capacity", "600"),
+            ("motor-peak-x", "1.6"),
+        ],
+    ),
     // A shaft whose spindle is positioned faster than its inverter follows, and one whose motor hardly brakes.
     (
         "turning-spindle",
