@@ -22,21 +22,6 @@ type Entered = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Machines whose advice is too rare for random forms.
 const RARE: &[Entered] = &[
-    // A start that pulls a stiff ribbon taut at a nip that passes the tension on to a weak motor.
-    (
-        "ribbon-line",
-        "mitsubishi-e60",
-        &[
-            ("tension-before", "15"),
-            ("dwell", "0.1"),
-            ("youngs-modulus", "2000"),
-            ("tensile-strength", "2000"),
-            ("pinch-force", "10000"),
-            ("pitch-count", "20"),
-            ("loop-capacity", "600"),
-            ("motor-peak-x", "1.6"),
-        ],
-    ),
     // A shaft whose spindle is positioned faster than its inverter follows, and one whose motor hardly brakes.
     (
         "turning-spindle",
@@ -438,6 +423,10 @@ const PLAIN: &[(&str, &str)] = &[
     ("turning.screw-too-short", "a deed: another screw, or a start nearer to the work"),
     ("turning.overload", "a fact: the share of time is the operator's"),
     ("ribbon.range-roll-over-in-radius", "the words of X are a setting of the control, no field"),
+    (
+        "ribbon.taut-torque",
+        "of a ribbon that a start pulls taut it has the button of the dwell, which sizing::taut tries",
+    ),
 ];
 
 #[test]
