@@ -64,7 +64,7 @@ test('repair makes failing results hold, one undo restores them', () =>
     assert.ok((await page.locator('.ways-out li').count()) > 1);
     await accessible(page);
     await way.getByRole('button').click();
-    await page.locator('.notices', { hasText: 'All results hold now: Add a dancer; Set Loop capacity to 1710 mm' }).waitFor();
+    await page.locator('.notices', { hasText: 'No result fails now: Add a dancer; Set Loop capacity to 1710 mm' }).waitFor();
     await page.locator('.repairs').waitFor({ state: 'detached' });
     assert.equal(await failing.count(), 0);
     assert.equal(await page.locator('#pitch').inputValue(), '8');

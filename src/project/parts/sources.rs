@@ -1,5 +1,7 @@
 //! Names of the sources of the shipped catalogue. `docs/reference/parts.md` has each of them in full.
 
+use crate::text::catalog::words;
+
 /// Keys of the sources and the titles of the documents. A customer reads them in the bill: a title says where data are a copy.
 const SOURCES: [(&str, &str); 29] = [
     ("apex-ab", "Apex AB/ABR catalogue (copied table, unverified)"),
@@ -33,7 +35,7 @@ const SOURCES: [(&str, &str); 29] = [
     ("wat-ie3", "WAT IE3 80M"),
 ];
 
-/// Title of the document behind a key; another source, as a user's own table states it, stays as it is.
+/// Title of the document behind a key, in the language in use; another source, as a user's own table states it, stays as it is.
 pub fn source_title(key: &str) -> &str {
-    SOURCES.iter().find(|row| row.0 == key).map_or(key, |row| row.1)
+    SOURCES.iter().find(|row| row.0 == key).map_or(key, |row| words(row.1))
 }
